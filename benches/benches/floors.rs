@@ -22,12 +22,22 @@ fn record() -> Motion {
 /// Calculates each floor alone, with its own oscillators and its own sum.
 fn floor_by_floor(ground: &Motion, building: &Building, levels_ratio: &[f64]) -> Vec<Vec<f64>> {
     let floor = |&level: &f64| {
-        let residual = 1.0 - building.modes().iter().map(|mode| mode.share_ratio(level)).sum::<f64>();
+        let residual = 1.0
+            - building
+                .modes()
+                .iter()
+                .map(|mode| mode.share_ratio(level))
+                .sum::<f64>();
         let mut floor: Vec<f64> = ground.accel_m_s2().iter().map(|a| residual * a).collect();
         for mode in building.modes() {
             let share = mode.share_ratio(level);
-            let history = absolute_acceleration_history_m_s2(ground, mode.period_s(), mode.damping_ratio()).unwrap();
-            floor.iter_mut().zip(history).for_each(|(sample, absolute)| *sample += share * absolute);
+            let history =
+                absolute_acceleration_history_m_s2(ground, mode.period_s(), mode.damping_ratio())
+                    .unwrap();
+            floor
+                .iter_mut()
+                .zip(history)
+                .for_each(|(sample, absolute)| *sample += share * absolute);
         }
         floor
     };
@@ -37,10 +47,18 @@ fn floor_by_floor(ground: &Motion, building: &Building, levels_ratio: &[f64]) ->
 fn floors(criterion: &mut Criterion) {
     let ground = record();
     let building = Building::beam(1.92, 0.05, 5.0, MODES).unwrap();
-    let levels_ratio: Vec<f64> = (1..=FLOORS).map(|k| f64::from(k) / f64::from(FLOORS)).collect();
+    let levels_ratio: Vec<f64> = (1..=FLOORS)
+        .map(|k| f64::from(k) / f64::from(FLOORS))
+        .collect();
     let together = floor_motions(&ground, &building, &levels_ratio).unwrap();
     let apart = floor_by_floor(&ground, &building, &levels_ratio);
-    assert!(together.iter().zip(&apart).all(|(one, other)| one.accel_m_s2() == other), "one result, to the bit");
+    assert!(
+        together
+            .iter()
+            .zip(&apart)
+            .all(|(one, other)| one.accel_m_s2() == other),
+        "one result, to the bit"
+    );
 
     let mut group = criterion.benchmark_group("floors");
     group.bench_function("together", |bencher| {
@@ -53,10 +71,16 @@ fn floors(criterion: &mut Criterion) {
         bencher.iter(|| floor_peaks(black_box(&ground), &building, &levels_ratio).unwrap());
     });
     for storeys in [30, 200] {
-        let storey = Storey { mass_kg: 4e5, stiffness_n_m: 9e8, height_m: 3.2 };
+        let storey = Storey {
+            mass_kg: 4e5,
+            stiffness_n_m: 9e8,
+            height_m: 3.2,
+        };
         let storeys = vec![storey; storeys];
         group.bench_function(format!("modes_of_{}_storeys", storeys.len()), |bencher| {
-            bencher.iter(|| Building::shear(black_box(&storeys), &Damping::Uniform(0.05), MODES).unwrap());
+            bencher.iter(|| {
+                Building::shear(black_box(&storeys), &Damping::Uniform(0.05), MODES).unwrap()
+            });
         });
     }
     group.finish();

@@ -9,8 +9,8 @@ use freestand::fragility::FitKind;
 use freestand::motion::Motion;
 use freestand::rocking::Restitution;
 use freestand_assess::fragility::{
-    DEFAULT_MAX_SCALE, FitMethod, FloorMotion, GivenObject, Limits, Measure, Method, RunObjects, RunsRequest,
-    fragility_of_runs,
+    DEFAULT_MAX_SCALE, FitMethod, FloorMotion, GivenObject, Limits, Measure, Method, RunObjects,
+    RunsRequest, fragility_of_runs,
 };
 use freestand_study::run::no_progress;
 
@@ -28,12 +28,21 @@ fn motions() -> Vec<FloorMotion> {
             0.5 * envelope * (0..12).map(|j| sine(t, j)).sum::<f64>()
         });
         let horizontal = Motion::new(0.005, accel.collect()).unwrap();
-        FloorMotion { name: format!("m{i:02}"), horizontal, vertical: None }
+        FloorMotion {
+            name: format!("m{i:02}"),
+            horizontal,
+            vertical: None,
+        }
     };
     (0..44).map(motion).collect()
 }
 
-fn request(height_m: f64, thickness_m: f64, replicates: u32, motions: &[FloorMotion]) -> RunsRequest<'static> {
+fn request(
+    height_m: f64,
+    thickness_m: f64,
+    replicates: u32,
+    motions: &[FloorMotion],
+) -> RunsRequest<'static> {
     let object = GivenObject {
         block: Block::uniform(height_m, thickness_m).unwrap(),
         restitution: Restitution::Housner,
@@ -74,8 +83,10 @@ fn incremental(criterion: &mut Criterion) {
         bencher.iter(|| {
             for i in (0..1000).step_by(50) {
                 let height_m = 0.8 + 0.0016 * f64::from(i);
-                let thickness_m = height_m * (0.15 + 0.25 * (f64::from(i) * 0.618_033_988_749_895).fract());
-                fragility_of_runs(&request(height_m, thickness_m, 0, &motions), &no_progress).unwrap();
+                let thickness_m =
+                    height_m * (0.15 + 0.25 * (f64::from(i) * 0.618_033_988_749_895).fract());
+                fragility_of_runs(&request(height_m, thickness_m, 0, &motions), &no_progress)
+                    .unwrap();
             }
         });
     });

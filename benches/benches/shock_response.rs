@@ -11,9 +11,13 @@ use std::hint::black_box;
 
 /// A shock that rings: three tones that are struck and die away.
 fn record() -> Motion {
-    let tone = |t: f64, f: f64, decay: f64| (-t / decay).exp() * (std::f64::consts::TAU * f * t).sin();
-    let shock =
-        |t: f64| 900.0 * tone(t, 120.0, 0.02) + 1500.0 * tone(t, 1300.0, 0.005) + 700.0 * tone(t, 4200.0, 0.002);
+    let tone =
+        |t: f64, f: f64, decay: f64| (-t / decay).exp() * (std::f64::consts::TAU * f * t).sin();
+    let shock = |t: f64| {
+        900.0 * tone(t, 120.0, 0.02)
+            + 1500.0 * tone(t, 1300.0, 0.005)
+            + 700.0 * tone(t, 4200.0, 0.002)
+    };
     let samples = (0..100_000).map(|k| shock((1e-5 * f64::from(k) - 0.01).max(0.0)));
     Motion::new(1e-5, samples.collect()).unwrap()
 }
@@ -21,11 +25,17 @@ fn record() -> Motion {
 fn shock_response(criterion: &mut Criterion) {
     let record = record();
     let frequencies: Vec<f64> = (0..160).map(|i| (f64::from(i) / 12.0).exp2()).collect();
-    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let one = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
     let mut group = criterion.benchmark_group("shock_response");
     group.sample_size(20);
     for (name, upsample) in [("upsampled", true), ("as_sampled", false)] {
-        let options = ShockSpectrumOptions { upsample, ..ShockSpectrumOptions::default() };
+        let options = ShockSpectrumOptions {
+            upsample,
+            ..ShockSpectrumOptions::default()
+        };
         let run = || shock_spectrum(black_box(&record), &frequencies, options);
         group.bench_function(name, |bencher| bencher.iter(|| one.install(run)));
     }

@@ -8,9 +8,12 @@ use freestand_study::run::{no_progress, run};
 
 fn built_in_study(criterion: &mut Criterion) {
     let study = builtin(&Overrides::default()).unwrap();
-    let mut group = criterion.benchmark_group("built-in study: 10 motions x 2 levels x 130 objects");
+    let mut group =
+        criterion.benchmark_group("built-in study: 10 motions x 2 levels x 130 objects");
     group.sample_size(10);
-    group.bench_function("run", |bencher| bencher.iter(|| run(&study, &no_progress).unwrap()));
+    group.bench_function("run", |bencher| {
+        bencher.iter(|| run(&study, &no_progress).unwrap())
+    });
     group.finish();
 }
 

@@ -7,7 +7,8 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::synthesis::{
-    Preset, SimulationOptions, Simulator, SynthesisOptions, match_by_wavelets, match_motion, synthesize,
+    Preset, SimulationOptions, Simulator, SynthesisOptions, match_by_wavelets, match_motion,
+    synthesize,
 };
 use std::hint::black_box;
 
@@ -20,12 +21,18 @@ fn synthesis(criterion: &mut Criterion) {
     let simulations = || {
         let source = Preset::Victoria.source(black_box(6.0), 30e3);
         let simulator = Simulator::new(&source, |_| 1.0, &SimulationOptions::default()).unwrap();
-        (0..10).map(|index| simulator.motion(1, index).unwrap().peak_m_s2()).fold(0.0, f64::max)
+        (0..10)
+            .map(|index| simulator.motion(1, index).unwrap().peak_m_s2())
+            .fold(0.0, f64::max)
     };
     let mut group = criterion.benchmark_group("synthesis");
     group.sample_size(10);
     group.bench_function("ten_matched_motions", |bencher| {
-        bencher.iter(|| (0..10).map(|i| synthesize(|t| soil.sa_g(t), 1, i, &options).unwrap().pass).sum::<usize>());
+        bencher.iter(|| {
+            (0..10)
+                .map(|i| synthesize(|t| soil.sa_g(t), 1, i, &options).unwrap().pass)
+                .sum::<usize>()
+        });
     });
     group.bench_function("one_record_by_wavelets", |bencher| {
         bencher.iter(|| match_by_wavelets(black_box(&record), |t| soil.sa_g(t), 30).unwrap());

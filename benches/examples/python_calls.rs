@@ -3,7 +3,11 @@
 //!
 //! `python_calls.rs RECORD.csv`: a record with a scale that lifts the objects.
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop, and says what it measured")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a benchmark may stop, and says what it measured"
+)]
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -15,7 +19,9 @@ use freestand_input::keys::Words;
 use freestand_records::formats::{ReadOptions, read_motions};
 use freestand_study::cushion;
 use freestand_study::rock::{RockRequest, rock};
-use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects, spectrum};
+use freestand_study::spectrum::{
+    Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects, spectrum,
+};
 
 fn least(turns: usize, mut work: impl FnMut()) -> f64 {
     let time = |_| {
@@ -27,9 +33,16 @@ fn least(turns: usize, mut work: impl FnMut()) -> f64 {
 }
 
 fn main() {
-    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().unwrap();
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build_global()
+        .unwrap();
     let path = std::env::args().nth(1).unwrap();
-    let read = read_motions(path.as_ref(), &ReadOptions::default()).unwrap().components.remove(0).motion;
+    let read = read_motions(path.as_ref(), &ReadOptions::default())
+        .unwrap()
+        .components
+        .remove(0)
+        .motion;
     let scaled: Vec<f64> = read.accel_m_s2().iter().map(|a| 3.5 * a).collect();
     let motion = Motion::new(read.dt_s(), scaled).unwrap();
     let words: Words = [("stiffness", "4380 N/mm")].into_iter().collect();
@@ -43,12 +56,27 @@ fn main() {
         wall: Default::default(),
         friction: None,
     };
-    println!("rock {:e}", least(2000, || drop(black_box(rock(&request.clone(), false).unwrap()))));
-    let still = RockRequest { block: Block::uniform(0.4, 0.4).unwrap(), ..request.clone() };
-    println!("still {:e}", least(2000, || drop(black_box(rock(&still.clone(), false).unwrap()))));
+    println!(
+        "rock {:e}",
+        least(2000, || drop(black_box(
+            rock(&request.clone(), false).unwrap()
+        )))
+    );
+    let still = RockRequest {
+        block: Block::uniform(0.4, 0.4).unwrap(),
+        ..request.clone()
+    };
+    println!(
+        "still {:e}",
+        least(2000, || drop(black_box(
+            rock(&still.clone(), false).unwrap()
+        )))
+    );
     for (heights, thicknesses) in [(40, 25), (64, 64)] {
         let grid = |count: usize, from: f64, to: f64| -> Vec<f64> {
-            (0..count).map(|i| from + (to - from) * i as f64 / (count - 1) as f64).collect()
+            (0..count)
+                .map(|i| from + (to - from) * i as f64 / (count - 1) as f64)
+                .collect()
         };
         let grid = Grid::new(grid(heights, 0.3, 3.0), grid(thicknesses, 0.1, 1.0)).unwrap();
         let request = SpectrumRequest {
@@ -59,7 +87,11 @@ fn main() {
             sensitivity: false,
             surface: None,
         };
-        let motions = [SpectrumMotion { name: "m".to_owned(), horizontal: motion.clone(), vertical: None }];
+        let motions = [SpectrumMotion {
+            name: "m".to_owned(),
+            horizontal: motion.clone(),
+            vertical: None,
+        }];
         let took = least(20, || {
             let mut tallies = [SpectrumTally::default()];
             let mut rows = 0;

@@ -1,7 +1,11 @@
 //! Times the reading of record files on one thread [s], the median of five; `compare.py` compares
 //! it with other readers.
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop, and says what it measured")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a benchmark may stop, and says what it measured"
+)]
 
 use freestand_records::formats::{ReadOptions, read_motions};
 use std::time::Instant;
@@ -14,7 +18,12 @@ fn main() {
             let start = Instant::now();
             for path in &paths {
                 let file = read_motions(path.as_ref(), &options).unwrap();
-                assert!(file.components.iter().all(|one| one.motion.peak_m_s2() > 0.0), "{path}");
+                assert!(
+                    file.components
+                        .iter()
+                        .all(|one| one.motion.peak_m_s2() > 0.0),
+                    "{path}"
+                );
             }
             start.elapsed().as_secs_f64()
         })

@@ -6,7 +6,11 @@ use std::time::Duration;
 /// measures it. Only Linux tells it, in steps of a few milliseconds.
 pub fn processor_time() -> Option<Duration> {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    text.split(' ').next()?.parse().ok().map(Duration::from_nanos)
+    text.split(' ')
+        .next()?
+        .parse()
+        .ok()
+        .map(Duration::from_nanos)
 }
 
 /// Processor time of `rounds` runs, or the time that passes where the former is not known.
@@ -15,5 +19,7 @@ pub fn time_of<T>(rounds: u64, mut run: impl FnMut() -> T) -> Duration {
     for _ in 0..rounds {
         std::hint::black_box(run());
     }
-    processor_time().zip(begin).map_or(passed.elapsed(), |(end, begin)| end - begin)
+    processor_time()
+        .zip(begin)
+        .map_or(passed.elapsed(), |(end, begin)| end - begin)
 }

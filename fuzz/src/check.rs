@@ -15,10 +15,20 @@ const MAX_SAMPLES: usize = 100_000_000;
 /// finite, or with more of them than the file can hold.
 pub fn check_record(bytes: &[u8]) -> bool {
     let plain = ReadOptions::default();
-    let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-    let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
+    let told = ReadOptions {
+        unit: Some("g".to_owned()),
+        dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
+    let resampled = ReadOptions {
+        unit: Some("cm/s2".to_owned()),
+        uneven_dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
     // All of them, even after one has read the bytes.
-    [plain, told, resampled].map(|options| check_with(bytes, &options)).contains(&true)
+    [plain, told, resampled]
+        .map(|options| check_with(bytes, &options))
+        .contains(&true)
 }
 
 fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
@@ -27,10 +37,21 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
         Err(error) => {
             assert!(!error.problems.is_empty());
             for problem in &error.problems {
-                assert!(problem.path.is_some() && !problem.message.is_empty(), "{problem:?}");
-                assert!(problem.line.is_some() || problem.hint.is_some(), "{problem:?}");
+                assert!(
+                    problem.path.is_some() && !problem.message.is_empty(),
+                    "{problem:?}"
+                );
+                assert!(
+                    problem.line.is_some() || problem.hint.is_some(),
+                    "{problem:?}"
+                );
                 // Each line ends with a byte of its own, and an error may be after the last.
-                assert!(problem.line.is_none_or(|line| (1..=bytes.len() + 1).contains(&line)), "{problem:?}");
+                assert!(
+                    problem
+                        .line
+                        .is_none_or(|line| (1..=bytes.len() + 1).contains(&line)),
+                    "{problem:?}"
+                );
             }
             false
         }
@@ -43,7 +64,10 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
                 total += accel_m_s2.len();
                 // Steim-2 packs seven samples into four bytes, text at best one into two.
                 // Interpolation may add any number.
-                let is_interpolated = file.notes.iter().any(|note| note.kind == NoteKind::Interpolated);
+                let is_interpolated = file
+                    .notes
+                    .iter()
+                    .any(|note| note.kind == NoteKind::Interpolated);
                 assert!(accel_m_s2.len() <= 2 * bytes.len() || is_interpolated);
             }
             // But no more than one motion may have, however many components there are.

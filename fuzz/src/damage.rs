@@ -6,7 +6,10 @@ pub struct Chance(pub u64);
 
 impl Chance {
     fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % bound.max(1)
     }
 }
@@ -18,7 +21,13 @@ pub fn split_lines(bytes: &[u8]) -> Vec<&[u8]> {
 /// One line in place of itself `count` times: 0 loses it, 2 doubles it.
 fn repeat_line(bytes: &[u8], at: usize, count: usize) -> Vec<u8> {
     let lines = split_lines(bytes);
-    let each = lines.iter().enumerate().map(|(i, line)| if i == at { line.repeat(count) } else { line.to_vec() });
+    let each = lines.iter().enumerate().map(|(i, line)| {
+        if i == at {
+            line.repeat(count)
+        } else {
+            line.to_vec()
+        }
+    });
     each.collect::<Vec<_>>().concat()
 }
 
@@ -53,11 +62,27 @@ pub fn mutations(bytes: &[u8], chance: &mut Chance) -> Vec<Vec<u8>> {
         out.push(overwrite(bytes, at, b"9"));
         out.push(overwrite(bytes, at, b"-"));
     }
-    for with in ["99999999999999999999", "1E400", "-1", "NaN", "-999", "1.7E38", "0", ".", "\u{fffd}", "\0", "\t", "#"]
-    {
+    for with in [
+        "99999999999999999999",
+        "1E400",
+        "-1",
+        "NaN",
+        "-999",
+        "1.7E38",
+        "0",
+        ".",
+        "\u{fffd}",
+        "\0",
+        "\t",
+        "#",
+    ] {
         for _ in 0..4 {
             out.push(overwrite(bytes, chance.below(length), with.as_bytes()));
-            out.extend(digits.get(chance.below(digits.len())).map(|&at| overwrite(bytes, at, with.as_bytes())));
+            out.extend(
+                digits
+                    .get(chance.below(digits.len()))
+                    .map(|&at| overwrite(bytes, at, with.as_bytes())),
+            );
         }
     }
     // Line ends of other systems, blank lines, all on one line, and what editors put around a text.
@@ -65,13 +90,21 @@ pub fn mutations(bytes: &[u8], chance: &mut Chance) -> Vec<Vec<u8>> {
         split_lines(bytes)
             .iter()
             .flat_map(|line| {
-                [line.strip_suffix(from).unwrap_or(line), if line.ends_with(from) { to } else { b"" }].concat()
+                [
+                    line.strip_suffix(from).unwrap_or(line),
+                    if line.ends_with(from) { to } else { b"" },
+                ]
+                .concat()
             })
             .collect::<Vec<u8>>()
     };
-    out.extend([b"\r\n".as_slice(), b"\r\r\n", b"\r", b"\n\n", b" \n", b" "].map(|to| replaced(b"\n", to)));
-    let mixed =
-        split_lines(&replaced(b"\n", b"\r\n")).iter().enumerate().fold(Vec::new(), |mut text: Vec<u8>, (i, line)| {
+    out.extend(
+        [b"\r\n".as_slice(), b"\r\r\n", b"\r", b"\n\n", b" \n", b" "].map(|to| replaced(b"\n", to)),
+    );
+    let mixed = split_lines(&replaced(b"\n", b"\r\n"))
+        .iter()
+        .enumerate()
+        .fold(Vec::new(), |mut text: Vec<u8>, (i, line)| {
             text.extend_from_slice(line);
             if i % 3 == 0 {
                 text.truncate(text.len().saturating_sub(1));
@@ -83,7 +116,13 @@ pub fn mutations(bytes: &[u8], chance: &mut Chance) -> Vec<Vec<u8>> {
     out.push([bytes, b"\n\n \n\x1A"].concat());
     out.push([bytes, bytes].concat());
     // Bytes that are no UTF-8.
-    out.extend((0..15).map(|_| overwrite(bytes, chance.below(length), &[0x80 + chance.below(128) as u8])));
+    out.extend((0..15).map(|_| {
+        overwrite(
+            bytes,
+            chance.below(length),
+            &[0x80 + chance.below(128) as u8],
+        )
+    }));
     out.push(bytes.to_ascii_lowercase());
     out.push(bytes.to_ascii_uppercase());
     out

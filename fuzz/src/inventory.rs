@@ -16,28 +16,52 @@ pub fn check_inventory(bytes: Vec<u8>) {
         Err(error) => {
             assert!(!error.problems.is_empty());
             for problem in &error.problems {
-                assert!(problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(), "{problem:?}");
+                assert!(
+                    problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(),
+                    "{problem:?}"
+                );
             }
         }
         Ok(reading) => {
             let inventory = reading.inventory;
             assert!(!inventory.items.is_empty());
             for item in &inventory.items {
-                assert!(!item.id.is_empty() && item.quantity > 0 && item.carried.len() == inventory.carried.len());
-                let values = [item.height_m, item.thickness_m, item.width_m, item.mass_kg, item.level_ratio];
-                assert!(values.into_iter().flatten().all(|value| value.is_finite() && value >= 0.0), "{item:?}");
+                assert!(
+                    !item.id.is_empty()
+                        && item.quantity > 0
+                        && item.carried.len() == inventory.carried.len()
+                );
+                let values = [
+                    item.height_m,
+                    item.thickness_m,
+                    item.width_m,
+                    item.mass_kg,
+                    item.level_ratio,
+                ];
+                assert!(
+                    values
+                        .into_iter()
+                        .flatten()
+                        .all(|value| value.is_finite() && value >= 0.0),
+                    "{item:?}"
+                );
             }
             // A row without an id is called by its number, which is another one without the titles
             // above.
-            if inventory.items.iter().any(|item| item.id.starts_with("row-")) {
+            if inventory
+                .items
+                .iter()
+                .any(|item| item.id.starts_with("row-"))
+            {
                 return;
             }
             for target in [Target::Csv, Target::Xlsx] {
                 // What cannot be written is refused: text that is too long for a cell once it is
                 // guarded.
                 if let Ok(converted) = convert_bytes(bytes.clone(), path, None, target) {
-                    let again = parse_inventory(converted.bytes, path, &ReadOptions::new(&Lookup::NONE))
-                        .expect("ours is read again");
+                    let again =
+                        parse_inventory(converted.bytes, path, &ReadOptions::new(&Lookup::NONE))
+                            .expect("ours is read again");
                     assert_eq!(again.inventory.items.len(), inventory.items.len());
                 }
             }
@@ -68,7 +92,8 @@ pub fn workbook(sheet: &[u8]) -> Vec<u8> {
         ("xl/worksheets/sheet1.xml", sheet.to_vec()),
     ];
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    let options = zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    let options =
+        zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
     for (name, bytes) in parts {
         archive.start_file(name, options).expect("memory takes it");
         archive.write_all(&bytes).expect("memory takes it");

@@ -10,7 +10,9 @@ fn sealed(bytes: &[u8]) -> Option<Vec<u8>> {
     let record = out.get_mut(..length)?;
     record[28..32].fill(0);
     let crc = !record.iter().fold(u32::MAX, |crc, byte| {
-        (0..8).fold(crc ^ u32::from(*byte), |crc, _| crc >> 1 ^ 0x82F6_3B78 & (crc & 1).wrapping_neg())
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            crc >> 1 ^ 0x82F6_3B78 & (crc & 1).wrapping_neg()
+        })
     });
     record[28..32].copy_from_slice(&crc.to_le_bytes());
     Some(out)

@@ -1,6 +1,8 @@
 //! Quantities and grids as flags, studies and tables write them.
 #![no_main]
-use freestand_input::quantity::{Dimension, find_unit, format_si, parse, parse_grid, parse_in_unit};
+use freestand_input::quantity::{
+    Dimension, find_unit, format_si, parse, parse_grid, parse_in_unit,
+};
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     for dimension in [

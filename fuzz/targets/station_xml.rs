@@ -10,8 +10,19 @@ libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     if std::fs::write(&xml, bytes).is_err() {
         return;
     }
-    let options = ReadOptions { station_xml: Some(xml), ..ReadOptions::default() };
-    if let Ok(file) = parse_motions(RECORD.to_vec(), Path::new("/nowhere/record.mseed"), &options) {
-        assert!(file.components.iter().all(|one| one.motion.accel_m_s2().iter().all(|a| a.is_finite())));
+    let options = ReadOptions {
+        station_xml: Some(xml),
+        ..ReadOptions::default()
+    };
+    if let Ok(file) = parse_motions(
+        RECORD.to_vec(),
+        Path::new("/nowhere/record.mseed"),
+        &options,
+    ) {
+        assert!(
+            file.components
+                .iter()
+                .all(|one| one.motion.accel_m_s2().iter().all(|a| a.is_finite()))
+        );
     }
 });

@@ -6,12 +6,19 @@ use std::path::Path;
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     // Slashes belong to units, but not in front; an escape can write them too.
-    let names_a_place = ["\"/", "'/", "..", "\\"].iter().any(|part| text.contains(part));
+    let names_a_place = ["\"/", "'/", "..", "\\"]
+        .iter()
+        .any(|part| text.contains(part));
     if names_a_place {
         return;
     }
     if let Err(error) = resolve(text, Some(Path::new("study.toml")), Path::new("/nowhere")) {
         assert!(!error.problems.is_empty());
-        assert!(error.problems.iter().all(|problem| !problem.message.is_empty()));
+        assert!(
+            error
+                .problems
+                .iter()
+                .all(|problem| !problem.message.is_empty())
+        );
     }
 });

@@ -16,8 +16,25 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("freestand-input", &[]),
     ("freestand-output", &["freestand-input"]),
     ("freestand-records", &["freestand", "freestand-input"]),
-    ("freestand-study", &["freestand", "freestand-input", "freestand-output", "freestand-records"]),
-    ("freestand-assess", &["freestand", "freestand-input", "freestand-output", "freestand-records", "freestand-study"]),
+    (
+        "freestand-study",
+        &[
+            "freestand",
+            "freestand-input",
+            "freestand-output",
+            "freestand-records",
+        ],
+    ),
+    (
+        "freestand-assess",
+        &[
+            "freestand",
+            "freestand-input",
+            "freestand-output",
+            "freestand-records",
+            "freestand-study",
+        ],
+    ),
     // It knows no command.
     ("freestand-page", &[]),
     ("freestand-py", SHELL),
@@ -36,8 +53,14 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
 ];
 
-const SHELL: &[&str] =
-    &["freestand", "freestand-input", "freestand-output", "freestand-records", "freestand-study", "freestand-assess"];
+const SHELL: &[&str] = &[
+    "freestand",
+    "freestand-input",
+    "freestand-output",
+    "freestand-records",
+    "freestand-study",
+    "freestand-assess",
+];
 
 /// The most that one crate may hold of the lines of code.
 const MAX_SHARE: f64 = 0.4;
@@ -65,7 +88,13 @@ pub fn check(files: &Files) -> Result<(Vec<String>, Vec<String>), String> {
     let mut lines = BTreeMap::new();
     for name in source::crates(files) {
         let modules = source::modules(files, name)?;
-        lines.insert(name, modules.iter().map(|module| source::code_lines(&module.tokens)).sum());
+        lines.insert(
+            name,
+            modules
+                .iter()
+                .map(|module| source::code_lines(&module.tokens))
+                .sum(),
+        );
         problems.extend(wrong_order(files, name, &modules));
         match module_arrows(name, &modules) {
             Ok(arrows) => problems.extend(circles(name, &arrows)),
@@ -81,8 +110,9 @@ pub fn check(files: &Files) -> Result<(Vec<String>, Vec<String>), String> {
 fn shares(lines: &BTreeMap<&str, usize>) -> (Vec<String>, Option<String>) {
     let all: usize = lines.values().sum();
     let share = |count: usize| count as f64 / all.max(1) as f64;
-    let listed =
-        lines.iter().map(|(name, &count)| format!("{name:<20}{count:>7} lines{:>6.1} %", 100.0 * share(count)));
+    let listed = lines
+        .iter()
+        .map(|(name, &count)| format!("{name:<20}{count:>7} lines{:>6.1} %", 100.0 * share(count)));
     let too_big = lines.iter().find(|&(_, &count)| share(count) >= MAX_SHARE).map(|(name, &count)| {
         let (is, most) = (100.0 * share(count), 100.0 * MAX_SHARE);
         format!("{name} holds {is:.1} % of the code ({count} of {all} lines); it must be under {most:.0} %")
@@ -93,23 +123,31 @@ fn shares(lines: &BTreeMap<&str, usize>) -> (Vec<String>, Option<String>) {
 /// What a crate uses of ours and may not, in its manifest and in its code.
 fn wrong_order(files: &Files, name: &str, modules: &[Module]) -> Vec<String> {
     let Some((_, allowed)) = MAY_USE.iter().find(|(of, _)| *of == name) else {
-        return vec![format!("{name}: what it may use is not stated in MAY_USE of xtask/src/arrows.rs")];
+        return vec![format!(
+            "{name}: what it may use is not stated in MAY_USE of xtask/src/arrows.rs"
+        )];
     };
     let mut used: BTreeMap<String, Site> = BTreeMap::new();
     let manifest = format!("crates/{name}/Cargo.toml");
     for (dependency, line) in dependencies(&files[&manifest]) {
-        used.entry(dependency).or_insert(format!("{manifest}:{line}"));
+        used.entry(dependency)
+            .or_insert(format!("{manifest}:{line}"));
     }
     for module in modules {
         for named in named_paths(module) {
             let first = named.segments[0].replace('_', "-");
             if first != name && MAY_USE.iter().any(|(of, _)| *of == first) {
-                used.entry(first).or_insert(format!("{}:{}", module.file, named.line));
+                used.entry(first)
+                    .or_insert(format!("{}:{}", module.file, named.line));
             }
         }
     }
-    let wrong = used.iter().filter(|(dependency, _)| !allowed.contains(&dependency.as_str()));
-    wrong.map(|(dependency, site)| format!("{name} may not use {dependency}\n  {site}")).collect()
+    let wrong = used
+        .iter()
+        .filter(|(dependency, _)| !allowed.contains(&dependency.as_str()));
+    wrong
+        .map(|(dependency, site)| format!("{name} may not use {dependency}\n  {site}"))
+        .collect()
 }
 
 /// The crates of ours among the dependencies of a manifest, those for tests left out, with their lines.
@@ -124,7 +162,10 @@ fn dependencies(manifest: &str) -> Vec<(String, usize)> {
         };
         if let Some(header) = line.trim().strip_prefix('[') {
             section = header.trim_end_matches(']').to_owned();
-            if let Some((_, name)) = section.rsplit_once('.').filter(|(above, _)| is_of_dependencies(above)) {
+            if let Some((_, name)) = section
+                .rsplit_once('.')
+                .filter(|(above, _)| is_of_dependencies(above))
+            {
                 add(name);
             }
         } else if is_of_dependencies(&section) {
@@ -165,8 +206,7 @@ fn is_punct(token: Option<&TokenTree>, c: char) -> bool {
 
 /// The two colons of a path, which the colon of a type is not.
 fn is_path_separator(tokens: &[TokenTree], at: usize) -> bool {
-    let joint =
-        matches!(tokens.get(at), Some(TokenTree::Punct(punct)) if punct.spacing() == proc_macro2::Spacing::Joint);
+    let joint = matches!(tokens.get(at), Some(TokenTree::Punct(punct)) if punct.spacing() == proc_macro2::Spacing::Joint);
     joint && is_punct(tokens.get(at), ':') && is_punct(tokens.get(at + 1), ':')
 }
 
@@ -175,7 +215,9 @@ fn read_paths(tokens: &[TokenTree], module: &[String], found: &mut Vec<Named>) {
     while at < tokens.len() {
         match &tokens[at] {
             TokenTree::Ident(word) if word == "use" && !is_punct(tokens.get(at + 1), '<') => {
-                let end = tokens[at..].iter().position(|token| is_punct(Some(token), ';'));
+                let end = tokens[at..]
+                    .iter()
+                    .position(|token| is_punct(Some(token), ';'));
                 let end = end.map_or(tokens.len(), |length| at + length);
                 let passed_on = match at.checked_sub(1).map(|before| &tokens[before]) {
                     Some(TokenTree::Ident(before)) => before == "pub",
@@ -191,8 +233,13 @@ fn read_paths(tokens: &[TokenTree], module: &[String], found: &mut Vec<Named>) {
                 if let (Some(TokenTree::Ident(name)), Some(TokenTree::Group(body))) =
                     (tokens.get(at + 1), tokens.get(at + 2))
                 {
-                    let inner: Vec<String> = module.iter().cloned().chain([name.to_string()]).collect();
-                    read_paths(&body.stream().into_iter().collect::<Vec<_>>(), &inner, found);
+                    let inner: Vec<String> =
+                        module.iter().cloned().chain([name.to_string()]).collect();
+                    read_paths(
+                        &body.stream().into_iter().collect::<Vec<_>>(),
+                        &inner,
+                        found,
+                    );
                     at += 2;
                 }
             }
@@ -207,10 +254,19 @@ fn read_paths(tokens: &[TokenTree], module: &[String], found: &mut Vec<Named>) {
                 }
                 if begins && segments.len() > 1 {
                     let line = first.span().start().line;
-                    found.push(Named { segments, line, module: module.to_vec(), used_as: None });
+                    found.push(Named {
+                        segments,
+                        line,
+                        module: module.to_vec(),
+                        used_as: None,
+                    });
                 }
             }
-            TokenTree::Group(group) => read_paths(&group.stream().into_iter().collect::<Vec<_>>(), module, found),
+            TokenTree::Group(group) => read_paths(
+                &group.stream().into_iter().collect::<Vec<_>>(),
+                module,
+                found,
+            ),
             _ => {}
         }
         at += 1;
@@ -219,20 +275,35 @@ fn read_paths(tokens: &[TokenTree], module: &[String], found: &mut Vec<Named>) {
 
 /// What follows `pub` in `pub(in crate::x)`: it names a module and uses nothing of it.
 fn is_visibility(token: Option<&TokenTree>) -> bool {
-    let Some(TokenTree::Group(group)) = token else { return false };
-    let first = group.stream().into_iter().next().map(|token| token.to_string());
+    let Some(TokenTree::Group(group)) = token else {
+        return false;
+    };
+    let first = group
+        .stream()
+        .into_iter()
+        .next()
+        .map(|token| token.to_string());
     group.delimiter() == Delimiter::Parenthesis
-        && ["crate", "super", "self", "in"].iter().any(|word| first.as_deref() == Some(word))
+        && ["crate", "super", "self", "in"]
+            .iter()
+            .any(|word| first.as_deref() == Some(word))
 }
 
 /// The paths of a `use`, braces taken apart.
-fn read_use(tokens: &[TokenTree], above: &[String], place: (&[String], bool), found: &mut Vec<Named>) {
+fn read_use(
+    tokens: &[TokenTree],
+    above: &[String],
+    place: (&[String], bool),
+    found: &mut Vec<Named>,
+) {
     for piece in tokens.split(|token| is_punct(Some(token), ',')) {
         let (mut segments, mut line, mut braced, mut name) = (above.to_vec(), 0, false, None);
         let mut words = piece.iter();
         while let Some(token) = words.next() {
             match token {
-                TokenTree::Ident(word) if word == "as" => name = words.next().map(ToString::to_string),
+                TokenTree::Ident(word) if word == "as" => {
+                    name = words.next().map(ToString::to_string)
+                }
                 TokenTree::Ident(word) => {
                     (segments, line) = ([segments, vec![word.to_string()]].concat(), start(token))
                 }
@@ -240,16 +311,30 @@ fn read_use(tokens: &[TokenTree], above: &[String], place: (&[String], bool), fo
                     (segments, line) = ([segments, vec!["*".to_owned()]].concat(), start(token));
                 }
                 TokenTree::Group(group) => {
-                    read_use(&group.stream().into_iter().collect::<Vec<_>>(), &segments, place, found);
+                    read_use(
+                        &group.stream().into_iter().collect::<Vec<_>>(),
+                        &segments,
+                        place,
+                        found,
+                    );
                     braced = true;
                 }
                 _ => {}
             }
         }
         if !braced && segments.len() > above.len() {
-            let last = segments.iter().rev().find(|segment| *segment != "self").cloned();
+            let last = segments
+                .iter()
+                .rev()
+                .find(|segment| *segment != "self")
+                .cloned();
             let used_as = Some((name.or(last).unwrap_or_default(), place.1));
-            found.push(Named { segments, line, module: place.0.to_vec(), used_as });
+            found.push(Named {
+                segments,
+                line,
+                module: place.0.to_vec(),
+                used_as,
+            });
         }
     }
 }
@@ -260,20 +345,30 @@ fn start(token: &TokenTree) -> usize {
 
 /// The part of a path after the crate root, for one that leads there: `["b", …]` of `crate::b::…`, and of `super::b::…` in
 /// a top-level module.
-fn from_root<'a>(named: &'a Named, crate_name: &str, top: &BTreeSet<String>) -> Option<&'a [String]> {
+fn from_root<'a>(
+    named: &'a Named,
+    crate_name: &str,
+    top: &BTreeSet<String>,
+) -> Option<&'a [String]> {
     let segments = named.segments.as_slice();
     let first = segments[0].as_str();
     if first == "crate" || first == crate_name.replace('-', "_") {
         return Some(&segments[1..]);
     }
-    let supers = segments.iter().take_while(|segment| *segment == "super").count();
+    let supers = segments
+        .iter()
+        .take_while(|segment| *segment == "super")
+        .count();
     let after_self = usize::from(first == "self");
     match named.module.len() {
         0 if first == "self" || top.contains(first) => Some(&segments[after_self..]),
         0 => None,
         depth if first == "self" => {
             // `self::super::x`
-            let supers = segments[1..].iter().take_while(|segment| *segment == "super").count();
+            let supers = segments[1..]
+                .iter()
+                .take_while(|segment| *segment == "super")
+                .count();
             (supers == depth).then(|| &segments[1 + supers..])
         }
         depth => (supers == depth).then(|| &segments[supers..]),
@@ -282,10 +377,21 @@ fn from_root<'a>(named: &'a Named, crate_name: &str, top: &BTreeSet<String>) -> 
 
 /// The arrows between the top-level modules of a crate.
 fn module_arrows(crate_name: &str, modules: &[Module]) -> Result<Arrows, String> {
-    let named: Vec<(&str, Named)> =
-        modules.iter().flat_map(|module| named_paths(module).into_iter().map(|named| (&*module.file, named))).collect();
-    let top: BTreeSet<String> = modules.iter().filter_map(|module| module.path.first().cloned()).collect();
-    let inline = named.iter().filter_map(|(_, named)| named.module.first().cloned());
+    let named: Vec<(&str, Named)> = modules
+        .iter()
+        .flat_map(|module| {
+            named_paths(module)
+                .into_iter()
+                .map(|named| (&*module.file, named))
+        })
+        .collect();
+    let top: BTreeSet<String> = modules
+        .iter()
+        .filter_map(|module| module.path.first().cloned())
+        .collect();
+    let inline = named
+        .iter()
+        .filter_map(|(_, named)| named.module.first().cloned());
     let top: BTreeSet<String> = top.into_iter().chain(inline).collect();
 
     // What a name at the crate root stands for: a module of ours, or something of another crate.
@@ -305,14 +411,25 @@ fn module_arrows(crate_name: &str, modules: &[Module]) -> Result<Arrows, String>
 
     let mut arrows = Arrows::new();
     for (file, named) in &named {
-        let Some(segments) = from_root(named, crate_name, &top) else { continue };
+        let Some(segments) = from_root(named, crate_name, &top) else {
+            continue;
+        };
         let user = named.module.first().map_or(ROOT, String::as_str);
         let site = format!("{file}:{}", named.line);
-        if user == ROOT && named.used_as.as_ref().is_some_and(|(_, passed_on)| *passed_on) {
+        if user == ROOT
+            && named
+                .used_as
+                .as_ref()
+                .is_some_and(|(_, passed_on)| *passed_on)
+        {
             continue;
         }
         let used = match segments.first().map(String::as_str) {
-            Some("*") => return Err(format!("{crate_name}: `use crate::*` hides what is used\n  {site}")),
+            Some("*") => {
+                return Err(format!(
+                    "{crate_name}: `use crate::*` hides what is used\n  {site}"
+                ));
+            }
             Some(name) if top.contains(name) => name,
             Some(name) => match passed_on.get(name) {
                 Some(Some(module)) if top.contains(module) => module,
@@ -322,7 +439,11 @@ fn module_arrows(crate_name: &str, modules: &[Module]) -> Result<Arrows, String>
             None => ROOT,
         };
         if used != user {
-            arrows.entry(user.to_owned()).or_default().entry(used.to_owned()).or_insert(site);
+            arrows
+                .entry(user.to_owned())
+                .or_default()
+                .entry(used.to_owned())
+                .or_insert(site);
         }
     }
     Ok(arrows)
@@ -334,7 +455,11 @@ fn circles(crate_name: &str, arrows: &Arrows) -> Vec<String> {
     for (user, used) in arrows {
         for next in used.keys() {
             if let Some(mut circle) = way(arrows, next, user) {
-                let smallest = circle.iter().enumerate().min_by_key(|(_, name)| **name).map_or(0, |(i, _)| i);
+                let smallest = circle
+                    .iter()
+                    .enumerate()
+                    .min_by_key(|(_, name)| **name)
+                    .map_or(0, |(i, _)| i);
                 circle.rotate_left(smallest);
                 found.insert((circle.len(), circle));
             }
@@ -343,17 +468,30 @@ fn circles(crate_name: &str, arrows: &Arrows) -> Vec<String> {
     if found.is_empty() {
         return Vec::new();
     }
-    let inside: BTreeSet<&str> = found.iter().flat_map(|(_, circle)| circle.iter().copied()).collect();
-    let mut text = format!("{crate_name}: {} modules use each other in circles", inside.len());
+    let inside: BTreeSet<&str> = found
+        .iter()
+        .flat_map(|(_, circle)| circle.iter().copied())
+        .collect();
+    let mut text = format!(
+        "{crate_name}: {} modules use each other in circles",
+        inside.len()
+    );
     for (_, circle) in found.iter().take(MAX_CIRCLES) {
         text.push_str("\n  a circle:");
         for (i, from) in circle.iter().enumerate() {
             let to = circle[(i + 1) % circle.len()];
-            text.push_str(&format!("\n    {:<40} {}", format!("{from} -> {to}"), arrows[*from][to]));
+            text.push_str(&format!(
+                "\n    {:<40} {}",
+                format!("{from} -> {to}"),
+                arrows[*from][to]
+            ));
         }
     }
     if found.len() > MAX_CIRCLES {
-        text.push_str(&format!("\n  and {} more circles", found.len() - MAX_CIRCLES));
+        text.push_str(&format!(
+            "\n  and {} more circles",
+            found.len() - MAX_CIRCLES
+        ));
     }
     vec![text]
 }
@@ -382,8 +520,13 @@ mod tests {
 
     /// The crate `freestand`, made of these files.
     fn arrows(files: &[(&str, &str)]) -> Result<Arrows, String> {
-        let files = files.iter().map(|(path, text)| (format!("crates/freestand/src/{path}"), (*text).to_owned()));
-        module_arrows("freestand", &source::modules(&files.collect(), "freestand").unwrap())
+        let files = files
+            .iter()
+            .map(|(path, text)| (format!("crates/freestand/src/{path}"), (*text).to_owned()));
+        module_arrows(
+            "freestand",
+            &source::modules(&files.collect(), "freestand").unwrap(),
+        )
     }
 
     fn text(files: &[(&str, &str)]) -> String {
@@ -466,26 +609,56 @@ mod tests {
     #[test]
     fn the_root_takes_part_but_for_what_it_passes_on() {
         let a = ("a.rs", "use crate::{f, b::X};");
-        let found = text(&[("main.rs", "mod a; mod b; use b::X; fn f() { a::g() }"), a, ("b.rs", "")]);
-        assert!(found.contains("(crate root) -> a") && found.contains("a -> (crate root)"), "{found}");
-        assert_eq!(text(&[("lib.rs", "mod a; mod b; pub use a::g; fn f() {}"), a, ("b.rs", "")]), "");
+        let found = text(&[
+            ("main.rs", "mod a; mod b; use b::X; fn f() { a::g() }"),
+            a,
+            ("b.rs", ""),
+        ]);
+        assert!(
+            found.contains("(crate root) -> a") && found.contains("a -> (crate root)"),
+            "{found}"
+        );
+        assert_eq!(
+            text(&[
+                ("lib.rs", "mod a; mod b; pub use a::g; fn f() {}"),
+                a,
+                ("b.rs", "")
+            ]),
+            ""
+        );
     }
 
     #[test]
     fn what_hides_the_arrows_is_refused() {
         let lib = "mod a; mod b;";
-        let error = arrows(&[("lib.rs", lib), ("a.rs", "use crate::*;"), ("b.rs", "")]).err().unwrap();
-        assert!(error.contains("use crate::*") && error.contains("a.rs:1"), "{error}");
-        let error = arrows(&[("lib.rs", "mod a; mod b; pub use a::*;"), ("a.rs", ""), ("b.rs", "")]).err().unwrap();
-        assert!(error.contains("glob") && error.contains("lib.rs:1"), "{error}");
+        let error = arrows(&[("lib.rs", lib), ("a.rs", "use crate::*;"), ("b.rs", "")])
+            .err()
+            .unwrap();
+        assert!(
+            error.contains("use crate::*") && error.contains("a.rs:1"),
+            "{error}"
+        );
+        let error = arrows(&[
+            ("lib.rs", "mod a; mod b; pub use a::*;"),
+            ("a.rs", ""),
+            ("b.rs", ""),
+        ])
+        .err()
+        .unwrap();
+        assert!(
+            error.contains("glob") && error.contains("lib.rs:1"),
+            "{error}"
+        );
     }
 
     /// Two crates; what is wrong with the order of the second one.
     fn order(name: &str, manifest: &str, code: &str) -> Vec<String> {
         let folder = format!("crates/{name}");
-        let files: Files =
-            [(format!("{folder}/Cargo.toml"), manifest.to_owned()), (format!("{folder}/src/lib.rs"), code.to_owned())]
-                .into();
+        let files: Files = [
+            (format!("{folder}/Cargo.toml"), manifest.to_owned()),
+            (format!("{folder}/src/lib.rs"), code.to_owned()),
+        ]
+        .into();
         wrong_order(&files, name, &source::modules(&files, name).unwrap())
     }
 
@@ -500,7 +673,11 @@ mod tests {
         ] {
             let found = order("freestand-records", manifest, "");
             assert_eq!(found.len(), 1, "{manifest}");
-            assert!(found[0].starts_with("freestand-records may not use freestand-study"), "{}", found[0]);
+            assert!(
+                found[0].starts_with("freestand-records may not use freestand-study"),
+                "{}",
+                found[0]
+            );
         }
         for code in [
             "use freestand_study::x;",
@@ -509,7 +686,12 @@ mod tests {
             "mod m { pub use freestand_study::{a, b}; }",
         ] {
             let found = order("freestand-input", "", &format!("\n{code}"));
-            assert_eq!(found, ["freestand-input may not use freestand-study\n  crates/freestand-input/src/lib.rs:2"]);
+            assert_eq!(
+                found,
+                [
+                    "freestand-input may not use freestand-study\n  crates/freestand-input/src/lib.rs:2"
+                ]
+            );
         }
     }
 
@@ -518,7 +700,10 @@ mod tests {
         let manifest = "[dependencies]\nfreestand.workspace = true\nserde = \"1\"\n[dev-dependencies]\n\
                         freestand-study.workspace = true\n[dev-dependencies.freestand-cli]\npath = \"x\"";
         let code = "use freestand::block; #[cfg(test)] mod tests { use freestand_study::x; }";
-        assert_eq!(order("freestand-records", manifest, code), Vec::<String>::new());
+        assert_eq!(
+            order("freestand-records", manifest, code),
+            Vec::<String>::new()
+        );
     }
 
     #[test]
@@ -531,7 +716,10 @@ mod tests {
     fn the_order_itself_has_no_circle() {
         let place = |name: &str| MAY_USE.iter().position(|(of, _)| *of == name).unwrap();
         for (name, allowed) in MAY_USE {
-            assert!(allowed.iter().all(|used| place(used) < place(name)), "{name}");
+            assert!(
+                allowed.iter().all(|used| place(used) < place(name)),
+                "{name}"
+            );
         }
     }
 
@@ -540,7 +728,10 @@ mod tests {
         let (listed, too_big) = shares(&BTreeMap::from([("a", 39), ("b", 39), ("c", 22)]));
         assert_eq!((listed.len(), too_big), (3, None));
         let (_, too_big) = shares(&BTreeMap::from([("a", 40), ("b", 30), ("c", 30)]));
-        assert_eq!(too_big.unwrap(), "a holds 40.0 % of the code (40 of 100 lines); it must be under 40 %");
+        assert_eq!(
+            too_big.unwrap(),
+            "a holds 40.0 % of the code (40 of 100 lines); it must be under 40 %"
+        );
     }
 
     #[test]

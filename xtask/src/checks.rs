@@ -49,10 +49,18 @@ const FIRST: [Check; 3] = [Check::Arrows, Check::Features, Check::Formatting];
 /// Two rows that run side by side, and then two more, which need the program that the first ones
 /// compile.
 const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
-    [&[Check::Lints, Check::Compiling], &[Check::PageBuilt, Check::PageTypes]],
+    [
+        &[Check::Lints, Check::Compiling],
+        &[Check::PageBuilt, Check::PageTypes],
+    ],
     [
         &[Check::Tests, Check::Examples, Check::Documentation],
-        &[Check::PageBrowsed, Check::Python, Check::Shock, Check::RiskTools],
+        &[
+            Check::PageBrowsed,
+            Check::Python,
+            Check::Shock,
+            Check::RiskTools,
+        ],
     ],
 ];
 
@@ -144,18 +152,37 @@ impl Check {
             command.args(arguments).current_dir(root);
             command
         };
-        let tested = |kind| cargo(&[&["test", kind, "--no-fail-fast"], &TESTED[..], &["--", "--show-output"]].concat());
+        let tested = |kind| {
+            cargo(
+                &[
+                    &["test", kind, "--no-fail-fast"],
+                    &TESTED[..],
+                    &["--", "--show-output"],
+                ]
+                .concat(),
+            )
+        };
         Ok(match self {
             Self::Formatting => cargo(&["fmt", "--all", "--check"]),
-            Self::Lints => {
-                cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "-D", "warnings"])
-            }
+            Self::Lints => cargo(&[
+                "clippy",
+                "--workspace",
+                "--all-targets",
+                "--locked",
+                "--quiet",
+                "--",
+                "-D",
+                "warnings",
+            ]),
             // `--tests` leaves out what has `test = false`, and examples, which the lints compile.
-            Self::Compiling => cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat()),
+            Self::Compiling => {
+                cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat())
+            }
             Self::Tests => tested("--tests"),
             Self::Examples => tested("--doc"),
             Self::Documentation => {
-                let mut command = cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
+                let mut command =
+                    cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
                 command.env("RUSTDOCFLAGS", "-D warnings");
                 command
             }
@@ -167,7 +194,8 @@ impl Check {
             | Self::Python
             | Self::Shock
             | Self::RiskTools => {
-                let program = std::env::current_exe().map_err(|error| format!("cannot find xtask: {error}"))?;
+                let program = std::env::current_exe()
+                    .map_err(|error| format!("cannot find xtask: {error}"))?;
                 let mut command = Command::new(program);
                 command.args(["check", self.name()]).current_dir(root);
                 command
@@ -191,11 +219,27 @@ impl Check {
     }
 
     fn done(self, root: &Path) -> Result<(), Problem> {
-        let not_here = |why: Option<String>| why.map_or(Ok(()), |why| Err(Problem::NotHere(format!("not run: {why}"))));
+        let not_here = |why: Option<String>| {
+            why.map_or(Ok(()), |why| {
+                Err(Problem::NotHere(format!("not run: {why}")))
+            })
+        };
         match self {
-            Self::Formatting | Self::Lints | Self::Compiling | Self::Tests | Self::Examples | Self::Documentation => {
-                let status = self.command(root)?.status().map_err(|error| format!("cannot run cargo: {error}"))?;
-                return if status.success() { Ok(()) } else { Err(Problem::Wrong(status.to_string())) };
+            Self::Formatting
+            | Self::Lints
+            | Self::Compiling
+            | Self::Tests
+            | Self::Examples
+            | Self::Documentation => {
+                let status = self
+                    .command(root)?
+                    .status()
+                    .map_err(|error| format!("cannot run cargo: {error}"))?;
+                return if status.success() {
+                    Ok(())
+                } else {
+                    Err(Problem::Wrong(status.to_string()))
+                };
             }
             Self::Arrows => arrows(root)?,
             Self::Features => features(root)?,
@@ -217,7 +261,9 @@ impl Check {
                 Err(Trouble::Wrong(problem)) => return Err(Problem::Wrong(problem)),
             },
             Self::Shock if !validate_shock::is_installed(root) => {
-                not_here(Some("`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned()))?;
+                not_here(Some(
+                    "`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned(),
+                ))?;
             }
             Self::Shock => validate_shock::compare(root)?,
             Self::RiskTools if !risk_tools::is_installed(root) => {
@@ -257,7 +303,8 @@ pub fn all(root: &Path) -> bool {
         });
     }
     print!("\n{}", table(&rows, start.elapsed().as_secs_f64(), &tests));
-    rows.iter().all(|row| !matches!(row.outcome, Outcome::Failed))
+    rows.iter()
+        .all(|row| !matches!(row.outcome, Outcome::Failed))
 }
 
 /// Runs one check after the other. The output of each is printed when it ends.
@@ -268,7 +315,8 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
         let mut text = String::new();
         let ended = check.command(root).and_then(|command| {
             printed(command, LIMIT, |line| {
-                if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end()) {
+                if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end())
+                {
                     text.push_str(line);
                 }
             })
@@ -287,10 +335,19 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
                 Outcome::Failed
             }
         };
-        let row = Row { title: check.title(), outcome, seconds: start.elapsed().as_secs_f64() };
+        let row = Row {
+            title: check.title(),
+            outcome,
+            seconds: start.elapsed().as_secs_f64(),
+        };
         // In one piece, so that a check that runs at the same time does not print between the
         // lines.
-        print!("\n== {}: {}, {:.0} s ==\n{text}", row.title, row.outcome.word(), row.seconds);
+        print!(
+            "\n== {}: {}, {:.0} s ==\n{text}",
+            row.title,
+            row.outcome.word(),
+            row.seconds
+        );
         row
     };
     checks.iter().map(run).collect()
@@ -298,26 +355,46 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
 
 /// Runs a command and passes its lines on, those of standard output and standard error in the order
 /// in which they came. A command that has not ended at the limit is killed.
-fn printed(mut command: Command, limit: Duration, mut line: impl FnMut(&str)) -> Result<ExitStatus, String> {
+fn printed(
+    mut command: Command,
+    limit: Duration,
+    mut line: impl FnMut(&str),
+) -> Result<ExitStatus, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let cannot = |error: std::io::Error| format!("cannot run {program}: {error}");
     let (output, input) = std::io::pipe().map_err(cannot)?;
     let error = input.try_clone().map_err(cannot)?;
-    let mut child = command.stdout(input).stderr(error).spawn().map_err(cannot)?;
+    let mut child = command
+        .stdout(input)
+        .stderr(error)
+        .spawn()
+        .map_err(cannot)?;
     // The command holds ends of the pipe. Unless they are closed, the lines do not end when the
     // child ends.
     drop(command);
     let (lines, came) = mpsc::channel();
-    std::thread::spawn(move || BufReader::new(output).split(b'\n').try_for_each(|bytes| lines.send(bytes)));
+    std::thread::spawn(move || {
+        BufReader::new(output)
+            .split(b'\n')
+            .try_for_each(|bytes| lines.send(bytes))
+    });
     let end = Instant::now() + limit;
     loop {
         match came.recv_timeout(end.saturating_duration_since(Instant::now())) {
-            Ok(bytes) => line(&format!("{}\n", String::from_utf8_lossy(&bytes.map_err(|error| error.to_string())?))),
-            Err(RecvTimeoutError::Disconnected) => return child.wait().map_err(|error| error.to_string()),
+            Ok(bytes) => line(&format!(
+                "{}\n",
+                String::from_utf8_lossy(&bytes.map_err(|error| error.to_string())?)
+            )),
+            Err(RecvTimeoutError::Disconnected) => {
+                return child.wait().map_err(|error| error.to_string());
+            }
             Err(RecvTimeoutError::Timeout) => {
                 // What the command started goes on, but nobody waits for it.
                 child.kill().and_then(|()| child.wait()).map_err(cannot)?;
-                return Err(format!("not ended after {} minutes, and stopped", limit.as_secs() / 60));
+                return Err(format!(
+                    "not ended after {} minutes, and stopped",
+                    limit.as_secs() / 60
+                ));
             }
         }
     }
@@ -327,27 +404,50 @@ pub fn arrows(root: &Path) -> Result<(), String> {
     let files = source::read(root, "crates", arrows::wanted)?;
     let (shares, problems) = arrows::check(&files)?;
     println!("{}", shares.join("\n"));
-    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems.join("\n"))
+    }
 }
 
 /// Checks that the Python package requests the same features of every dependency as the tests. If
 /// one differs, everything that depends on it is compiled twice, which is most of the workspace.
 fn features(root: &Path) -> Result<(), String> {
     let tested = packages(root, &[&TESTED[..], &["-e", "normal,build,dev"]].concat())?;
-    let ours = packages(root, &["--locked", "--package", "freestand-py", "-e", "normal,build"])?;
+    let ours = packages(
+        root,
+        &[
+            "--locked",
+            "--package",
+            "freestand-py",
+            "-e",
+            "normal,build",
+        ],
+    )?;
     let others: Vec<&str> = ours.difference(&tested).map(String::as_str).collect();
     if others.is_empty() {
         return Ok(());
     }
     let hint = "the tests use these packages with other features: request the same ones in a manifest (`cargo tree -e \
                 features -i NAME` says which package requests a feature)";
-    Err(format!("dependencies of the Python package that the tests do not share: {}\n{hint}", others.join(", ")))
+    Err(format!(
+        "dependencies of the Python package that the tests do not share: {}\n{hint}",
+        others.join(", ")
+    ))
 }
 
 /// The packages that `cargo tree` lists, with versions and features.
 fn packages(root: &Path, selected: &[&str]) -> Result<BTreeSet<String>, String> {
     let output = Command::new("cargo")
-        .args(["tree", "--prefix", "none", "--no-dedupe", "--format", "{p} {f}"])
+        .args([
+            "tree",
+            "--prefix",
+            "none",
+            "--no-dedupe",
+            "--format",
+            "{p} {f}",
+        ])
         .args(selected)
         .current_dir(root)
         .output()
@@ -355,7 +455,10 @@ fn packages(root: &Path, selected: &[&str]) -> Result<BTreeSet<String>, String> 
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
-    Ok(String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect())
+    Ok(String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .map(str::to_owned)
+        .collect())
 }
 
 /// What tests left out: reasons, and which tests gave them. A test says so in a line `skipped: …` on its standard output.
@@ -392,20 +495,34 @@ impl Tests {
         match self.part {
             Part::Failures => true,
             Part::Successes => {
-                if let Some(name) = line.strip_prefix("---- ").and_then(|line| line.strip_suffix(" stdout ----")) {
+                if let Some(name) = line
+                    .strip_prefix("---- ")
+                    .and_then(|line| line.strip_suffix(" stdout ----"))
+                {
                     name.clone_into(&mut self.test);
                 } else if let Some(reason) = line.strip_prefix("skipped: ") {
-                    self.skipped.entry(reason.to_owned()).or_default().push(self.test.clone());
+                    self.skipped
+                        .entry(reason.to_owned())
+                        .or_default()
+                        .push(self.test.clone());
                 }
                 false
             }
             Part::Results => {
-                let ignored = line.strip_prefix("test ").and_then(|line| line.split_once(" ... ignored"));
+                let ignored = line
+                    .strip_prefix("test ")
+                    .and_then(|line| line.split_once(" ... ignored"));
                 if let Some((test, reason)) = ignored {
                     let reason = reason.strip_prefix(", ").unwrap_or("no reason given");
-                    self.ignored.entry(reason.to_owned()).or_default().push(test.to_owned());
+                    self.ignored
+                        .entry(reason.to_owned())
+                        .or_default()
+                        .push(test.to_owned());
                 }
-                ignored.is_none() && !line.is_empty() && !line.starts_with("running ") && !line.ends_with(" ... ok")
+                ignored.is_none()
+                    && !line.is_empty()
+                    && !line.starts_with("running ")
+                    && !line.ends_with(" ... ok")
             }
         }
     }
@@ -415,17 +532,31 @@ impl Tests {
 fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
     let width = rows.iter().map(|row| row.title.len()).max().unwrap_or(0);
     let mut text = format!("{:<width$}  {:<7}  seconds\n", "check", "result");
-    for Row { title, outcome, seconds } in rows {
-        text.push_str(&format!("{title:<width$}  {:<7}  {seconds:>7.1}\n", outcome.word()));
+    for Row {
+        title,
+        outcome,
+        seconds,
+    } in rows
+    {
+        text.push_str(&format!(
+            "{title:<width$}  {:<7}  {seconds:>7.1}\n",
+            outcome.word()
+        ));
     }
-    text.push_str(&format!("{:<width$}  {:<7}  {all_s:>7.1}\n", "total, two checks at a time", ""));
+    text.push_str(&format!(
+        "{:<width$}  {:<7}  {all_s:>7.1}\n",
+        "total, two checks at a time", ""
+    ));
 
     let skipped_checks = rows.iter().filter_map(|row| match &row.outcome {
         Outcome::Skipped(why) => Some(format!("  {}: {why}\n", row.title)),
         _ => None,
     });
     let listed = |tests: &BTreeMap<String, Vec<String>>| -> Vec<String> {
-        tests.iter().map(|(why, tests)| format!("  {why}\n    {}\n", tests.join("\n    "))).collect()
+        tests
+            .iter()
+            .map(|(why, tests)| format!("  {why}\n    {}\n", tests.join("\n    ")))
+            .collect()
     };
     for (title, lines) in [
         ("skipped checks", skipped_checks.collect()),
@@ -454,8 +585,15 @@ mod tests {
         command.args(["-c", "echo one; echo two >&2; printf three; exit 3"]);
         let mut text = String::new();
         let status = printed(command, LIMIT, |line| text.push_str(line)).unwrap();
-        assert_eq!((text.as_str(), status.code()), ("one\ntwo\nthree\n", Some(NOT_RUN.into())));
-        assert!(printed(Command::new("no-such-program"), LIMIT, |_| {}).unwrap_err().contains("no-such-program"));
+        assert_eq!(
+            (text.as_str(), status.code()),
+            ("one\ntwo\nthree\n", Some(NOT_RUN.into()))
+        );
+        assert!(
+            printed(Command::new("no-such-program"), LIMIT, |_| {})
+                .unwrap_err()
+                .contains("no-such-program")
+        );
     }
 
     /// What hangs is stopped, and what it printed before is kept.
@@ -465,14 +603,23 @@ mod tests {
         let mut command = Command::new("sh");
         command.args(["-c", "echo one; exec sleep 3600"]);
         let mut text = String::new();
-        let problem = printed(command, Duration::from_secs(1), |line| text.push_str(line)).unwrap_err();
-        assert_eq!((text.as_str(), problem.as_str()), ("one\n", "not ended after 0 minutes, and stopped"));
+        let problem =
+            printed(command, Duration::from_secs(1), |line| text.push_str(line)).unwrap_err();
+        assert_eq!(
+            (text.as_str(), problem.as_str()),
+            ("one\n", "not ended after 0 minutes, and stopped")
+        );
     }
 
     /// Each check runs once, in one of the rows.
     #[test]
     fn every_check_has_its_place() {
-        let mut placed: Vec<Check> = SIDE_BY_SIDE.into_iter().flatten().flatten().copied().collect();
+        let mut placed: Vec<Check> = SIDE_BY_SIDE
+            .into_iter()
+            .flatten()
+            .flatten()
+            .copied()
+            .collect();
         placed.extend(FIRST);
         placed.sort_by_key(|check| check.name());
         let mut all = Check::ALL.to_vec();
@@ -506,14 +653,24 @@ mod tests {
             ]
         );
         let one = |why: &str, test: &str| (why.to_owned(), vec![test.to_owned()]);
-        assert_eq!(tests.skipped, BTreeMap::from([one("no records in ../shared", "a::passes")]));
-        assert_eq!(tests.ignored, BTreeMap::from([one("minutes", "a::slow"), one("no reason given", "b")]));
+        assert_eq!(
+            tests.skipped,
+            BTreeMap::from([one("no records in ../shared", "a::passes")])
+        );
+        assert_eq!(
+            tests.ignored,
+            BTreeMap::from([one("minutes", "a::slow"), one("no reason given", "b")])
+        );
     }
 
     #[test]
     fn the_table_names_every_check_and_what_was_left_out() {
         let mut tests = Tests::default();
-        let row = |title, outcome| Row { title, outcome, seconds: 1.25 };
+        let row = |title, outcome| Row {
+            title,
+            outcome,
+            seconds: 1.25,
+        };
         let rows = [
             row("lints", Outcome::Passed),
             row("tests", Outcome::Failed),
@@ -521,14 +678,20 @@ mod tests {
         ];
         let text = table(&rows, 2.5, &tests);
         assert!(
-            text.contains("lints    passed       1.2\ntests    FAILED       1.2\nspectra  skipped      1.2\n"),
+            text.contains(
+                "lints    passed       1.2\ntests    FAILED       1.2\nspectra  skipped      1.2\n"
+            ),
             "{text}"
         );
         assert!(text.contains("  spectra: not here\n"), "{text}");
-        assert!(text.ends_with("skipped by tests: none\n\nignored tests: none\n"), "{text}");
+        assert!(
+            text.ends_with("skipped by tests: none\n\nignored tests: none\n"),
+            "{text}"
+        );
         OUTPUT.lines().for_each(|line| _ = tests.shows(line));
         assert!(
-            table(&rows, 2.5, &tests).ends_with("\nignored tests:\n  minutes\n    a::slow\n  no reason given\n    b\n")
+            table(&rows, 2.5, &tests)
+                .ends_with("\nignored tests:\n  minutes\n    a::slow\n  no reason given\n    b\n")
         );
     }
 }

@@ -8,7 +8,11 @@
 //! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
 //! profile. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
-#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a developer's tool talks to the terminal"
+)]
 
 mod arrows;
 mod checks;
@@ -33,7 +37,9 @@ fn main() -> ExitCode {
         eprintln!("run it as `cargo xtask …`");
         return ExitCode::from(2);
     };
-    let (command, rest) = arguments.split_first().map_or(("", &[][..]), |(command, rest)| (command.as_str(), rest));
+    let (command, rest) = arguments
+        .split_first()
+        .map_or(("", &[][..]), |(command, rest)| (command.as_str(), rest));
     if let ("check", [name]) = (command, rest) {
         return match Check::ALL.into_iter().find(|check| check.name() == name) {
             Some(check) => ExitCode::from(check.run(&root)),
@@ -88,5 +94,9 @@ fn told(trouble: python::Trouble) -> String {
 
 /// The workspace. At run time: a target folder may be shared between checkouts.
 fn root() -> Option<PathBuf> {
-    Some(Path::new(&std::env::var_os("CARGO_MANIFEST_DIR")?).parent()?.to_owned())
+    Some(
+        Path::new(&std::env::var_os("CARGO_MANIFEST_DIR")?)
+            .parent()?
+            .to_owned(),
+    )
 }

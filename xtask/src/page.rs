@@ -8,7 +8,12 @@ use std::process::{Command, Stdio};
 const UI: &str = "crates/freestand-page/ui";
 
 /// What the build makes, in `dist`; each also packed, as `.gz`.
-const BUILT: [&str; 4] = ["index.html", "assets/app.js", "assets/app.css", "assets/icon.svg"];
+const BUILT: [&str; 4] = [
+    "index.html",
+    "assets/app.js",
+    "assets/app.css",
+    "assets/icon.svg",
+];
 
 /// Names of the browser that drives the page.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -27,15 +32,23 @@ pub fn missing_node() -> Option<String> {
     let Some(version) = printed("node", &["--version"]) else {
         return Some("Node is not installed (20.19 or later; 22.12 or later)".to_owned());
     };
-    let numbers: Vec<u32> =
-        version.trim_start_matches('v').split('.').map_while(|number| number.trim().parse().ok()).collect();
+    let numbers: Vec<u32> = version
+        .trim_start_matches('v')
+        .split('.')
+        .map_while(|number| number.trim().parse().ok())
+        .collect();
     let is_new_enough = match numbers.as_slice() {
         [20, minor, ..] => *minor >= 19,
         [22, minor, ..] => *minor >= 12,
         [major, ..] => *major > 22,
         [] => false,
     };
-    (!is_new_enough).then(|| format!("Node {} is too old (20.19 or later; 22.12 or later)", version.trim()))
+    (!is_new_enough).then(|| {
+        format!(
+            "Node {} is too old (20.19 or later; 22.12 or later)",
+            version.trim()
+        )
+    })
 }
 
 /// Why no browser can be used; `None`: one can.
@@ -45,7 +58,9 @@ pub fn missing_browser() -> Option<String> {
 }
 
 fn browser() -> Option<&'static str> {
-    BROWSERS.into_iter().find(|name| printed(name, &["--version"]).is_some())
+    BROWSERS
+        .into_iter()
+        .find(|name| printed(name, &["--version"]).is_some())
 }
 
 /// Builds the page anew beside the one that is committed, which others may be compiling in, and compares
@@ -55,8 +70,13 @@ pub fn compare(root: &Path) -> Result<(), String> {
     install(root)?;
     let made = target(root).join("page");
     let folder = made.display().to_string();
-    npm(root, &["run", "build", "--", "--outDir", &folder, "--emptyOutDir"])?;
-    let read = |path: PathBuf| std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()));
+    npm(
+        root,
+        &["run", "build", "--", "--outDir", &folder, "--emptyOutDir"],
+    )?;
+    let read = |path: PathBuf| {
+        std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
     let mut different = Vec::new();
     for name in BUILT {
         if read(made.join(name))? != read(root.join(UI).join("dist").join(name))? {
@@ -66,7 +86,10 @@ pub fn compare(root: &Path) -> Result<(), String> {
     if different.is_empty() {
         return Ok(());
     }
-    Err(format!("{}: not what its sources give; commit the result of `cargo xtask ui`", different.join(", ")))
+    Err(format!(
+        "{}: not what its sources give; commit the result of `cargo xtask ui`",
+        different.join(", ")
+    ))
 }
 
 fn target(root: &Path) -> PathBuf {
@@ -85,8 +108,13 @@ pub fn browse(root: &Path) -> Result<(), String> {
     install(root)?;
     let browser = browser().ok_or("no browser")?;
     let path = printed("which", &[browser]).ok_or("no browser")?;
-    let program = target(root).join("debug").join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
-    let environment = [("FREESTAND", program.display().to_string()), ("CHROMIUM", path.trim().to_owned())];
+    let program = target(root)
+        .join("debug")
+        .join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
+    let environment = [
+        ("FREESTAND", program.display().to_string()),
+        ("CHROMIUM", path.trim().to_owned()),
+    ];
     run(root, "npm", &["run", "browser"], &environment)
 }
 
@@ -108,9 +136,20 @@ fn npm(root: &Path, arguments: &[&str]) -> Result<(), String> {
     run(root, "npm", arguments, &[])
 }
 
-fn run(root: &Path, program: &str, arguments: &[&str], environment: &[(&str, String)]) -> Result<(), String> {
-    let environment = environment.iter().map(|(name, value)| (*name, value.as_str()));
-    let status = Command::new(program).args(arguments).envs(environment).current_dir(root.join(UI)).status();
+fn run(
+    root: &Path,
+    program: &str,
+    arguments: &[&str],
+    environment: &[(&str, String)],
+) -> Result<(), String> {
+    let environment = environment
+        .iter()
+        .map(|(name, value)| (*name, value.as_str()));
+    let status = Command::new(program)
+        .args(arguments)
+        .envs(environment)
+        .current_dir(root.join(UI))
+        .status();
     match status {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{status}: {program} {}", arguments.join(" "))),
@@ -120,6 +159,13 @@ fn run(root: &Path, program: &str, arguments: &[&str], environment: &[(&str, Str
 
 /// What a program prints; `None` where it is not there, or fails.
 fn printed(program: &str, arguments: &[&str]) -> Option<String> {
-    let output = Command::new(program).args(arguments).stderr(Stdio::null()).output().ok()?;
-    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+    let output = Command::new(program)
+        .args(arguments)
+        .stderr(Stdio::null())
+        .output()
+        .ok()?;
+    output
+        .status
+        .success()
+        .then(|| String::from_utf8_lossy(&output.stdout).into_owned())
 }

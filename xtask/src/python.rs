@@ -14,8 +14,15 @@ const CRATE: &str = "crates/freestand-py";
 /// What builds a wheel.
 const BUILD: [&str; 1] = ["maturin>=1.16,<2"];
 /// What its tests use.
-const TEST: [&str; 7] =
-    ["numpy>=1.26", "pytest>=8", "mypy>=1.15,<3", "pandas>=2.1", "pyarrow>=15", "xarray>=2024.1", "matplotlib>=3.8"];
+const TEST: [&str; 7] = [
+    "numpy>=1.26",
+    "pytest>=8",
+    "mypy>=1.15,<3",
+    "pandas>=2.1",
+    "pyarrow>=15",
+    "xarray>=2024.1",
+    "matplotlib>=3.8",
+];
 
 /// Packages for the tests of Dask, polars and DuckDB and for the notebooks, which are left out if
 /// the packages cannot be installed.
@@ -51,37 +58,88 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
         Profile::Dev => {
             // The program as the tests build it: built alone it would have other features, and be
             // compiled again.
-            run(root, "cargo", &[&["test", "--no-run", "--test", "cli"], &checks::TESTED[..]].concat())?;
+            run(
+                root,
+                "cargo",
+                &[&["test", "--no-run", "--test", "cli"], &checks::TESTED[..]].concat(),
+            )?;
             "debug"
         }
         Profile::Published => {
-            run(root, "cargo", &["build", "--locked", "--package", "freestand-cli", "--profile", "wheel"])?;
+            run(
+                root,
+                "cargo",
+                &[
+                    "build",
+                    "--locked",
+                    "--package",
+                    "freestand-cli",
+                    "--profile",
+                    "wheel",
+                ],
+            )?;
             "wheel"
         }
     };
-    let name = if cfg!(windows) { "freestand.exe" } else { "freestand" };
+    let name = if cfg!(windows) {
+        "freestand.exe"
+    } else {
+        "freestand"
+    };
     let scripts = root.join(CRATE).join("freestand.data/scripts");
     let program = scripts.join(name);
-    let copied =
-        std::fs::create_dir_all(&scripts).and_then(|()| std::fs::copy(target(root).join(folder).join(name), &program));
-    copied.map_err(|error| Trouble::Wrong(format!("cannot copy the program to {}: {error}", scripts.display())))?;
+    let copied = std::fs::create_dir_all(&scripts)
+        .and_then(|()| std::fs::copy(target(root).join(folder).join(name), &program));
+    copied.map_err(|error| {
+        Trouble::Wrong(format!(
+            "cannot copy the program to {}: {error}",
+            scripts.display()
+        ))
+    })?;
     // Without it the wheel is larger, and as good.
-    _ = Command::new("strip").arg(&program).stderr(Stdio::null()).status();
-    let empty =
-        |path: PathBuf| path.extension().is_some_and(|ending| ending == "whl").then(|| std::fs::remove_file(path));
-    std::fs::read_dir(out).into_iter().flatten().flatten().for_each(|file| _ = empty(file.path()));
-    let profile = if profile == Profile::Dev { "dev" } else { "wheel" };
+    _ = Command::new("strip")
+        .arg(&program)
+        .stderr(Stdio::null())
+        .status();
+    let empty = |path: PathBuf| {
+        path.extension()
+            .is_some_and(|ending| ending == "whl")
+            .then(|| std::fs::remove_file(path))
+    };
+    std::fs::read_dir(out)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .for_each(|file| _ = empty(file.path()));
+    let profile = if profile == Profile::Dev {
+        "dev"
+    } else {
+        "wheel"
+    };
     let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
     // The strongest compression that every installer reads; it costs a few seconds and saves 3 %.
     let level = if profile == "dev" { "1" } else { "9" };
     let arguments = [
-        &["build", "--locked", "--profile", profile, "--manifest-path", &manifest, "--out", &out_text][..],
+        &[
+            "build",
+            "--locked",
+            "--profile",
+            profile,
+            "--manifest-path",
+            &manifest,
+            "--out",
+            &out_text,
+        ][..],
         &["--compression-level", level],
     ]
     .concat();
     run(root, tool(root, "maturin"), &arguments)?;
-    let wheels = std::fs::read_dir(out).map_err(|error| Trouble::Wrong(format!("{}: {error}", out.display())))?;
-    let found = wheels.flatten().map(|file| file.path()).find(|path| path.extension().is_some_and(|end| end == "whl"));
+    let wheels = std::fs::read_dir(out)
+        .map_err(|error| Trouble::Wrong(format!("{}: {error}", out.display())))?;
+    let found = wheels
+        .flatten()
+        .map(|file| file.path())
+        .find(|path| path.extension().is_some_and(|end| end == "whl"));
     found.ok_or_else(|| Trouble::Wrong(format!("maturin wrote no wheel into {}", out.display())))
 }
 
@@ -92,7 +150,15 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
     let wheel = wheel(root, &root.join("target/wheels-dev"), Profile::Dev)?;
     let wheel = wheel.to_string_lossy();
     let python = python(root);
-    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        "--force-reinstall",
+    ];
     run(root, &python, &[&pip[..], &[&*wheel]].concat())?;
     let package = root.join(CRATE);
     let mut wrong = Vec::new();
@@ -120,7 +186,11 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
             );
         }
     }
-    if wrong.is_empty() { Ok(()) } else { Err(Trouble::Wrong(wrong.join("\n"))) }
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        Err(Trouble::Wrong(wrong.join("\n")))
+    }
 }
 
 fn target(root: &Path) -> PathBuf {
@@ -128,8 +198,14 @@ fn target(root: &Path) -> PathBuf {
 }
 
 fn tool(root: &Path, name: &str) -> PathBuf {
-    let (folder, ending) = if cfg!(windows) { ("Scripts", ".exe") } else { ("bin", "") };
-    root.join(ENVIRONMENT).join(folder).join(format!("{name}{ending}"))
+    let (folder, ending) = if cfg!(windows) {
+        ("Scripts", ".exe")
+    } else {
+        ("bin", "")
+    };
+    root.join(ENVIRONMENT)
+        .join(folder)
+        .join(format!("{name}{ending}"))
 }
 
 fn python(root: &Path) -> PathBuf {
@@ -145,24 +221,47 @@ fn install(root: &Path, packages: &[&str]) -> Result<(), Trouble> {
     };
     if !python(root).exists() {
         let program = if cfg!(windows) { "python" } else { "python3" };
-        run(root, program, &["-c", "import sys; sys.exit(sys.version_info < (3, 10))"]).map_err(not_here)?;
+        run(
+            root,
+            program,
+            &["-c", "import sys; sys.exit(sys.version_info < (3, 10))"],
+        )
+        .map_err(not_here)?;
         run(root, program, &["-m", "venv", ENVIRONMENT]).map_err(not_here)?;
     }
     // Asking pip takes seconds, so that the answer is kept.
-    let mark = root.join(ENVIRONMENT).join(format!("installed-{}", packages.len()));
+    let mark = root
+        .join(ENVIRONMENT)
+        .join(format!("installed-{}", packages.len()));
     let wanted = packages.join("\n");
     if std::fs::read_to_string(&mark).is_ok_and(|found| found == wanted) {
         return Ok(());
     }
-    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+    ];
     run(root, python(root), &[&pip[..], packages].concat()).map_err(not_here)?;
-    std::fs::write(&mark, wanted).map_err(|error| Trouble::Wrong(format!("{}: {error}", mark.display())))
+    std::fs::write(&mark, wanted)
+        .map_err(|error| Trouble::Wrong(format!("{}: {error}", mark.display())))
 }
 
 /// Runs a command in a folder.
 fn run(folder: &Path, program: impl AsRef<OsStr>, arguments: &[&str]) -> Result<(), Trouble> {
-    let name = format!("{} {}", program.as_ref().to_string_lossy(), arguments.join(" "));
-    match Command::new(program).args(arguments).current_dir(folder).env_remove("VIRTUAL_ENV").status() {
+    let name = format!(
+        "{} {}",
+        program.as_ref().to_string_lossy(),
+        arguments.join(" ")
+    );
+    match Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("VIRTUAL_ENV")
+        .status()
+    {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(Trouble::Wrong(format!("{status}: {name}"))),
         Err(error) => Err(Trouble::NotHere(format!("cannot run {name}: {error}"))),

@@ -33,7 +33,11 @@ const OPENQUAKE: &str = "openquake.engine==3.26.2";
 const ENVIRONMENT: &str = "target/risk-tools";
 
 fn python(root: &Path) -> PathBuf {
-    root.join(ENVIRONMENT).join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" })
+    root.join(ENVIRONMENT).join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    })
 }
 
 /// Whether both programs are at hand. OpenQuake is installed last.
@@ -46,28 +50,66 @@ pub fn is_installed(root: &Path) -> bool {
 /// Fetches the programs where they are missing, builds freestand and compares.
 pub fn fetch_and_compare(root: &Path) -> Result<(), String> {
     if !is_installed(root) {
-        let failed = |error| format!("pelicun and OpenQuake cannot be installed, so nothing was compared: {error}");
+        let failed = |error| {
+            format!("pelicun and OpenQuake cannot be installed, so nothing was compared: {error}")
+        };
         let program = if cfg!(windows) { "python" } else { "python3" };
         run(root, program, &["-m", "venv", ENVIRONMENT]).map_err(failed)?;
-        let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+        let pip = [
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--disable-pip-version-check",
+        ];
         run(root, python(root), &[&pip[..], &PACKAGES[..]].concat()).map_err(failed)?;
-        run(root, python(root), &[&pip[..], &["--no-deps", OPENQUAKE]].concat()).map_err(failed)?;
+        run(
+            root,
+            python(root),
+            &[&pip[..], &["--no-deps", OPENQUAKE]].concat(),
+        )
+        .map_err(failed)?;
     }
-    run(root, "cargo", &["build", "--locked", "--package", "freestand-cli"])?;
+    run(
+        root,
+        "cargo",
+        &["build", "--locked", "--package", "freestand-cli"],
+    )?;
     compare(root)
 }
 
 /// Compares freestand, as it was built last, with both programs.
 pub fn compare(root: &Path) -> Result<(), String> {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-    let binary = target.join(if cfg!(windows) { "debug/freestand.exe" } else { "debug/freestand" });
-    run(root, python(root), &["-u", "validation/risk_tools/compare.py", &binary.to_string_lossy()])
+    let target =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let binary = target.join(if cfg!(windows) {
+        "debug/freestand.exe"
+    } else {
+        "debug/freestand"
+    });
+    run(
+        root,
+        python(root),
+        &[
+            "-u",
+            "validation/risk_tools/compare.py",
+            &binary.to_string_lossy(),
+        ],
+    )
 }
 
 /// Runs a command in the workspace.
 fn run(root: &Path, program: impl AsRef<OsStr>, arguments: &[&str]) -> Result<(), String> {
-    let name = format!("{} {}", program.as_ref().to_string_lossy(), arguments.join(" "));
-    match Command::new(program).args(arguments).current_dir(root).status() {
+    let name = format!(
+        "{} {}",
+        program.as_ref().to_string_lossy(),
+        arguments.join(" ")
+    );
+    match Command::new(program)
+        .args(arguments)
+        .current_dir(root)
+        .status()
+    {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{status}: {name}")),
         Err(error) => Err(format!("cannot run {name}: {error}")),

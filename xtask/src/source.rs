@@ -19,14 +19,21 @@ pub fn read(root: &Path, folder: &str, wanted: fn(&str) -> bool) -> Result<Files
         for entry in std::fs::read_dir(root.join(&folder)).map_err(problem)? {
             let entry = entry.map_err(problem)?;
             let name = entry.file_name().to_string_lossy().into_owned();
-            let path = if folder.is_empty() { name.clone() } else { format!("{folder}/{name}") };
+            let path = if folder.is_empty() {
+                name.clone()
+            } else {
+                format!("{folder}/{name}")
+            };
             if entry.file_type().map_err(problem)?.is_dir() {
                 // Cargo marks what it builds; a module of ours is named `target`.
                 if !entry.path().join("CACHEDIR.TAG").exists() && !name.starts_with('.') {
                     folders.push(path);
                 }
             } else if wanted(&path) {
-                files.insert(path, std::fs::read_to_string(entry.path()).map_err(problem)?);
+                files.insert(
+                    path,
+                    std::fs::read_to_string(entry.path()).map_err(problem)?,
+                );
             }
         }
     }
@@ -35,7 +42,9 @@ pub fn read(root: &Path, folder: &str, wanted: fn(&str) -> bool) -> Result<Files
 
 /// The names of the crates under `crates/`.
 pub fn crates(files: &Files) -> BTreeSet<&str> {
-    let manifests = files.keys().filter_map(|path| path.strip_prefix("crates/")?.strip_suffix("/Cargo.toml"));
+    let manifests = files
+        .keys()
+        .filter_map(|path| path.strip_prefix("crates/")?.strip_suffix("/Cargo.toml"));
     manifests.filter(|name| !name.contains('/')).collect()
 }
 
@@ -69,7 +78,9 @@ fn add_file(
 ) -> Result<(), String> {
     let tokens: TokenStream = files[&file]
         .parse()
-        .map_err(|error: proc_macro2::LexError| format!("{file}:{}: {error}", error.span().start().line))?;
+        .map_err(|error: proc_macro2::LexError| {
+            format!("{file}:{}: {error}", error.span().start().line)
+        })?;
     let tokens = outside_tests(tokens);
     let place = modules.len();
     add_declared(files, &file, folder, &path, &tokens, modules)?;
@@ -88,18 +99,25 @@ fn add_declared(
 ) -> Result<(), String> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
     for window in tokens.windows(3) {
-        let [TokenTree::Ident(keyword), TokenTree::Ident(name), body] = window else { continue };
+        let [TokenTree::Ident(keyword), TokenTree::Ident(name), body] = window else {
+            continue;
+        };
         if keyword != "mod" {
             continue;
         }
         let folder = format!("{folder}/{name}");
         let path: Vec<String> = path.iter().cloned().chain([name.to_string()]).collect();
         match body {
-            TokenTree::Group(body) => add_declared(files, file, &folder, &path, &body.stream(), modules)?,
+            TokenTree::Group(body) => {
+                add_declared(files, file, &folder, &path, &body.stream(), modules)?
+            }
             _ => {
                 let places = [format!("{folder}.rs"), format!("{folder}/mod.rs")];
                 let Some(child) = places.into_iter().find(|place| files.contains_key(place)) else {
-                    return Err(format!("{file}:{}: no file for the module {name}", name.span().start().line));
+                    return Err(format!(
+                        "{file}:{}: no file for the module {name}",
+                        name.span().start().line
+                    ));
                 };
                 add_file(files, child, &folder, path, modules)?;
             }
@@ -130,7 +148,10 @@ fn outside_tests(tokens: TokenStream) -> TokenStream {
                 TokenTree::Punct(punct) => punct.as_char() == ';',
                 _ => false,
             };
-            at = tokens[at..].iter().position(ends).map_or(tokens.len(), |length| at + length + 1);
+            at = tokens[at..]
+                .iter()
+                .position(ends)
+                .map_or(tokens.len(), |length| at + length + 1);
             continue;
         }
         kept.extend_from_slice(&tokens[start..at]);
@@ -154,21 +175,26 @@ pub fn attribute(tokens: &[TokenTree]) -> Option<(&Group, usize)> {
     let is = |at: usize, c: char| matches!(tokens.get(at), Some(TokenTree::Punct(punct)) if punct.as_char() == c);
     let length = if is(0, '#') && is(1, '!') { 3 } else { 2 };
     match tokens.get(length - 1) {
-        Some(TokenTree::Group(group)) if is(0, '#') && group.delimiter() == Delimiter::Bracket => Some((group, length)),
+        Some(TokenTree::Group(group)) if is(0, '#') && group.delimiter() == Delimiter::Bracket => {
+            Some((group, length))
+        }
         _ => None,
     }
 }
 
 fn is_test(attribute: &Group) -> bool {
     let text: String = attribute.stream().to_string().split_whitespace().collect();
-    ["test", "cfg(test)", "cfg(doctest)"].contains(&text.as_str()) || text.starts_with("cfg(all(test,")
+    ["test", "cfg(test)", "cfg(doctest)"].contains(&text.as_str())
+        || text.starts_with("cfg(all(test,")
 }
 
 /// The content of an attribute that is a doc comment.
 pub fn doc_comment(attribute: &Group) -> Option<String> {
     let tokens: Vec<TokenTree> = attribute.stream().into_iter().collect();
     match tokens.as_slice() {
-        [TokenTree::Ident(doc), _, TokenTree::Literal(text)] if doc == "doc" => string(&text.to_string()),
+        [TokenTree::Ident(doc), _, TokenTree::Literal(text)] if doc == "doc" => {
+            string(&text.to_string())
+        }
         _ => None,
     }
 }
@@ -176,7 +202,12 @@ pub fn doc_comment(attribute: &Group) -> Option<String> {
 /// The text of a string literal, or nothing for another literal. An escape that is not text, as `\u{…}`, stays as written.
 pub fn string(literal: &str) -> Option<String> {
     if let Some(raw) = literal.strip_prefix('r') {
-        return Some(raw.trim_matches('#').strip_prefix('"')?.strip_suffix('"')?.to_owned());
+        return Some(
+            raw.trim_matches('#')
+                .strip_prefix('"')?
+                .strip_suffix('"')?
+                .to_owned(),
+        );
     }
     let mut rest = literal.strip_prefix('"')?.strip_suffix('"')?;
     let mut text = String::new();
@@ -208,7 +239,10 @@ pub fn code_lines(tokens: &TokenStream) -> usize {
                     continue;
                 }
                 (_, TokenTree::Group(group)) => {
-                    lines.extend([group.span_open().start().line, group.span_close().end().line]);
+                    lines.extend([
+                        group.span_open().start().line,
+                        group.span_close().end().line,
+                    ]);
                     add(&group.stream(), lines);
                 }
                 (_, token) => lines.extend(token.span().start().line..=token.span().end().line),
@@ -226,14 +260,20 @@ mod tests {
     use super::*;
 
     fn files(files: &[(&str, &str)]) -> Files {
-        files.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
+        files
+            .iter()
+            .map(|(path, text)| ((*path).to_owned(), (*text).to_owned()))
+            .collect()
     }
 
     #[test]
     fn modules_are_found_as_the_compiler_finds_them() {
         let files = files(&[
             ("crates/x/Cargo.toml", ""),
-            ("crates/x/src/lib.rs", "mod a; mod b { mod c; } #[cfg(test)] mod tests; #[cfg(doctest)] struct D;"),
+            (
+                "crates/x/src/lib.rs",
+                "mod a; mod b { mod c; } #[cfg(test)] mod tests; #[cfg(doctest)] struct D;",
+            ),
             ("crates/x/src/a/mod.rs", "mod d;"),
             ("crates/x/src/a/d.rs", "#![cfg(test)] fn f() {}"),
             ("crates/x/src/b/c.rs", ""),
@@ -241,7 +281,10 @@ mod tests {
         ]);
         assert_eq!(crates(&files), BTreeSet::from(["x"]));
         let modules = modules(&files, "x").unwrap();
-        let found: Vec<_> = modules.iter().map(|module| (module.file.as_str(), module.path.join("::"))).collect();
+        let found: Vec<_> = modules
+            .iter()
+            .map(|module| (module.file.as_str(), module.path.join("::")))
+            .collect();
         assert_eq!(
             found,
             [
@@ -257,7 +300,10 @@ mod tests {
     #[test]
     fn a_missing_file_is_named() {
         let files = files(&[("crates/x/src/lib.rs", "\nmod gone;")]);
-        assert_eq!(modules(&files, "x").err().unwrap(), "crates/x/src/lib.rs:2: no file for the module gone");
+        assert_eq!(
+            modules(&files, "x").err().unwrap(),
+            "crates/x/src/lib.rs:2: no file for the module gone"
+        );
     }
 
     #[test]
@@ -265,8 +311,18 @@ mod tests {
         let text = "#[test] fn a() {} /// Doc.\n #[inline] fn b(x: [u8; 2]) {} #[cfg(test)] use c::d; \
                     impl E { #[cfg(all(test, unix))] #[inline] fn f() {} fn g() {} } #[cfg(not(test))] fn h() {}";
         let kept = outside_tests(text.parse().unwrap()).to_string();
-        for (name, stays) in [("a", false), ("b", true), ("f", false), ("g", true), ("h", true)] {
-            assert_eq!(kept.contains(&format!("fn {name}")), stays, "{name}: {kept}");
+        for (name, stays) in [
+            ("a", false),
+            ("b", true),
+            ("f", false),
+            ("g", true),
+            ("h", true),
+        ] {
+            assert_eq!(
+                kept.contains(&format!("fn {name}")),
+                stays,
+                "{name}: {kept}"
+            );
         }
         assert!(!kept.contains("use"), "{kept}");
     }

@@ -70,9 +70,12 @@ struct Text {
 /// Prints the texts of the files whose path begins with one of those given, or of all; with `--flagged` only those with a
 /// word to look at. How often each word occurs comes last.
 pub fn print(root: &Path, arguments: &[String]) -> Result<(), String> {
-    let (options, places): (Vec<&String>, Vec<&String>) = arguments.iter().partition(|text| text.starts_with("--"));
+    let (options, places): (Vec<&String>, Vec<&String>) =
+        arguments.iter().partition(|text| text.starts_with("--"));
     if let Some(unknown) = options.iter().find(|option| **option != "--flagged") {
-        return Err(format!("{unknown} is not an option of `texts`; there is --flagged"));
+        return Err(format!(
+            "{unknown} is not an option of `texts`; there is --flagged"
+        ));
     }
     let files = source::read(root, "", |path| {
         let ending = path.rsplit('.').next().unwrap_or_default();
@@ -81,7 +84,12 @@ pub fn print(root: &Path, arguments: &[String]) -> Result<(), String> {
             || ending == "md"
     })?;
     let mut texts = texts(&files)?;
-    texts.retain(|text| places.is_empty() || places.iter().any(|place| text.file.starts_with(place.as_str())));
+    texts.retain(|text| {
+        places.is_empty()
+            || places
+                .iter()
+                .any(|place| text.file.starts_with(place.as_str()))
+    });
     if texts.is_empty() {
         return Err("no file of the workspace with a text has such a path".to_owned());
     }
@@ -119,12 +127,25 @@ fn texts(files: &Files) -> Result<Vec<Text>, String> {
             add_rust(&module.file, &module.tokens, &mut texts);
         }
     }
-    for (file, text) in files.iter().filter(|(file, _)| !file.ends_with(".rs") && !file.ends_with("Cargo.toml")) {
+    for (file, text) in files
+        .iter()
+        .filter(|(file, _)| !file.ends_with(".rs") && !file.ends_with("Cargo.toml"))
+    {
         if file.ends_with(".md") {
-            add_paragraphs(file, text.lines().enumerate().map(|(i, line)| (i + 1, line.to_owned())), &mut texts);
+            add_paragraphs(
+                file,
+                text.lines()
+                    .enumerate()
+                    .map(|(i, line)| (i + 1, line.to_owned())),
+                &mut texts,
+            );
         } else {
             let said = text.lines().enumerate().filter(|(_, line)| is_said(line));
-            texts.extend(said.map(|(i, line)| Text { file: file.clone(), line: i + 1, text: joined(line) }));
+            texts.extend(said.map(|(i, line)| Text {
+                file: file.clone(),
+                line: i + 1,
+                text: joined(line),
+            }));
         }
     }
     Ok(texts)
@@ -140,7 +161,11 @@ fn add_rust(file: &str, tokens: &TokenStream, texts: &mut Vec<Text>) {
             && let Some(text) = source::doc_comment(attribute)
         {
             let line = tokens[at].span().start().line;
-            doc.extend(text.lines().enumerate().map(|(i, text)| (line + i, text.trim_start().to_owned())));
+            doc.extend(
+                text.lines()
+                    .enumerate()
+                    .map(|(i, text)| (line + i, text.trim_start().to_owned())),
+            );
             at += length;
         }
         if !doc.is_empty() {
@@ -152,7 +177,11 @@ fn add_rust(file: &str, tokens: &TokenStream, texts: &mut Vec<Text>) {
             TokenTree::Literal(literal) => {
                 let line = literal.span().start().line;
                 let text = source::string(&literal.to_string()).filter(|text| is_said(text));
-                texts.extend(text.map(|text| Text { file: file.to_owned(), line, text: joined(&text) }));
+                texts.extend(text.map(|text| Text {
+                    file: file.to_owned(),
+                    line,
+                    text: joined(&text),
+                }));
             }
             _ => {}
         }
@@ -167,7 +196,9 @@ fn add_paragraphs(file: &str, lines: impl Iterator<Item = (usize, String)>, text
     for (line, text) in lines {
         let is_fence = text.trim_start().starts_with("```");
         in_code ^= is_fence;
-        let begins = ["#", "|", "* ", "- "].iter().any(|mark| text.trim_start().starts_with(mark));
+        let begins = ["#", "|", "* ", "- "]
+            .iter()
+            .any(|mark| text.trim_start().starts_with(mark));
         if is_fence || in_code || begins || text.trim().is_empty() {
             texts.extend(paragraph.take());
         }
@@ -177,7 +208,13 @@ fn add_paragraphs(file: &str, lines: impl Iterator<Item = (usize, String)>, text
         let text = joined(&text);
         match &mut paragraph {
             Some(paragraph) => paragraph.text.extend([" ", &text]),
-            None => paragraph = Some(Text { file: file.to_owned(), line, text }),
+            None => {
+                paragraph = Some(Text {
+                    file: file.to_owned(),
+                    line,
+                    text,
+                })
+            }
         }
     }
     texts.extend(paragraph);
@@ -191,32 +228,56 @@ fn joined(text: &str) -> String {
 /// Whether a text says something: two words at least.
 fn is_said(text: &str) -> bool {
     let is_word = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() >= 2;
-    text.trim().contains(char::is_whitespace) && text.split_whitespace().filter(is_word).count() >= 2
+    text.trim().contains(char::is_whitespace)
+        && text.split_whitespace().filter(is_word).count() >= 2
 }
 
 /// How often each of the words occurs, and last how often a plural follows a count that is filled in.
 fn flags(text: &str) -> Vec<usize> {
     let text = text.to_lowercase();
     let plurals = text.split("} ").skip(1).filter(|rest| {
-        let word = rest.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-        word.len() > 3 && word.ends_with('s') && !word.ends_with("ss") && word != "does" && word != "this"
+        let word = rest
+            .split(|c: char| !c.is_alphabetic())
+            .next()
+            .unwrap_or_default();
+        word.len() > 3
+            && word.ends_with('s')
+            && !word.ends_with("ss")
+            && word != "does"
+            && word != "this"
     });
-    WORDS.iter().map(|(words, _)| occurrences(&text, words)).chain([plurals.count()]).collect()
+    WORDS
+        .iter()
+        .map(|(words, _)| occurrences(&text, words))
+        .chain([plurals.count()])
+        .collect()
 }
 
 /// How often whole words occur in a text, both in lower case.
 fn occurrences(text: &str, words: &str) -> usize {
     let (first, last) = words.split_once(" … ").unwrap_or((words, ""));
     let whole = |text: &str, at: usize, length: usize| {
-        let outside = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric() && c != '_' && c != '-');
+        let outside =
+            |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric() && c != '_' && c != '-');
         outside(text[..at].chars().next_back()) && outside(text[at + length..].chars().next())
     };
     let follows = |rest: &str| {
-        let gap: String = rest.chars().take_while(|c| !['.', ';', ':'].contains(c)).take(MAX_GAP).collect();
-        last.is_empty() || gap.match_indices(last).any(|(at, _)| whole(&gap, at, last.len()))
+        let gap: String = rest
+            .chars()
+            .take_while(|c| !['.', ';', ':'].contains(c))
+            .take(MAX_GAP)
+            .collect();
+        last.is_empty()
+            || gap
+                .match_indices(last)
+                .any(|(at, _)| whole(&gap, at, last.len()))
     };
-    let found = text.match_indices(first).filter(|(at, _)| whole(text, *at, first.len()));
-    found.filter(|(at, _)| follows(&text[at + first.len()..])).count()
+    let found = text
+        .match_indices(first)
+        .filter(|(at, _)| whole(text, *at, first.len()));
+    found
+        .filter(|(at, _)| follows(&text[at + first.len()..]))
+        .count()
 }
 
 #[cfg(test)]
@@ -232,13 +293,24 @@ mod tests {
             ("crates/x/Cargo.toml", "description = \"two words\""),
             ("crates/x/src/lib.rs", rust),
             ("crates/x/src/a.rs", "#[error(\"no such file\")]\nstruct E;"),
-            ("README.md", "# A title\ntext over\ntwo lines\n\n* an item\n* another"),
-            ("examples/study.toml", "# The study.\nkey = 1\nname = \"Two words\""),
+            (
+                "README.md",
+                "# A title\ntext over\ntwo lines\n\n* an item\n* another",
+            ),
+            (
+                "examples/study.toml",
+                "# The study.\nkey = 1\nname = \"Two words\"",
+            ),
         ];
-        let files = files.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect();
+        let files = files
+            .iter()
+            .map(|(path, text)| ((*path).to_owned(), (*text).to_owned()))
+            .collect();
         let found = texts(&files).unwrap();
-        let found: Vec<String> =
-            found.iter().map(|Text { file, line, text }| format!("{file}:{line}: {text}")).collect();
+        let found: Vec<String> = found
+            .iter()
+            .map(|Text { file, line, text }| format!("{file}:{line}: {text}"))
+            .collect();
         assert_eq!(
             found,
             [
@@ -269,6 +341,14 @@ mod tests {
             assert_eq!(occurrences(text, words), count, "{text}");
         }
         let plural = |text: &str| *flags(text).last().unwrap();
-        assert_eq!(["{} motions", "{count} objects and {x:.1} s", "{x} is 3, {y} mass"].map(plural), [1, 1, 0]);
+        assert_eq!(
+            [
+                "{} motions",
+                "{count} objects and {x:.1} s",
+                "{x} is 3, {y} mass"
+            ]
+            .map(plural),
+            [1, 1, 0]
+        );
     }
 }

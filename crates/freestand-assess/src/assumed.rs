@@ -9,30 +9,73 @@ type Assumption = (Column, fn(&Item) -> bool, &'static str);
 
 /// Every column that an answer depends on and that may be empty.
 const ALL: [Assumption; 11] = [
-    (Column::Width, |item| item.width_m.is_none(), "it rocks about one axis only"),
-    (Column::CgHeight, |item| item.cg_height_m.is_none(), "half the height"),
-    (Column::BaseThickness, |item| item.base_thickness_m.is_none(), "it stands on its full thickness"),
-    (Column::Mass, |item| item.mass_kg.is_none(), "no shock, no pads and no force is calculated"),
-    (Column::Stiffness, |item| item.cushion.is_none(), "a rigid floor"),
-    (Column::Tolerance, |item| item.tolerance.is_none(), "only falling is asked"),
-    (Column::Restitution, |item| item.restitution == Restitution::Housner, "Housner's, drawn about it"),
-    (Column::Friction, |item| item.friction_ratio.is_none(), "enough for rocking"),
+    (
+        Column::Width,
+        |item| item.width_m.is_none(),
+        "it rocks about one axis only",
+    ),
+    (
+        Column::CgHeight,
+        |item| item.cg_height_m.is_none(),
+        "half the height",
+    ),
+    (
+        Column::BaseThickness,
+        |item| item.base_thickness_m.is_none(),
+        "it stands on its full thickness",
+    ),
+    (
+        Column::Mass,
+        |item| item.mass_kg.is_none(),
+        "no shock, no pads and no force is calculated",
+    ),
+    (
+        Column::Stiffness,
+        |item| item.cushion.is_none(),
+        "a rigid floor",
+    ),
+    (
+        Column::Tolerance,
+        |item| item.tolerance.is_none(),
+        "only falling is asked",
+    ),
+    (
+        Column::Restitution,
+        |item| item.restitution == Restitution::Housner,
+        "Housner's, drawn about it",
+    ),
+    (
+        Column::Friction,
+        |item| item.friction_ratio.is_none(),
+        "enough for rocking",
+    ),
     (
         Column::WallGap,
-        |item| item.surroundings.wall_gap_m.is_none() && item.surroundings.neighbour_gap_m.is_none(),
+        |item| {
+            item.surroundings.wall_gap_m.is_none() && item.surroundings.neighbour_gap_m.is_none()
+        },
         "nothing within its reach",
     ),
-    (Column::Casters, |item| item.surroundings.casters.is_none(), "none"),
+    (
+        Column::Casters,
+        |item| item.surroundings.casters.is_none(),
+        "none",
+    ),
     (
         Column::RollingResistance,
-        |item| item.surroundings.casters == Some(Casters::Free) && item.surroundings.rolling_resistance_ratio.is_none(),
+        |item| {
+            item.surroundings.casters == Some(Casters::Free)
+                && item.surroundings.rolling_resistance_ratio.is_none()
+        },
         "that of the default casters",
     ),
 ];
 
 /// The names of the columns that are empty for an object.
 pub(crate) fn columns(item: &Item) -> impl Iterator<Item = &'static str> {
-    ALL.into_iter().filter(|(_, is_open, _)| is_open(item)).map(|(column, ..)| column.name())
+    ALL.into_iter()
+        .filter(|(_, is_open, _)| is_open(item))
+        .map(|(column, ..)| column.name())
 }
 
 /// Of each column that is empty for some objects: its name, for how many, and what is then assumed.

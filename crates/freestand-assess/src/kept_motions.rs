@@ -26,7 +26,9 @@ pub(crate) struct KeptMotions {
 
 impl KeptMotions {
     pub(crate) fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_path_buf() }
+        Self {
+            folder: folder.to_path_buf(),
+        }
     }
 
     /// The horizontal and the vertical motion of a world, drawn again so often: read, or made and
@@ -41,7 +43,11 @@ impl KeptMotions {
             return Ok(found);
         }
         let (motion, vertical) = make()?;
-        let components = [Some(&motion.along), motion.across.as_ref(), vertical.as_ref()];
+        let components = [
+            Some(&motion.along),
+            motion.across.as_ref(),
+            vertical.as_ref(),
+        ];
         // Nothing depends on the file: a disk that is full costs time and no result.
         let _ = self.keep(&path, &written(components));
         Ok((motion, vertical))
@@ -54,7 +60,9 @@ impl KeptMotions {
         fs::create_dir_all(&self.folder)?;
         // Created here, the file has the permissions that the umask of the user allows.
         let create = |path: &Path| fs::File::create_new(path);
-        let mut file = tempfile::Builder::new().prefix(".partial-").make_in(&self.folder, create)?;
+        let mut file = tempfile::Builder::new()
+            .prefix(".partial-")
+            .make_in(&self.folder, create)?;
         file.as_file_mut().write_all(bytes)?;
         file.into_temp_path().persist(path)?;
         Ok(())
@@ -91,14 +99,22 @@ fn read(bytes: &[u8]) -> Option<(HorizontalMotion, Option<Motion>)> {
     let mut component = || {
         let samples = u64::from_le_bytes(number()?);
         let dt_s = f64::from_le_bytes(number()?);
-        let accel_m_s2: Option<Vec<f64>> = (0..samples).map(|_| number().map(f64::from_le_bytes)).collect();
+        let accel_m_s2: Option<Vec<f64>> = (0..samples)
+            .map(|_| number().map(f64::from_le_bytes))
+            .collect();
         match samples {
             0 => Some(None),
             _ => Some(Some(Motion::new(dt_s, accel_m_s2?).ok()?)),
         }
     };
     let [along, across, vertical] = [component()?, component()?, component()?];
-    Some((HorizontalMotion { along: along?, across }, vertical))
+    Some((
+        HorizontalMotion {
+            along: along?,
+            across,
+        },
+        vertical,
+    ))
 }
 
 #[cfg(test)]
@@ -109,7 +125,13 @@ mod tests {
 
     fn motions() -> (HorizontalMotion, Option<Motion>) {
         let along = Motion::new(0.005, vec![0.1 + 0.2, -1e-300, 3.0]).unwrap();
-        (HorizontalMotion { along, across: None }, Motion::new(0.01, vec![1.0 / 3.0, 0.0]).ok())
+        (
+            HorizontalMotion {
+                along,
+                across: None,
+            },
+            Motion::new(0.01, vec![1.0 / 3.0, 0.0]).ok(),
+        )
     }
 
     /// A motion is made once, and again where its file is damaged, whichever byte it is.
@@ -126,7 +148,10 @@ mod tests {
             kept.motion((7, 1), make).unwrap()
         };
         assert_eq!((ask(), ask(), made.get()), (motions(), motions(), 1));
-        let files: Vec<PathBuf> = fs::read_dir(&kept.folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let files: Vec<PathBuf> = fs::read_dir(&kept.folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .collect();
         assert_eq!(files, [kept.folder.join("000007-1.motion")]);
         let whole = fs::read(&files[0]).unwrap();
         for cut in [0, 5, 40, whole.len() - 1] {

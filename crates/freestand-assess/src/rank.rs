@@ -48,7 +48,10 @@ impl Urgency {
             .then(Reverse(self.life_safety).cmp(&Reverse(other.life_safety)))
             .then(other_falls.total_cmp(&falls))
             .then(other_exceeds.total_cmp(&exceeds))
-            .then(Reverse((self.property, self.function)).cmp(&Reverse((other.property, other.function))))
+            .then(
+                Reverse((self.property, self.function))
+                    .cmp(&Reverse((other.property, other.function))),
+            )
             .then(other.quantity.cmp(&self.quantity))
             .then(self.row.cmp(&other.row))
     }
@@ -74,23 +77,85 @@ mod tests {
     fn each_criterion_decides_before_those_after_it() {
         let high = Some(Rating::High);
         let low = Some(Rating::Low);
-        let most = Urgency { life_safety: high, probabilities: [0.9, 0.9], quantity: 9, row: 1, ..LEAST };
+        let most = Urgency {
+            life_safety: high,
+            probabilities: [0.9, 0.9],
+            quantity: 9,
+            row: 1,
+            ..LEAST
+        };
         let list = [
-            Urgency { decision: Decision::Restrain, ..LEAST },
-            Urgency { decision: Decision::Soften, ..most },
-            Urgency { decision: Decision::Lock, ..most },
-            Urgency { decision: Decision::NoVerdict, ..most },
-            Urgency { life_safety: high, ..LEAST },
-            Urgency { life_safety: low, ..LEAST },
-            Urgency { probabilities: [0.2, 0.0], ..LEAST },
-            Urgency { probabilities: [0.1, 0.9], ..LEAST },
-            Urgency { probabilities: [0.1, 0.3], ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], property: high, function: high, ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], property: high, ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], property: low, function: high, quantity: 5, ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], quantity: 5, ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], quantity: 4, row: 7, ..LEAST },
-            Urgency { probabilities: [0.1, 0.2], quantity: 4, row: 8, ..LEAST },
+            Urgency {
+                decision: Decision::Restrain,
+                ..LEAST
+            },
+            Urgency {
+                decision: Decision::Soften,
+                ..most
+            },
+            Urgency {
+                decision: Decision::Lock,
+                ..most
+            },
+            Urgency {
+                decision: Decision::NoVerdict,
+                ..most
+            },
+            Urgency {
+                life_safety: high,
+                ..LEAST
+            },
+            Urgency {
+                life_safety: low,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.2, 0.0],
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.9],
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.3],
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                property: high,
+                function: high,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                property: high,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                property: low,
+                function: high,
+                quantity: 5,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                quantity: 5,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                quantity: 4,
+                row: 7,
+                ..LEAST
+            },
+            Urgency {
+                probabilities: [0.1, 0.2],
+                quantity: 4,
+                row: 8,
+                ..LEAST
+            },
         ];
         for (i, one) in list.iter().enumerate() {
             for (j, other) in list.iter().enumerate() {

@@ -26,7 +26,13 @@ pub enum Decision {
 
 impl Decision {
     /// All decisions, the most urgent first.
-    pub const ALL: [Self; 5] = [Self::Restrain, Self::Soften, Self::Lock, Self::NoVerdict, Self::Leave];
+    pub const ALL: [Self; 5] = [
+        Self::Restrain,
+        Self::Soften,
+        Self::Lock,
+        Self::NoVerdict,
+        Self::Leave,
+    ];
 
     /// How many there are.
     pub const COUNT: usize = Self::ALL.len();
@@ -137,7 +143,9 @@ pub struct FewMotions {
 impl FewMotions {
     /// `None` where `motions` are enough.
     pub fn of(motions: u32, needed: Option<u32>) -> Option<Self> {
-        needed.is_none_or(|needed| motions < needed).then_some(Self { motions, needed })
+        needed
+            .is_none_or(|needed| motions < needed)
+            .then_some(Self { motions, needed })
     }
 }
 
@@ -145,8 +153,12 @@ impl Answers {
     /// Whether the compliant base decides: its interval has the larger upper end, for the tolerance
     /// where that is known, else for falling.
     pub fn decides_on_pads(&self) -> bool {
-        let Some(pads) = &self.compliant else { return false };
-        let Some(rigid) = &self.rigid else { return true };
+        let Some(pads) = &self.compliant else {
+            return false;
+        };
+        let Some(rigid) = &self.rigid else {
+            return true;
+        };
         match (rigid.exceed, pads.exceed) {
             (Some(rigid), Some(pads)) => pads.high > rigid.high,
             _ => pads.overturn.high > rigid.overturn.high,
@@ -316,9 +328,16 @@ impl Rolled {
     /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
     /// is all that is known.
     pub(crate) fn reach_words(&self, units: UnitSystem) -> String {
-        let to_stop_m = self.clearance_m.filter(|_| self.stop_share > 0.0).unwrap_or(f64::INFINITY);
+        let to_stop_m = self
+            .clearance_m
+            .filter(|_| self.stop_share > 0.0)
+            .unwrap_or(f64::INFINITY);
         let reach_m = self.travel_m_p84.min(to_stop_m);
-        let at_least = if self.is_at_least && reach_m < to_stop_m { "at least " } else { "" };
+        let at_least = if self.is_at_least && reach_m < to_stop_m {
+            "at least "
+        } else {
+            ""
+        };
         format!("{at_least}{}", units.reach(reach_m))
     }
 
@@ -383,7 +402,14 @@ pub enum Cause {
 
 impl Cause {
     /// All causes, in the order of the outputs.
-    pub const ALL: [Self; 6] = [Self::Motion, Self::Building, Self::Restitution, Self::Pad, Self::Body, Self::Model];
+    pub const ALL: [Self; 6] = [
+        Self::Motion,
+        Self::Building,
+        Self::Restitution,
+        Self::Pad,
+        Self::Body,
+        Self::Model,
+    ];
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {
@@ -589,7 +615,13 @@ impl Assessment {
         match &self.response {
             Some(response) => response.failed > 0 || failed_on_pads,
             // Its rigid base was asked, but every history failed.
-            None => failed_on_pads || self.answers.as_ref().is_some_and(|answers| answers.rigid.is_some()),
+            None => {
+                failed_on_pads
+                    || self
+                        .answers
+                        .as_ref()
+                        .is_some_and(|answers| answers.rigid.is_some())
+            }
         }
     }
 
@@ -605,7 +637,11 @@ impl Assessment {
 
     /// Whether it is left as it is, and only falling was assessed.
     pub fn is_left_for_falling_alone(&self) -> bool {
-        self.decision == Decision::Leave && self.answers.as_ref().is_some_and(|answers| !answers.asks_shock)
+        self.decision == Decision::Leave
+            && self
+                .answers
+                .as_ref()
+                .is_some_and(|answers| !answers.asks_shock)
     }
 
     /// Demand/capacity of the median world, by the model that decides.
@@ -618,8 +654,10 @@ impl Assessment {
     /// Shock of the median world, by the model that decides \[g\].
     pub fn edge_acceleration_g_median(&self) -> Option<Ranked> {
         let pads = self.on_pads.as_ref().filter(|_| self.decides_on_pads());
-        pads.map(|pads| pads.edge_acceleration_g_median)
-            .or(self.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]))
+        pads.map(|pads| pads.edge_acceleration_g_median).or(self
+            .shock
+            .as_ref()
+            .map(|shock| shock.edge_acceleration_g[1]))
     }
 }
 
@@ -842,15 +880,23 @@ impl RestraintKind {
 /// The force that counts for an object: by the study's own code, or by the computed floor where the
 /// study has no code. `None`: there is none, or only forces for comparison.
 pub fn reported_force(forces: &[RestraintForce]) -> Option<&RestraintForce> {
-    forces.iter().find(|force| force.kind != RestraintKind::OtherCode)
+    forces
+        .iter()
+        .find(|force| force.kind != RestraintKind::OtherCode)
 }
 
 /// The force that anchors and a bracket are designed for: [`reported_force`], or that of the floor
 /// where the code's force would not lift the object and that of the floor does.
 pub fn design_force(forces: &[RestraintForce]) -> Option<&RestraintForce> {
     let reported = reported_force(forces)?;
-    let floor = forces.iter().find(|force| force.kind == RestraintKind::Floor && force.anchor_tension_n > 0.0);
-    Some(floor.filter(|_| reported.anchor_tension_n <= 0.0).unwrap_or(reported))
+    let floor = forces
+        .iter()
+        .find(|force| force.kind == RestraintKind::Floor && force.anchor_tension_n > 0.0);
+    Some(
+        floor
+            .filter(|_| reported.anchor_tension_n <= 0.0)
+            .unwrap_or(reported),
+    )
 }
 
 /// Eqs. (5)–(8) at one motion about one axis, with the numbers that a reader needs to repeat them.

@@ -16,14 +16,29 @@ pub enum TooMild {
 
 /// The names of these reasons in tables, and their words.
 pub(crate) const TOO_MILD: Choices<TooMild> = &[
-    (TooMild::Round, "round", "round: not calculated in three dimensions, but as the square prism around it"),
-    (TooMild::FeetPassWall, "feet-pass-wall", "beside a wall, through which its feet pass in the calculation"),
-    (TooMild::Glides, "rolls-or-slides", "free to roll or slide, which counts only where a stop overturns it"),
+    (
+        TooMild::Round,
+        "round",
+        "round: not calculated in three dimensions, but as the square prism around it",
+    ),
+    (
+        TooMild::FeetPassWall,
+        "feet-pass-wall",
+        "beside a wall, through which its feet pass in the calculation",
+    ),
+    (
+        TooMild::Glides,
+        "rolls-or-slides",
+        "free to roll or slide, which counts only where a stop overturns it",
+    ),
 ];
 
 impl TooMild {
     /// What is calculated, after "It is".
     pub fn words(self) -> &'static str {
-        TOO_MILD.iter().find(|one| one.0 == self).map_or("", |one| one.2)
+        TOO_MILD
+            .iter()
+            .find(|one| one.0 == self)
+            .map_or("", |one| one.2)
     }
 }

@@ -11,7 +11,9 @@ use crate::result::Assessment;
 /// Whether the result by the other spectrum is the worse one: the more urgent by [`crate::rank::RULE`], which for one
 /// object compares the decision, the probability that it falls and the probability that its tolerance is exceeded.
 pub(crate) fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
-    Urgency::new(item, other).cmp(&Urgency::new(item, one)).is_lt()
+    Urgency::new(item, other)
+        .cmp(&Urgency::new(item, one))
+        .is_lt()
 }
 
 /// The result that counts; where it is that by the other spectrum, it says so. `study` is that of the other spectrum.
@@ -25,15 +27,27 @@ pub(crate) fn worse(item: &Item, study: &Study, one: Assessment, other: Assessme
 
 /// That the spectrum of `study` decides, after an article.
 pub(crate) fn decides(study: &Study) -> String {
-    let number = study.ground.code_spectrum().and_then(Target::spectrum_type).unwrap_or(2);
-    format!("spectrum of type {number} of the national annex decides: it is the worse for this object")
+    let number = study
+        .ground
+        .code_spectrum()
+        .and_then(Target::spectrum_type)
+        .unwrap_or(2);
+    format!(
+        "spectrum of type {number} of the national annex decides: it is the worse for this object"
+    )
 }
 
 /// Refuses outcomes where there are two spectra: those of both cannot stand in one table.
-pub(crate) fn refuse_outcomes(wants_outcomes: bool, alternative: Option<&Study>) -> Result<(), Problem> {
+pub(crate) fn refuse_outcomes(
+    wants_outcomes: bool,
+    alternative: Option<&Study>,
+) -> Result<(), Problem> {
     if !wants_outcomes || alternative.is_none() {
         return Ok(());
     }
     let hint = "add `spectrum_type = 1` or `spectrum_type = 2` to [ground], and run once with each";
-    Err(Problem::value("`outcomes` are those of one spectrum, but the national annex of this place has two", hint))
+    Err(Problem::value(
+        "`outcomes` are those of one spectrum, but the national annex of this place has two",
+        hint,
+    ))
 }

@@ -33,27 +33,53 @@ pub fn validate() -> Result<Validation, Problem> {
 }
 
 fn checks() -> Result<Vec<Check>, Problem> {
-    const P_58: &str =
-        "FEMA P-58, 2nd edition, median and beta: normal distribution of ln(demand/median)/beta, from a table";
+    const P_58: &str = "FEMA P-58, 2nd edition, median and beta: normal distribution of ln(demand/median)/beta, from a table";
     const KANEKO: &str = "FEMA P-58, nine medians against Kaneko and Hayashi (2000, recalled): 0.75 to 0.81 of V_R50";
     let library = ToleranceLibrary::builtin();
-    let entry = |id: &str| library.find(id).ok_or_else(|| defect(format!("the library has no {id}")));
+    let entry = |id: &str| {
+        library
+            .find(id)
+            .ok_or_else(|| defect(format!("the library has no {id}")))
+    };
     let mut checks = Vec::new();
     for (id, name, demand, expected) in [
-        ("p58-bookcase-5-shelves", "bookcase of 5 shelves, PFV 0.4 m/s", 0.4, 0.739_94),
-        ("p58-desktop-electronics-smooth", "desktop electronics, smooth, PFA 0.5 g", 0.5, 0.672_31),
-        ("p58-motor-control-centre", "motor control centre, PFA 0.5 g", 0.5, 0.200_18),
+        (
+            "p58-bookcase-5-shelves",
+            "bookcase of 5 shelves, PFV 0.4 m/s",
+            0.4,
+            0.739_94,
+        ),
+        (
+            "p58-desktop-electronics-smooth",
+            "desktop electronics, smooth, PFA 0.5 g",
+            0.5,
+            0.672_31,
+        ),
+        (
+            "p58-motor-control-centre",
+            "motor control centre, PFA 0.5 g",
+            0.5,
+            0.200_18,
+        ),
     ] {
         let entry = entry(id)?;
         let median = entry.pfv_median_m_s.or(entry.pfa_median_g).zip(entry.beta);
         let (median, beta) = median.ok_or_else(|| defect(format!("{id} is not a fragility")))?;
         let p = lognormal_probability(demand, median, beta);
         // Half a unit of the last digit.
-        checks.push(check(format!("P-58 P(failure), {name}"), p, expected, 5.1e-6, P_58));
+        checks.push(check(
+            format!("P-58 P(failure), {name}"),
+            p,
+            expected,
+            5.1e-6,
+            P_58,
+        ));
     }
     for (id, height_in, depth_in) in FURNITURE {
         let block = Block::uniform(height_in * 0.0254, depth_in * 0.0254).map_err(defect)?;
-        let median = entry(id)?.pfv_median_m_s.ok_or_else(|| defect(format!("{id} has no median")))?;
+        let median = entry(id)?
+            .pfv_median_m_s
+            .ok_or_else(|| defect(format!("{id} has no median")))?;
         let ratio = median / kaneko_hayashi_velocity_m_s(&block);
         // From 0.75 to 0.81, both rounded to two digits.
         checks.push(check(

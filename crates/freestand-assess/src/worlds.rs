@@ -10,8 +10,8 @@ use freestand::motion::Motion;
 use freestand::rocking::Base;
 use freestand::synthesis::SynthesisOptions;
 use freestand::worlds::{
-    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among, world_motion,
-    world_stream,
+    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among,
+    world_motion, world_stream,
 };
 use rayon::prelude::*;
 
@@ -21,7 +21,9 @@ use freestand_input::quantity::shorten;
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::run::ground_motions;
 use freestand_study::study::assessment::WorldSettings;
-use freestand_study::study::{BuildingInput, Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget};
+use freestand_study::study::{
+    BuildingInput, Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget,
+};
 
 /// Largest difference between two level ratios of the same floor: inventories give two or three
 /// digits.
@@ -67,7 +69,10 @@ impl Remembered {
 
     fn is_of(&self, study: &Study) -> bool {
         // How many worlds are asked does not change them.
-        let settings = WorldSettings { looks: self.settings.looks, ..study.assessment.worlds };
+        let settings = WorldSettings {
+            looks: self.settings.looks,
+            ..study.assessment.worlds
+        };
         self.ground == study.ground
             && self.building == study.building
             && self.settings == settings
@@ -139,17 +144,33 @@ pub(crate) struct FloorOfWorld {
 
 impl FloorOfWorld {
     fn new(motion: HorizontalMotion, vertical: Option<Motion>) -> Self {
-        Self { pfa_m_s2: motion.peak_m_s2(), pfv_m_s: motion.peak_velocity_m_s(), motion, vertical }
+        Self {
+            pfa_m_s2: motion.peak_m_s2(),
+            pfv_m_s: motion.peak_velocity_m_s(),
+            motion,
+            vertical,
+        }
     }
 
     /// One that moves as given, in every direction alike.
     pub(crate) fn given(horizontal: &Motion, vertical: Option<&Motion>) -> Self {
-        Self::new(HorizontalMotion { along: horizontal.clone(), across: None }, vertical.cloned())
+        Self::new(
+            HorizontalMotion {
+                along: horizontal.clone(),
+                across: None,
+            },
+            vertical.cloned(),
+        )
     }
 
     /// Every component multiplied by a factor; `None` where their numbers have no end.
     pub(crate) fn scaled(&self, scale_ratio: f64) -> Option<Self> {
-        let scaled = |motion: Option<&Motion>| motion.map(|motion| motion.scaled(scale_ratio)).transpose().ok();
+        let scaled = |motion: Option<&Motion>| {
+            motion
+                .map(|motion| motion.scaled(scale_ratio))
+                .transpose()
+                .ok()
+        };
         Some(Self {
             motion: HorizontalMotion {
                 along: self.motion.along.scaled(scale_ratio).ok()?,
@@ -164,12 +185,18 @@ impl FloorOfWorld {
     /// The same, in which the acceleration of the floor itself counts for nothing: only what the object
     /// does.
     pub(crate) fn without_peak(self) -> Self {
-        Self { pfa_m_s2: 0.0, ..self }
+        Self {
+            pfa_m_s2: 0.0,
+            ..self
+        }
     }
 
     /// How the base of an object moves, in the plane of x or of y.
     pub(crate) fn base(&self, is_x: bool) -> Base<'_> {
-        Base { horizontal: Some(self.component(is_x)), vertical: self.vertical.as_ref() }
+        Base {
+            horizontal: Some(self.component(is_x)),
+            vertical: self.vertical.as_ref(),
+        }
     }
 
     /// The component along x, or along y; without a second component the first is both.
@@ -191,21 +218,39 @@ pub(crate) struct BuildingOfWorld {
 impl<'a> Worlds<'a> {
     /// # Errors
     /// A motion that cannot be generated; a run that is stopped by `go_on`.
-    pub(crate) fn new(study: &'a Study, go_on: impl Fn() -> Result<(), Problems> + Sync) -> Result<Self, Problems> {
+    pub(crate) fn new(
+        study: &'a Study,
+        go_on: impl Fn() -> Result<(), Problems> + Sync,
+    ) -> Result<Self, Problems> {
         let source = match &study.ground {
             Ground::Synthetic(synthetic) => Source::Synthetic(synthetic),
             Ground::OnFloors => {
-                if let Some(level) = study.levels.iter().find(|level| level.level_ratio.is_none()) {
-                    let message =
-                        format!("the level \"{}\" has no level_ratio, so no object is on it", shorten(&level.name));
-                    let hint = "add level_ratio to each of the levels: 0 at the ground, 1 at the roof";
-                    return Err(Problem::new(ProblemKind::Missing, message).hint(hint).into());
+                if let Some(level) = study
+                    .levels
+                    .iter()
+                    .find(|level| level.level_ratio.is_none())
+                {
+                    let message = format!(
+                        "the level \"{}\" has no level_ratio, so no object is on it",
+                        shorten(&level.name)
+                    );
+                    let hint =
+                        "add level_ratio to each of the levels: 0 at the ground, 1 at the roof";
+                    return Err(Problem::new(ProblemKind::Missing, message)
+                        .hint(hint)
+                        .into());
                 }
-                Source::OnFloors { names: study.ground.names(&study.levels).into() }
+                Source::OnFloors {
+                    names: study.ground.names(&study.levels).into(),
+                }
             }
             Ground::Simulated(_) | Ground::Recorded(_) => {
                 let made = ground_motions(&study.ground, go_on)?;
-                Source::InTurn(made.into_iter().map(|one| (one.name, one.motion, one.vertical)).collect())
+                Source::InTurn(
+                    made.into_iter()
+                        .map(|one| (one.name, one.motion, one.vertical))
+                        .collect(),
+                )
             }
         };
         let WorldSettings {
@@ -216,8 +261,14 @@ impl<'a> Worlds<'a> {
             damping_spread,
             ..
         } = study.assessment.worlds;
-        let refused = |error: freestand::worlds::WorldError| Problem::new(ProblemKind::Value, error.to_string());
-        let options = SpreadOptions { spectral_spread, intensity_spread, component_correlation };
+        let refused = |error: freestand::worlds::WorldError| {
+            Problem::new(ProblemKind::Value, error.to_string())
+        };
+        let options = SpreadOptions {
+            spectral_spread,
+            intensity_spread,
+            component_correlation,
+        };
         Ok(Self {
             study,
             source,
@@ -232,7 +283,10 @@ impl<'a> Worlds<'a> {
 
     /// The same worlds, with ground motions that several processes make once.
     pub(crate) fn kept_in(self, folder: KeptMotions) -> Self {
-        Self { on_disk: Some(Arc::new(folder)), ..self }
+        Self {
+            on_disk: Some(Arc::new(folder)),
+            ..self
+        }
     }
 
     /// The same worlds, with the motions that are remembered of earlier requests.
@@ -264,12 +318,18 @@ impl<'a> Worlds<'a> {
             let made = self.floors_of_world(world, levels_ratio, again, building)?;
             Ok(made.into_iter().map(Arc::new).collect())
         };
-        let is_plain = again == Again::default() && building.is_none() && self.intensity_ratio == 1.0;
-        let Some(floors) = self.floors.as_ref().filter(|_| is_plain) else { return make() };
+        let is_plain =
+            again == Again::default() && building.is_none() && self.intensity_ratio == 1.0;
+        let Some(floors) = self.floors.as_ref().filter(|_| is_plain) else {
+            return make();
+        };
         let key = |level_ratio: &f64| (world, level_ratio.to_bits());
         let known = {
             let floors = floors.lock().unwrap_or_else(PoisonError::into_inner);
-            levels_ratio.iter().map(|level| floors.get(&key(level)).cloned()).collect::<Option<Vec<_>>>()
+            levels_ratio
+                .iter()
+                .map(|level| floors.get(&key(level)).cloned())
+                .collect::<Option<Vec<_>>>()
         };
         if let Some(known) = known {
             return Ok(known);
@@ -295,7 +355,11 @@ impl<'a> Worlds<'a> {
 
     /// Whether the worlds of one record differ in nothing but the object.
     pub(crate) fn building_is_known(&self) -> bool {
-        let WorldSettings { period_spread, damping_spread, .. } = self.study.assessment.worlds;
+        let WorldSettings {
+            period_spread,
+            damping_spread,
+            ..
+        } = self.study.assessment.worlds;
         self.study.building.is_none() || (period_spread == 0.0 && damping_spread == 0.0)
     }
 
@@ -308,7 +372,9 @@ impl<'a> Worlds<'a> {
     pub(crate) fn name(&self, world: u32) -> String {
         let of = |names: &mut dyn ExactSizeIterator<Item = &String>| {
             let place = world as usize % names.len().max(1);
-            names.nth(place).map_or_else(String::new, |name| format!("{name} (world {world})"))
+            names
+                .nth(place)
+                .map_or_else(String::new, |name| format!("{name} (world {world})"))
         };
         match &self.source {
             Source::Synthetic(_) => format!("world {world}"),
@@ -336,20 +402,36 @@ impl<'a> Worlds<'a> {
         if again == 0 {
             return world as usize % count.max(1);
         }
-        place_among(&mut world_stream(self.study.assessment.seed, world, Group::Motion, again), count)
+        place_among(
+            &mut world_stream(self.study.assessment.seed, world, Group::Motion, again),
+            count,
+        )
     }
 
     /// The ground motion of a world at the intensity of the study; `None` where only floors are given.
-    pub(crate) fn ground(&self, world: u32, again: u32) -> Result<Option<Arc<GroundOfWorld>>, Problems> {
+    pub(crate) fn ground(
+        &self,
+        world: u32,
+        again: u32,
+    ) -> Result<Option<Arc<GroundOfWorld>>, Problems> {
         let key = (world, again);
-        if let Some(found) = self.kept.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+        if let Some(found) = self
+            .kept
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(&key)
+        {
             return Ok(Some(Arc::clone(found)));
         }
         let made = match &self.source {
             Source::OnFloors { .. } => return Ok(None),
             Source::InTurn(motions) => {
                 let (name, motion, vertical) = &motions[self.in_turn(world, again, motions.len())];
-                GroundOfWorld { motion: motion.clone(), vertical: vertical.clone(), record: Some(name.clone()) }
+                GroundOfWorld {
+                    motion: motion.clone(),
+                    vertical: vertical.clone(),
+                    record: Some(name.clone()),
+                }
             }
             Source::Synthetic(synthetic) => {
                 let make = || self.synthetic(synthetic, world, again);
@@ -357,7 +439,11 @@ impl<'a> Worlds<'a> {
                     Some(folder) => folder.motion((world, again), make)?,
                     None => make()?,
                 };
-                GroundOfWorld { motion, vertical, record: None }
+                GroundOfWorld {
+                    motion,
+                    vertical,
+                    record: None,
+                }
             }
         };
         let made = Arc::new(made);
@@ -377,14 +463,24 @@ impl<'a> Worlds<'a> {
     ) -> Result<(HorizontalMotion, Option<Motion>), Problems> {
         let spectra = self.spread.spectra(ground.seed, world, again);
         let options = SynthesisOptions::default();
-        let WorldSettings { components, component_ratio, .. } = self.study.assessment.worlds;
+        let WorldSettings {
+            components,
+            component_ratio,
+            ..
+        } = self.study.assessment.worlds;
         let component = |component| {
             let target = |t: f64| match component {
                 Component::X => ground.target.spectrum.sa_g(t),
                 Component::Y => component_ratio * ground.target.spectrum.sa_g(t),
                 Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
             };
-            let made = world_motion(target, &spectra, component, (ground.seed, world, again), &options);
+            let made = world_motion(
+                target,
+                &spectra,
+                component,
+                (ground.seed, world, again),
+                &options,
+            );
             made.map(|made| made.motion).map_err(failed("a motion"))
         };
         let across = match components {
@@ -392,27 +488,48 @@ impl<'a> Worlds<'a> {
             _ => Some(component(Component::Y)?),
         };
         let is_vertical = ground.vertical != VerticalTarget::None;
-        let vertical = is_vertical.then(|| component(Component::Vertical)).transpose()?;
-        Ok((HorizontalMotion { along: component(Component::X)?, across }, vertical))
+        let vertical = is_vertical
+            .then(|| component(Component::Vertical))
+            .transpose()?;
+        Ok((
+            HorizontalMotion {
+                along: component(Component::X)?,
+                across,
+            },
+            vertical,
+        ))
     }
 
     fn scaled(&self, motion: HorizontalMotion) -> Result<HorizontalMotion, Problems> {
         if self.intensity_ratio == 1.0 {
             return Ok(motion);
         }
-        let scaled = |motion: Motion| motion.scaled(self.intensity_ratio).map_err(failed("a motion"));
-        Ok(HorizontalMotion { along: scaled(motion.along)?, across: motion.across.map(scaled).transpose()? })
+        let scaled = |motion: Motion| {
+            motion
+                .scaled(self.intensity_ratio)
+                .map_err(failed("a motion"))
+        };
+        Ok(HorizontalMotion {
+            along: scaled(motion.along)?,
+            across: motion.across.map(scaled).transpose()?,
+        })
     }
 
     fn building_draw(&self, world: u32, again: Again) -> BuildingDraw {
-        self.building.draw(self.study.assessment.seed, world, again.building)
+        self.building
+            .draw(self.study.assessment.seed, world, again.building)
     }
 
     /// The building of a world; `None` where the motions of floors are given.
     pub(crate) fn building(&self, world: u32) -> Result<Option<BuildingOfWorld>, Problems> {
-        let Some(building) = &self.study.building else { return Ok(None) };
+        let Some(building) = &self.study.building else {
+            return Ok(None);
+        };
         let along = drawn(&building.along, self.building_draw(world, Again::default()))?;
-        Ok(Some(BuildingOfWorld { period_s: along.period_s(), damping_ratio: along.damping_ratio() }))
+        Ok(Some(BuildingOfWorld {
+            period_s: along.period_s(),
+            damping_ratio: along.damping_ratio(),
+        }))
     }
 
     /// The motions of some floors in these worlds, `[floor][world]`, on the current thread pool. The
@@ -427,7 +544,9 @@ impl<'a> Worlds<'a> {
         go_on: impl Fn() -> Result<(), Problems> + Sync,
     ) -> Result<Vec<Vec<Arc<FloorOfWorld>>>, Problems> {
         let in_turn = match &self.source {
-            Source::InTurn(motions) if self.building_is_known() || building.is_some() => Some(motions.len()),
+            Source::InTurn(motions) if self.building_is_known() || building.is_some() => {
+                Some(motions.len())
+            }
             Source::OnFloors { names } => Some(names.len()),
             Source::InTurn(_) | Source::Synthetic(_) => None,
         };
@@ -435,17 +554,28 @@ impl<'a> Worlds<'a> {
             Some(motions) => self.in_turn(world, again.motion, motions) as u32,
             None => world,
         };
-        let mut first: Vec<(u32, u32)> = worlds.clone().map(|world| (shaking(world), world)).collect();
+        let mut first: Vec<(u32, u32)> = worlds
+            .clone()
+            .map(|world| (shaking(world), world))
+            .collect();
         first.sort_unstable();
         first.dedup_by_key(|(shaking, _)| *shaking);
         let floors = |&(shaking, world): &(u32, u32)| {
             go_on()?;
-            Ok((shaking, self.remembered(world, levels_ratio, again, building)?))
+            Ok((
+                shaking,
+                self.remembered(world, levels_ratio, again, building)?,
+            ))
         };
         let made: Vec<Result<_, Problems>> = first.par_iter().map(floors).collect();
-        let made: HashMap<u32, Vec<Arc<FloorOfWorld>>> = made.into_iter().collect::<Result<_, _>>()?;
+        let made: HashMap<u32, Vec<Arc<FloorOfWorld>>> =
+            made.into_iter().collect::<Result<_, _>>()?;
         let of_level = |level: usize| {
-            let in_world = |world| made.get(&shaking(world)).and_then(|floors| floors.get(level)).cloned();
+            let in_world = |world| {
+                made.get(&shaking(world))
+                    .and_then(|floors| floors.get(level))
+                    .cloned()
+            };
             worlds.clone().filter_map(in_world).collect()
         };
         Ok((0..levels_ratio.len()).map(of_level).collect())
@@ -458,7 +588,11 @@ impl<'a> Worlds<'a> {
     }
 
     /// The motion of a floor in one world.
-    pub(crate) fn floor(&self, world: u32, level_ratio: f64) -> Result<Arc<FloorOfWorld>, Problems> {
+    pub(crate) fn floor(
+        &self,
+        world: u32,
+        level_ratio: f64,
+    ) -> Result<Arc<FloorOfWorld>, Problems> {
         let mut floors = self.remembered(world, &[level_ratio], Again::default(), None)?;
         Ok(floors.swap_remove(0))
     }
@@ -472,11 +606,18 @@ impl<'a> Worlds<'a> {
         again: Again,
         building: Option<BuildingDraw>,
     ) -> Result<Vec<FloorOfWorld>, Problems> {
-        let nothing = || Problem::new(ProblemKind::Computation, "the study has no motion for this floor");
+        let nothing = || {
+            Problem::new(
+                ProblemKind::Computation,
+                "the study has no motion for this floor",
+            )
+        };
         let Some(modes) = &self.study.building else {
             let given = |&level_ratio: &f64| {
                 let given = self.given(level_ratio).ok_or_else(nothing)?;
-                let motion = given.get(self.in_turn(world, again.motion, given.len())).ok_or_else(nothing)?;
+                let motion = given
+                    .get(self.in_turn(world, again.motion, given.len()))
+                    .ok_or_else(nothing)?;
                 Ok(FloorOfWorld::new(self.scaled(motion.as_used())?, None))
             };
             return levels_ratio.iter().map(given).collect();
@@ -484,47 +625,93 @@ impl<'a> Worlds<'a> {
         let ground = self.ground(world, again.motion)?.ok_or_else(nothing)?;
         let draw = building.unwrap_or_else(|| self.building_draw(world, again));
         let along = drawn(&modes.along, draw)?;
-        let across = modes.across.as_ref().map(|across| drawn(across, draw)).transpose()?;
-        let tail_s = across.as_ref().map_or(0.0, Building::tail_s).max(along.tail_s());
+        let across = modes
+            .across
+            .as_ref()
+            .map(|across| drawn(across, draw))
+            .transpose()?;
+        let tail_s = across
+            .as_ref()
+            .map_or(0.0, Building::tail_s)
+            .max(along.tail_s());
         let floors = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, Problems> {
-            let motion = motion.with_zero_tail(tail_s).map_err(failed("a floor motion"))?;
+            let motion = motion
+                .with_zero_tail(tail_s)
+                .map_err(failed("a floor motion"))?;
             floor_motions(&motion, axis, levels_ratio).map_err(failed("a floor motion"))
         };
         let second = ground.motion.across.as_ref();
-        let second = second.map(|motion| floors(motion, across.as_ref().unwrap_or(&along))).transpose()?;
+        let second = second
+            .map(|motion| floors(motion, across.as_ref().unwrap_or(&along)))
+            .transpose()?;
         let mut second = second.map(Vec::into_iter);
         let first = floors(&ground.motion.along, &along)?.into_iter();
-        let both = first.map(|along| HorizontalMotion { along, across: second.as_mut().and_then(Iterator::next) });
+        let both = first.map(|along| HorizontalMotion {
+            along,
+            across: second.as_mut().and_then(Iterator::next),
+        });
         let vertical = |level_ratio: f64| -> Result<Option<Motion>, Problems> {
-            let Some(vertical) = &ground.vertical else { return Ok(None) };
-            let amplification = if level_ratio == 0.0 { 1.0 } else { self.study.vertical_amplification_ratio };
+            let Some(vertical) = &ground.vertical else {
+                return Ok(None);
+            };
+            let amplification = if level_ratio == 0.0 {
+                1.0
+            } else {
+                self.study.vertical_amplification_ratio
+            };
             let padded = vertical.with_zero_tail(tail_s);
-            let scaled = padded.and_then(|motion| motion.scaled(amplification * self.intensity_ratio));
-            scaled.map(Some).map_err(failed("the vertical motion of a floor"))
+            let scaled =
+                padded.and_then(|motion| motion.scaled(amplification * self.intensity_ratio));
+            scaled
+                .map(Some)
+                .map_err(failed("the vertical motion of a floor"))
         };
         let floor = |(motion, &level_ratio): (HorizontalMotion, &f64)| {
-            Ok(FloorOfWorld::new(self.scaled(motion)?, vertical(level_ratio)?))
+            Ok(FloorOfWorld::new(
+                self.scaled(motion)?,
+                vertical(level_ratio)?,
+            ))
         };
         both.zip(levels_ratio).map(floor).collect()
     }
 
     /// The motions that the study gives for a level.
     fn given(&self, level_ratio: f64) -> Option<&'a [RecordedMotion]> {
-        let away = |level: &&Level| level.level_ratio.map_or(f64::INFINITY, |ratio| (ratio - level_ratio).abs());
-        let nearest = self.study.levels.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let away = |level: &&Level| {
+            level
+                .level_ratio
+                .map_or(f64::INFINITY, |ratio| (ratio - level_ratio).abs())
+        };
+        let nearest = self
+            .study
+            .levels
+            .iter()
+            .min_by(|a, b| away(a).total_cmp(&away(b)));
         let level = nearest.filter(|level| away(level) <= SAME_LEVEL)?;
         (!level.motions.is_empty()).then_some(&level.motions)
     }
 }
 
 fn drawn(building: &Building, draw: BuildingDraw) -> Result<Building, Problems> {
-    let BuildingDraw { period_factor, damping_factor } = draw;
+    let BuildingDraw {
+        period_factor,
+        damping_factor,
+    } = draw;
     if (period_factor, damping_factor) == (1.0, 1.0) {
         return Ok(building.clone());
     }
-    building.clone().with_factors(period_factor, damping_factor).map_err(failed("the building of a world"))
+    building
+        .clone()
+        .with_factors(period_factor, damping_factor)
+        .map_err(failed("the building of a world"))
 }
 
 fn failed<E: std::fmt::Display>(what: &'static str) -> impl Fn(E) -> Problems {
-    move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
+    move |error| {
+        Problem::new(
+            ProblemKind::Computation,
+            format!("{what} cannot be computed: {error}"),
+        )
+        .into()
+    }
 }

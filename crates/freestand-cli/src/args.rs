@@ -68,10 +68,20 @@ impl<A> Deref for Named<A> {
 
 impl<A: Args> FromArgMatches for Named<A> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let is_given = |arg: &&Arg| matches.value_source(arg.get_id().as_str()) == Some(ValueSource::CommandLine);
+        let is_given = |arg: &&Arg| {
+            matches.value_source(arg.get_id().as_str()) == Some(ValueSource::CommandLine)
+        };
         let command = A::augment_args(Command::new("flags"));
-        let given = command.get_arguments().filter(is_given).filter_map(Arg::get_long).map(str::to_owned).collect();
-        Ok(Self { args: A::from_arg_matches(matches)?, given })
+        let given = command
+            .get_arguments()
+            .filter(is_given)
+            .filter_map(Arg::get_long)
+            .map(str::to_owned)
+            .collect();
+        Ok(Self {
+            args: A::from_arg_matches(matches)?,
+            given,
+        })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
@@ -94,23 +104,36 @@ impl<A: Args> Args for Named<A> {
 ///
 /// What is given is read, or refused. A value that nobody reads is not checked either, so that a typing
 /// mistake in it would go unnoticed.
-pub(crate) fn refuse_idle<'a>(idle: impl IntoIterator<Item = &'a str>, why: &str) -> Result<(), Failure> {
-    let flags: Vec<String> = idle.into_iter().map(|flag| format!("--{}", flag.trim_start_matches('-'))).collect();
+pub(crate) fn refuse_idle<'a>(
+    idle: impl IntoIterator<Item = &'a str>,
+    why: &str,
+) -> Result<(), Failure> {
+    let flags: Vec<String> = idle
+        .into_iter()
+        .map(|flag| format!("--{}", flag.trim_start_matches('-')))
+        .collect();
     let have = if flags.len() == 1 { "has" } else { "have" };
     if flags.is_empty() {
         return Ok(());
     }
     let them = if flags.len() == 1 { "it" } else { "them" };
-    Err(Failure::usage(format!("{} {have} no effect: {why}", flags.join(", ")), format!("leave {them} out")))
+    Err(Failure::usage(
+        format!("{} {have} no effect: {why}", flags.join(", ")),
+        format!("leave {them} out"),
+    ))
 }
 
 /// A count of at least 1.
 pub(crate) fn at_least_one(text: &str) -> Result<NonZeroUsize, String> {
-    text.parse().map_err(|_| "a whole number is expected, at least 1".to_owned())
+    text.parse()
+        .map_err(|_| "a whole number is expected, at least 1".to_owned())
 }
 
 /// A seed, at most 2⁶³ − 1: the largest whole number that a study can store.
 fn zero_or_more(text: &str) -> Result<u64, String> {
-    let seed = text.parse::<u64>().ok().filter(|&seed| i64::try_from(seed).is_ok());
+    let seed = text
+        .parse::<u64>()
+        .ok()
+        .filter(|&seed| i64::try_from(seed).is_ok());
     seed.ok_or_else(|| format!("a whole number is expected, 0 to {}", i64::MAX))
 }

@@ -28,7 +28,11 @@ impl KeySet for CushionKeys {
                 "STIFFNESS",
                 "Stiffness of the whole cushion under one edge; for a power law, such as \"2e7 N/m^1.5\"",
             ),
-            key("pad_stiffness", "STIFFNESS", "Stiffness (and law) of one pad; needs --pads-per-edge"),
+            key(
+                "pad_stiffness",
+                "STIFFNESS",
+                "Stiffness (and law) of one pad; needs --pads-per-edge",
+            ),
             key(
                 "cushion",
                 "FILE.toml",
@@ -40,20 +44,36 @@ impl KeySet for CushionKeys {
                 "STIFFNESS",
                 "A layer in series with the cushion: legs, floor covering (repeatable)",
             ),
-            key("pad_thickness", "LENGTH", "Thickness of the pad, used in warnings only [default: 20 mm]"),
+            key(
+                "pad_thickness",
+                "LENGTH",
+                "Thickness of the pad, used in warnings only [default: 20 mm]",
+            ),
             key(
                 "law",
                 "LAW",
                 "Contact law: linear, power (hertz), kelvin-voigt, hunt-crossley, tangent [default: linear]",
             ),
-            key("exponent", "N", "Exponent of a power or hunt-crossley law [default: 1.5]"),
+            key(
+                "exponent",
+                "N",
+                "Exponent of a power or hunt-crossley law [default: 1.5]",
+            ),
             key(
                 "damping",
                 "DAMPING",
                 "Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as \"300 N s/m\"",
             ),
-            key("dissipation", "DISSIPATION", "Dissipation of hunt-crossley, such as \"0.3 s/m\""),
-            key("bottoming", "LENGTH", "Compression at which a tangent law bottoms"),
+            key(
+                "dissipation",
+                "DISSIPATION",
+                "Dissipation of hunt-crossley, such as \"0.3 s/m\"",
+            ),
+            key(
+                "bottoming",
+                "LENGTH",
+                "Compression at which a tangent law bottoms",
+            ),
         ],
     )];
 }
@@ -62,27 +82,42 @@ impl CushionArgs {
     /// The texts of the flags, with those of the file that `--cushion` names.
     pub(crate) fn words(&self, values: &mut Values) -> Result<Words, Failure> {
         let words = self.keys.words.clone();
-        let Some(path) = words.get("cushion").map(Path::new) else { return Ok(words) };
+        let Some(path) = words.get("cushion").map(Path::new) else {
+            return Ok(words);
+        };
         let (file, _) = read_cushion_file(path)?;
         Ok(values.take(with_file(&words, file)).unwrap_or(words))
     }
 
     /// The cushion under one edge of an object of `mass_kg`; `None` if no flag describes it, or one
     /// is wrong.
-    pub(crate) fn edge(&self, mass_kg: Option<f64>, values: &mut Values) -> Result<Option<EdgeCushion>, Failure> {
+    pub(crate) fn edge(
+        &self,
+        mass_kg: Option<f64>,
+        values: &mut Values,
+    ) -> Result<Option<EdgeCushion>, Failure> {
         let words = self.words(values)?;
         Ok(self.resolved(&words, mass_kg, values))
     }
 
     /// The cushion that these texts describe; `None` if there are none, or one is wrong.
-    pub(crate) fn resolved(&self, words: &Words, mass_kg: Option<f64>, values: &mut Values) -> Option<EdgeCushion> {
+    pub(crate) fn resolved(
+        &self,
+        words: &Words,
+        mass_kg: Option<f64>,
+        values: &mut Values,
+    ) -> Option<EdgeCushion> {
         if words.is_empty() {
             return None;
         }
         let resolved = cushion::resolve(words, mass_kg).map_err(|problems| {
             for problem in problems {
                 // A wrong value from the file is reported with the name of the file.
-                values.push(self.inputs().iter().fold(problem, |problem, path| problem.in_file(path)));
+                values.push(
+                    self.inputs()
+                        .iter()
+                        .fold(problem, |problem, path| problem.in_file(path)),
+                );
             }
         });
         resolved.ok()
@@ -95,6 +130,11 @@ impl CushionArgs {
 
     /// The file that `--cushion` names.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.keys.words.get("cushion").map(PathBuf::from).into_iter().collect()
+        self.keys
+            .words
+            .get("cushion")
+            .map(PathBuf::from)
+            .into_iter()
+            .collect()
     }
 }

@@ -71,15 +71,27 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
     }
     let text = error.render().to_string();
     let mut paragraphs = text.split("\n\n").map(|paragraph| {
-        paragraph.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+        paragraph
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+            .collect::<Vec<_>>()
+            .join(" ")
     });
     let message = paragraphs.next().unwrap_or_default();
-    let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
+    let message = message
+        .strip_prefix("error: ")
+        .unwrap_or(&message)
+        .to_owned();
     let rest: Vec<String> = paragraphs.collect();
     // The tip "to pass '-1' as a value, use '-- -1'" is wrong for all our flags.
-    let tip =
-        rest.iter().find_map(|paragraph| paragraph.strip_prefix("tip: ")).filter(|tip| !tip.starts_with("to pass "));
-    let usage = rest.iter().find_map(|paragraph| paragraph.strip_prefix("Usage: "));
+    let tip = rest
+        .iter()
+        .find_map(|paragraph| paragraph.strip_prefix("tip: "))
+        .filter(|tip| !tip.starts_with("to pass "));
+    let usage = rest
+        .iter()
+        .find_map(|paragraph| paragraph.strip_prefix("Usage: "));
     let hint = match (tip, usage) {
         (Some(tip), _) => tip.replace(" tip: ", "; "),
         (None, Some(usage)) => format!("usage: {usage}; see --help"),

@@ -41,7 +41,10 @@ impl TableArgs {
     fn check(&self, global: &GlobalArgs) -> Result<(), Failure> {
         if self.parquet && global.out.is_none() {
             let hint = "add --out DIR";
-            return Err(Failure::usage("--parquet writes tables to a folder, and --out is not given", hint));
+            return Err(Failure::usage(
+                "--parquet writes tables to a folder, and --out is not given",
+                hint,
+            ));
         }
         Ok(())
     }
@@ -52,10 +55,17 @@ impl Files {
     /// command reads.
     pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
-            Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
+            Some(target) => Some((
+                target.clone(),
+                OutputFolder::stage(target, global.force, inputs)?,
+            )),
             None => None,
         };
-        Ok(Self { folder, printer: Printer::new(global), parquet: None })
+        Ok(Self {
+            folder,
+            printer: Printer::new(global),
+            parquet: None,
+        })
     }
 
     /// The same, of a command that writes tables; `schema` names its document, and `seed` is that of
@@ -70,7 +80,10 @@ impl Files {
         tables.check(global)?;
         let facts = tables.parquet.then(|| fingerprints(inputs)).transpose()?;
         let parquet = facts.map(|inputs| (schema, provenance(seed, inputs)));
-        Ok(Self { parquet, ..Self::begin(global, inputs)? })
+        Ok(Self {
+            parquet,
+            ..Self::begin(global, inputs)?
+        })
     }
 
     /// Whether there is a folder to write to.
@@ -84,13 +97,19 @@ impl Files {
         name: &str,
         bytes: impl FnOnce() -> B,
     ) -> Result<Option<String>, Failure> {
-        let Some((target, folder)) = &self.folder else { return Ok(None) };
+        let Some((target, folder)) = &self.folder else {
+            return Ok(None);
+        };
         folder.write(name, bytes().as_ref())?;
         Ok(Some(path_text(&target.join(name))))
     }
 
     /// Writes a table as `NAME.csv`, and as `NAME.parquet` if wanted; does nothing without `--out`.
-    pub(crate) fn table(&self, name: &str, table: impl FnOnce() -> Result<Table, Problem>) -> Result<(), Failure> {
+    pub(crate) fn table(
+        &self,
+        name: &str,
+        table: impl FnOnce() -> Result<Table, Problem>,
+    ) -> Result<(), Failure> {
         if !self.wanted() {
             return Ok(());
         }
@@ -104,7 +123,11 @@ impl Files {
     }
 
     /// Draws a figure and writes it as SVG and PNG; does nothing without `--out`.
-    pub(crate) fn figure(&self, name: &str, draw: impl FnOnce() -> Result<Figure, FigureError>) -> Result<(), Failure> {
+    pub(crate) fn figure(
+        &self,
+        name: &str,
+        draw: impl FnOnce() -> Result<Figure, FigureError>,
+    ) -> Result<(), Failure> {
         if self.wanted() {
             self.drawn(name, &draw()?)?;
         }
@@ -120,12 +143,18 @@ impl Files {
 
     /// Begins a file that is written in pieces; `None` without `--out`.
     pub(crate) fn begin_file(&self, name: &str) -> Result<Option<StreamedFile>, Failure> {
-        Ok(self.folder.as_ref().map(|(_, folder)| folder.begin(name)).transpose()?)
+        Ok(self
+            .folder
+            .as_ref()
+            .map(|(_, folder)| folder.begin(name))
+            .transpose()?)
     }
 
     /// The final path of a file; `None` without `--out`.
     pub(crate) fn path(&self, name: &str) -> Option<String> {
-        self.folder.as_ref().map(|(target, _)| path_text(&target.join(name)))
+        self.folder
+            .as_ref()
+            .map(|(target, _)| path_text(&target.join(name)))
     }
 
     /// Ends a command: writes its document as `result.json`, with a short manifest, and prints the
@@ -139,7 +168,10 @@ impl Files {
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         if let Some((_, folder)) = &self.folder {
-            folder.write(RESULT, document(schema, &without_timing(body)?, warnings)?.as_bytes())?;
+            folder.write(
+                RESULT,
+                document(schema, &without_timing(body)?, warnings)?.as_bytes(),
+            )?;
             if let Some(session) = printer.session() {
                 let mut names = folder.names()?;
                 names.push(MANIFEST.to_owned());
@@ -153,13 +185,24 @@ impl Files {
     /// Adds the short manifest of a command whose document has been written as [`RESULT`], and
     /// moves the folder into place.
     pub(crate) fn finish_result(self, schema: &str, warnings: &[String]) -> Result<(), Failure> {
-        self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)
+        self.finish(
+            "freestand.manifest/1",
+            &serde_json::json!({"result": schema}),
+            warnings,
+        )
     }
 
     /// Adds `manifest.json`, which is the printed document with the names of all files, and moves
     /// the folder into place.
-    pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
-        let Some((_, folder)) = self.folder else { return Ok(()) };
+    pub(crate) fn finish<T: Serialize>(
+        self,
+        schema: &str,
+        body: &T,
+        warnings: &[String],
+    ) -> Result<(), Failure> {
+        let Some((_, folder)) = self.folder else {
+            return Ok(());
+        };
         let mut names = folder.names()?;
         names.push(MANIFEST.to_owned());
         names.sort_unstable();
@@ -174,9 +217,20 @@ impl Files {
 
 /// Writes a table to a file that the user named: as Parquet if the name ends in `.parquet`, otherwise
 /// as CSV.
-pub(crate) fn write_table(path: &Path, table: Table, schema: &str, inputs: &[PathBuf]) -> Result<(), Problem> {
-    let is_parquet = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"));
-    let bytes = if is_parquet { table.parquet(schema, provenance(None, fingerprints(inputs)?))? } else { table.into() };
+pub(crate) fn write_table(
+    path: &Path,
+    table: Table,
+    schema: &str,
+    inputs: &[PathBuf],
+) -> Result<(), Problem> {
+    let is_parquet = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"));
+    let bytes = if is_parquet {
+        table.parquet(schema, provenance(None, fingerprints(inputs)?))?
+    } else {
+        table.into()
+    };
     write_file(path, &bytes, inputs)
 }
 
@@ -184,8 +238,18 @@ pub(crate) fn write_table(path: &Path, table: Table, schema: &str, inputs: &[Pat
 pub(crate) fn fingerprints(inputs: &[PathBuf]) -> Result<Vec<(String, Option<String>)>, Problem> {
     let one = |path: &PathBuf| {
         // A pipe cannot be read again.
-        let sha256 = if path.is_file() { Some(sha256_hex(&load(path)?)) } else { None };
-        Ok((path.file_name().unwrap_or_default().to_string_lossy().into_owned(), sha256))
+        let sha256 = if path.is_file() {
+            Some(sha256_hex(&load(path)?))
+        } else {
+            None
+        };
+        Ok((
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            sha256,
+        ))
     };
     inputs.iter().map(one).collect()
 }

@@ -26,9 +26,17 @@ impl KeySet for HazardKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
         "Hazard, in place of that of the study",
         &[
-            key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
+            key(
+                "place",
+                "NAME",
+                "Place, with its code and hazard; see freestand place list",
+            ),
             key("site", "CLASS", "Site class of the code"),
-            key("return_period_years", "YEARS", "Return period in years, of AS 1170.4 and NZS 1170.5"),
+            key(
+                "return_period_years",
+                "YEARS",
+                "Return period in years, of AS 1170.4 and NZS 1170.5",
+            ),
         ],
     )];
 }

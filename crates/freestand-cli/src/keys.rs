@@ -43,7 +43,9 @@ impl<S: KeySet> Args for Keys<S> {
     fn augment_args(command: Command) -> Command {
         let arg = |heading, Key(key, value, action, help): &Key| {
             let flag = KeyStyle::Flag.name(key);
-            let (short, rest) = help.split_once("\n\n").map_or((*help, None), |(short, rest)| (short, Some(rest)));
+            let (short, rest) = help
+                .split_once("\n\n")
+                .map_or((*help, None), |(short, rest)| (short, Some(rest)));
             let arg = Arg::new(*key)
                 .long(flag.trim_start_matches('-').to_owned())
                 .action(action.clone())
@@ -53,9 +55,13 @@ impl<S: KeySet> Args for Keys<S> {
             value.map_or(arg.clone(), |value| arg.value_name(value))
         };
         let args = |groups: &'static [(&'static str, &'static [Key])]| {
-            groups.iter().flat_map(move |(heading, keys)| keys.iter().map(move |key| arg(*heading, key)))
+            groups
+                .iter()
+                .flat_map(move |(heading, keys)| keys.iter().map(move |key| arg(*heading, key)))
         };
-        command.args(args(S::KEYS)).args(args(S::DETAILS).map(|arg| arg.hide_short_help(true)))
+        command
+            .args(args(S::KEYS))
+            .args(args(S::DETAILS).map(|arg| arg.hide_short_help(true)))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -65,13 +71,19 @@ impl<S: KeySet> Args for Keys<S> {
 
 impl<S: KeySet> FromArgMatches for Keys<S> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let keys = S::KEYS.iter().chain(S::DETAILS).flat_map(|(_, keys)| keys.iter().map(|key| key.0));
+        let keys = S::KEYS
+            .iter()
+            .chain(S::DETAILS)
+            .flat_map(|(_, keys)| keys.iter().map(|key| key.0));
         let given = keys.filter(|key| matches.value_source(key) == Some(ValueSource::CommandLine));
         let texts = given.flat_map(|key| {
             let texts = matches.get_raw(key).into_iter().flatten();
             texts.map(move |text| (key, text.to_string_lossy().into_owned()))
         });
-        Ok(Self { words: texts.collect(), set: PhantomData })
+        Ok(Self {
+            words: texts.collect(),
+            set: PhantomData,
+        })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

@@ -37,7 +37,9 @@ fn main() -> ExitCode {
         Err(Failure::Stopped { printed }) => {
             let hint = match printed {
                 false => "nothing was written; the results of an earlier run are unchanged",
-                true => "the printed output is incomplete; no file was written, and earlier results are unchanged",
+                true => {
+                    "the printed output is incomplete; no file was written, and earlier results are unchanged"
+                }
             };
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
@@ -82,9 +84,15 @@ fn try_main() -> Result<ExitCode, Failure> {
                 "leave --threads out: the results do not depend on it",
             ));
         }
-        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(|error| {
-            Failure::computation(format!("cannot start {}: {error}", counted(threads.get(), "thread")))
-        })?;
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.get())
+            .build_global()
+            .map_err(|error| {
+                Failure::computation(format!(
+                    "cannot start {}: {error}",
+                    counted(threads.get(), "thread")
+                ))
+            })?;
     }
     printer.detail(&format!(
         "freestand {}, {}",
@@ -92,5 +100,9 @@ fn try_main() -> Result<ExitCode, Failure> {
         counted(rayon::current_num_threads(), "thread")
     ));
     let done = cli.command.run(&cli.global, &printer)?;
-    Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    Ok(if done.criterion_met {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
 }

@@ -32,13 +32,23 @@ pub(crate) struct Printer {
 
 impl Printer {
     pub(crate) fn new(global: &GlobalArgs) -> Self {
-        Self { json: global.json, quiet: global.quiet, verbose: global.verbose, session: None }
+        Self {
+            json: global.json,
+            quiet: global.quiet,
+            verbose: global.verbose,
+            session: None,
+        }
     }
 
     /// For a command whose document is kept in `session`.
     #[cfg(feature = "page")]
     pub(crate) fn keeping(session: Arc<Session>) -> Self {
-        Self { json: true, quiet: true, verbose: false, session: Some(session) }
+        Self {
+            json: true,
+            quiet: true,
+            verbose: false,
+            session: Some(session),
+        }
     }
 
     /// Prints a text, or keeps it.
@@ -59,7 +69,9 @@ impl Printer {
 
     /// Whether the user wants to stop the command.
     pub(crate) fn stop(&self) -> Stop {
-        self.session.as_ref().map_or_else(Stop::listen, |session| session.stop.clone())
+        self.session
+            .as_ref()
+            .map_or_else(Stop::listen, |session| session.stop.clone())
     }
 
     /// Who asked for the command, if it was not the command line.
@@ -136,7 +148,11 @@ impl Printer {
             return ProgressBar::hidden();
         }
         let style = ProgressStyle::with_template("{msg:20} [{bar:40}] {pos}/{len} {eta}");
-        ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "))
+        ProgressBar::new(0).with_style(
+            style
+                .unwrap_or_else(|_| ProgressStyle::default_bar())
+                .progress_chars("=> "),
+        )
     }
 }
 
@@ -148,7 +164,9 @@ pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
 /// Writes UTF-8 to standard output and flushes it.
 fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+    out.write_all(bytes)
+        .and_then(|()| out.flush())
+        .map_err(|error| Failure::output(&error))
 }
 
 /// Writes a line to standard error. If that is closed, the failure cannot be reported anywhere.
@@ -158,13 +176,21 @@ fn error_line(text: &str) {
 
 /// Prints each problem as an `error:` line and a `hint:` line.
 pub(crate) fn print_failure(failure: &Failure) {
-    let Failure::Problems(problems) = failure else { return };
+    let Failure::Problems(problems) = failure else {
+        return;
+    };
     problems.iter().for_each(print_problem);
 }
 
 fn print_problem(problem: &Problem) {
-    error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
-    error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint_of(problem)))));
+    error_line(&format!(
+        "error: {}",
+        one_line(&KeyStyle::Flag.shown(&problem.to_string()))
+    ));
+    error_line(&format!(
+        "hint: {}",
+        one_line(&KeyStyle::Flag.shown(hint_of(problem)))
+    ));
 }
 
 /// What to do about a problem.
@@ -181,27 +207,58 @@ pub(crate) fn hint_of(problem: &Problem) -> &str {
 /// A table for people: a line of headings, then rows; columns of numbers are aligned to the right.
 pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     let numeric = |column: usize| {
-        rows.iter().filter_map(|row| row.get(column)).all(|text| text == "-" || text.parse::<f64>().is_ok())
+        rows.iter()
+            .filter_map(|row| row.get(column))
+            .all(|text| text == "-" || text.parse::<f64>().is_ok())
     };
-    let right: Vec<bool> = (0..headings.len()).map(|column| !rows.is_empty() && numeric(column)).collect();
+    let right: Vec<bool> = (0..headings.len())
+        .map(|column| !rows.is_empty() && numeric(column))
+        .collect();
     let cell = |column: usize, text: &str| {
         let right = right.get(column).copied().unwrap_or(false);
-        Cell::new(text).set_alignment(if right { CellAlignment::Right } else { CellAlignment::Left })
+        Cell::new(text).set_alignment(if right {
+            CellAlignment::Right
+        } else {
+            CellAlignment::Left
+        })
     };
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
-    table.set_header(headings.iter().enumerate().map(|(column, heading)| cell(column, heading)));
+    table.set_header(
+        headings
+            .iter()
+            .enumerate()
+            .map(|(column, heading)| cell(column, heading)),
+    );
     for row in rows {
-        table.add_row(row.iter().enumerate().map(|(column, text)| cell(column, text)));
+        table.add_row(
+            row.iter()
+                .enumerate()
+                .map(|(column, text)| cell(column, text)),
+        );
     }
     // Cells are padded with a blank on both sides; remove the first one.
-    table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end())).collect()
+    table
+        .lines()
+        .map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end()))
+        .collect()
 }
 
 /// Names and values in two columns.
 pub(crate) fn pairs(rows: &[(&str, String)]) -> String {
-    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    rows.iter().map(|(name, value)| format!("{name}{}  {value}\n", " ".repeat(width - name.chars().count()))).collect()
+    let width = rows
+        .iter()
+        .map(|(name, _)| name.chars().count())
+        .max()
+        .unwrap_or(0);
+    rows.iter()
+        .map(|(name, value)| {
+            format!(
+                "{name}{}  {value}\n",
+                " ".repeat(width - name.chars().count())
+            )
+        })
+        .collect()
 }
 
 /// Labels and values of a result in two columns.
@@ -214,8 +271,17 @@ pub(crate) fn lines(facts: &Facts) -> String {
 pub(crate) type Column = (&'static str, &'static str, usize);
 
 /// Results as rows of a table.
-pub(crate) fn facts_table<'a>(rows: impl IntoIterator<Item = &'a Facts<'a>>, columns: &[Column]) -> String {
-    table(&headings(columns), &rows.into_iter().map(|row| cells(row, columns)).collect::<Vec<_>>())
+pub(crate) fn facts_table<'a>(
+    rows: impl IntoIterator<Item = &'a Facts<'a>>,
+    columns: &[Column],
+) -> String {
+    table(
+        &headings(columns),
+        &rows
+            .into_iter()
+            .map(|row| cells(row, columns))
+            .collect::<Vec<_>>(),
+    )
 }
 
 /// The headings of columns.
@@ -225,20 +291,36 @@ pub(crate) fn headings(columns: &[Column]) -> Vec<&'static str> {
 
 /// A row of a table.
 pub(crate) fn cells(row: &Facts, columns: &[Column]) -> Vec<String> {
-    columns.iter().map(|(name, heading, digits)| row.cell(name, in_brackets(heading), *digits)).collect()
+    columns
+        .iter()
+        .map(|(name, heading, digits)| row.cell(name, in_brackets(heading), *digits))
+        .collect()
 }
 
 /// The files that failed, one line for each.
 pub(crate) fn failed_lines(failed: &[Failed]) -> String {
-    failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason)).collect()
+    failed
+        .iter()
+        .map(|one| format!("failed: {}: {}\n", one.path, one.reason))
+        .collect()
 }
 
 /// The unit in a heading: `N/mm` in `stiffness [N/mm]`.
 fn in_brackets(heading: &str) -> &str {
-    heading.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map_or("", |(unit, _)| unit)
+    heading
+        .split_once('[')
+        .and_then(|(_, rest)| rest.split_once(']'))
+        .map_or("", |(unit, _)| unit)
 }
 
 /// Significant digits and a unit, or `-` for a value that is missing.
 pub(crate) fn optional(value: Option<f64>, digits: usize, unit: &str) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{} {unit}", significant(value, digits)).trim_end().to_owned())
+    value.map_or_else(
+        || "-".to_owned(),
+        |value| {
+            format!("{} {unit}", significant(value, digits))
+                .trim_end()
+                .to_owned()
+        },
+    )
 }

@@ -10,8 +10,16 @@ impl KeySet for ReadKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
         "Reading records",
         &[
-            key("unit", "UNIT", "Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it"),
-            key("dt", "TIME", "Time step of a file without a column of times"),
+            key(
+                "unit",
+                "UNIT",
+                "Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it",
+            ),
+            key(
+                "dt",
+                "TIME",
+                "Time step of a file without a column of times",
+            ),
             key(
                 "component",
                 "NAME|NUMBER",
@@ -22,8 +30,15 @@ impl KeySet for ReadKeys {
                 "FILE",
                 "StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]",
             ),
-            switch("keep_mean", "Do not remove the mean of raw records (counts, miniSEED, SAC)"),
-            key("scale", "RATIO", "Factor that multiplies the samples [default: 1]"),
+            switch(
+                "keep_mean",
+                "Do not remove the mean of raw records (counts, miniSEED, SAC)",
+            ),
+            key(
+                "scale",
+                "RATIO",
+                "Factor that multiplies the samples [default: 1]",
+            ),
         ],
     )];
     const DETAILS: &'static [(&'static str, &'static [Key])] = &[(
@@ -45,7 +60,11 @@ impl KeySet for ReadKeys {
                  given (Graizer 1979). boore removes two offsets, one from T1 to T2 and one after T2, so that the \
                  velocity ends near zero (Iwan 1985, Boore 2001).",
             ),
-            key("taper", "RATIO", "Length of the cosine taper at each end, as a share of the record"),
+            key(
+                "taper",
+                "RATIO",
+                "Length of the cosine taper at each end, as a share of the record",
+            ),
             key(
                 "low_cut",
                 "FREQUENCY",
@@ -54,14 +73,26 @@ impl KeySet for ReadKeys {
                  amplitude at the corner. Zeros are added before and after the record for a time of 1.5 × order / \
                  corner, and are kept, so that the record starts earlier (Boore 2005).",
             ),
-            key("high_cut", "FREQUENCY", "Corner frequency of a low-pass filter of the same kind"),
-            key("filter_order", "N", "Order of the filters, from 1 to 10 [default: 4]"),
+            key(
+                "high_cut",
+                "FREQUENCY",
+                "Corner frequency of a low-pass filter of the same kind",
+            ),
+            key(
+                "filter_order",
+                "N",
+                "Order of the filters, from 1 to 10 [default: 4]",
+            ),
             key(
                 "resample",
                 "TIME",
                 "New time step, by band-limited interpolation (by straight lines if samples are unevenly spaced)",
             ),
-            key("scale_to", "ACCELERATION", "Scale to this peak acceleration, such as \"0.3 g\""),
+            key(
+                "scale_to",
+                "ACCELERATION",
+                "Scale to this peak acceleration, such as \"0.3 g\"",
+            ),
             key(
                 "scale_to_sa",
                 "ACCELERATION at PERIOD",

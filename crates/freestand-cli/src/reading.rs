@@ -28,8 +28,12 @@ pub(crate) fn components(text: &str) -> Result<Second, Problem> {
     if text.trim().eq_ignore_ascii_case("both") {
         return Ok(Second::SameFile(None));
     }
-    let wrong = |one: freestand_input::problem::Problem| one.hint("write both, or \"1, 2\", or \"N-S, E-W\"");
-    two_names(text).map(|both| Second::SameFile(Some(both))).map_err(wrong)
+    let wrong = |one: freestand_input::problem::Problem| {
+        one.hint("write both, or \"1, 2\", or \"N-S, E-W\"")
+    };
+    two_names(text)
+        .map(|both| Second::SameFile(Some(both)))
+        .map_err(wrong)
 }
 
 /// Flags for the second horizontal component of records, and for the directions in which objects
@@ -59,8 +63,14 @@ impl SecondArgs {
     pub(crate) fn second(&self, first: usize, values: &mut Values) -> Second {
         if !self.across.is_empty() {
             if self.across.len() != first {
-                let message = format!("--across has {}, --motion {first}", counted(self.across.len(), "file"));
-                values.push(Problem::value(message, "name one file for each file of --motion, in the same order"));
+                let message = format!(
+                    "--across has {}, --motion {first}",
+                    counted(self.across.len(), "file")
+                );
+                values.push(Problem::value(
+                    message,
+                    "name one file for each file of --motion, in the same order",
+                ));
             }
             return Second::Files(self.across.clone());
         }
@@ -88,19 +98,37 @@ pub(crate) struct VerticalArgs {
 impl VerticalArgs {
     /// The motions of vertical records: unit, step, baseline and filters are those of the
     /// horizontal record; scale and component are their own, and they are not rotated.
-    pub(crate) fn read_all(&self, horizontal: &ReadArgs, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
+    pub(crate) fn read_all(
+        &self,
+        horizontal: &ReadArgs,
+        paths: &[PathBuf],
+    ) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
         let scale = values.read(&self.vertical_scale);
         let mut read = horizontal.clone();
         let words = &mut read.keys.words;
-        for key in ["component", "scale", "azimuth", "scale_to", "scale_to_sa", "scale_to_spectrum"] {
+        for key in [
+            "component",
+            "scale",
+            "azimuth",
+            "scale_to",
+            "scale_to_sa",
+            "scale_to_spectrum",
+        ] {
             words.remove(key);
         }
-        self.vertical_component.iter().for_each(|name| words.set("component", name));
-        scale.iter().for_each(|ratio| words.set("scale", ratio.to_string()));
+        self.vertical_component
+            .iter()
+            .for_each(|name| words.set("component", name));
+        scale
+            .iter()
+            .for_each(|ratio| words.set("scale", ratio.to_string()));
         let files = read.files(paths, &mut values);
         values.finish()?;
-        Ok(read_all(&MotionFiles { vertical: Upward::Itself("vertical_component"), ..files })?)
+        Ok(read_all(&MotionFiles {
+            vertical: Upward::Itself("vertical_component"),
+            ..files
+        })?)
     }
 }
 
@@ -109,31 +137,61 @@ const FILE_KEYS: [&str; 5] = ["unit", "dt", "component", "station_xml", "scale"]
 
 impl ReadArgs {
     /// Refuses these flags if no record is read; the hint is made from their keys in a study.
-    pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
+    pub(crate) fn refuse_without_record(
+        &self,
+        hint: impl FnOnce(&str) -> String,
+    ) -> Result<(), Failure> {
         let given = || self.keys.words.entries().map(|(key, _)| key);
         if self.keys.words.is_empty() {
             return Ok(());
         }
         let flags: Vec<String> = given().map(|key| KeyStyle::Flag.name(key)).collect();
-        let table = |key| if FILE_KEYS.contains(&key) { "" } else { "processing." };
+        let table = |key| {
+            if FILE_KEYS.contains(&key) {
+                ""
+            } else {
+                "processing."
+            }
+        };
         let keys: Vec<String> = given().map(|key| format!("{}{key}", table(key))).collect();
-        Err(Failure::usage(format!("{} without a record", flags.join(", ")), hint(&keys.join(", "))))
+        Err(Failure::usage(
+            format!("{} without a record", flags.join(", ")),
+            hint(&keys.join(", ")),
+        ))
     }
 
     /// The files and how to read them; problems are added to `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
         let mut reader = WordReader::new(&self.keys.words);
         let files = MotionFiles::read(&mut reader, Path::new(""));
-        reader.problems.into_iter().for_each(|problem| values.push(problem));
-        MotionFiles { paths: paths.to_vec(), ..files }
+        reader
+            .problems
+            .into_iter()
+            .for_each(|problem| values.push(problem));
+        MotionFiles {
+            paths: paths.to_vec(),
+            ..files
+        }
     }
 
     /// The files that are read: records, the StationXML that is named, and the target that they are
     /// scaled to.
-    pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
-        let target = self.keys.words.get("scale_to_spectrum").and_then(|text| parse_target_source(text).ok());
+    pub(crate) fn inputs<'a>(
+        &self,
+        records: impl IntoIterator<Item = &'a PathBuf>,
+    ) -> Vec<PathBuf> {
+        let target = self
+            .keys
+            .words
+            .get("scale_to_spectrum")
+            .and_then(|text| parse_target_source(text).ok());
         let station_xml = self.keys.words.get("station_xml").map(PathBuf::from);
-        records.into_iter().cloned().chain(station_xml).chain(target.map(|target| target.path)).collect()
+        records
+            .into_iter()
+            .cloned()
+            .chain(station_xml)
+            .chain(target.map(|target| target.path))
+            .collect()
     }
 
     /// One motion from each file.
@@ -154,7 +212,11 @@ impl ReadArgs {
         })
     }
 
-    fn read_as(&self, paths: &[PathBuf], change: impl FnOnce(&mut MotionFiles)) -> Result<Vec<ReadMotion>, Failure> {
+    fn read_as(
+        &self,
+        paths: &[PathBuf],
+        change: impl FnOnce(&mut MotionFiles),
+    ) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
         let mut files = self.files(paths, &mut values);
         values.finish()?;
@@ -169,7 +231,9 @@ impl ReadArgs {
         read: impl FnOnce(&Self, &[PathBuf]) -> Result<Vec<ReadMotion>, Failure>,
     ) -> Result<ReadMotion, Failure> {
         let mut motions = read(self, &[path.to_path_buf()])?;
-        motions.pop().ok_or_else(|| Failure::computation("the file was read but contains no motion"))
+        motions
+            .pop()
+            .ok_or_else(|| Failure::computation("the file was read but contains no motion"))
     }
 }
 

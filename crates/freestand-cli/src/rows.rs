@@ -43,7 +43,9 @@ impl Parquet {
     fn write(self, schema: &str, chunk: &SpectrumChunk) -> Result<Self, Failure> {
         let mut file = match self {
             Self::Begun(file) => file,
-            Self::Waiting(file, _) if chunk.objects() == 0 => return Ok(Self::Waiting(file, Vec::new())),
+            Self::Waiting(file, _) if chunk.objects() == 0 => {
+                return Ok(Self::Waiting(file, Vec::new()));
+            }
             Self::Waiting(file, inputs) => {
                 let columns = parquet_columns(&chunk.row(0), column_type);
                 let facts = provenance(None, fingerprints(&inputs)?);
@@ -81,14 +83,30 @@ impl Rows {
         (csv, parquet): (Option<&Path>, Option<&Path>),
         inputs: &[PathBuf],
     ) -> Result<Self, Failure> {
-        let csv = csv.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
+        let csv = csv
+            .map(|path| StreamedFile::begin(path, inputs))
+            .transpose()?;
         let tables = csv.into_iter().chain(files.begin_file(ROWS)?).collect();
         let documents = files.begin_file(RESULT)?.into_iter().collect();
-        let parquet = parquet.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
+        let parquet = parquet
+            .map(|path| StreamedFile::begin(path, inputs))
+            .transpose()?;
         let parquet = parquet.map(|file| Parquet::Waiting(file, inputs.to_vec()));
-        let columns = printer.session().filter(|session| session.wants_columns()).map(|_| Vec::new());
+        let columns = printer
+            .session()
+            .filter(|session| session.wants_columns())
+            .map(|_| Vec::new());
         let (print, printer) = (printer.json() && columns.is_none(), printer.clone());
-        Ok(Self { schema, tables, documents, parquet, columns, print, printer, first: true })
+        Ok(Self {
+            schema,
+            tables,
+            documents,
+            parquet,
+            columns,
+            print,
+            printer,
+            first: true,
+        })
     }
 
     /// Appends the rows of a chunk to every output.
@@ -109,7 +127,10 @@ impl Rows {
                 let piece = piece?;
                 match columns.is_empty() {
                     true => *columns = piece,
-                    false => columns.iter_mut().zip(piece).for_each(|((_, all), (_, more))| all.extend(more)),
+                    false => columns
+                        .iter_mut()
+                        .zip(piece)
+                        .for_each(|((_, all), (_, more))| all.extend(more)),
                 }
             }
         }
@@ -182,7 +203,9 @@ impl Rows {
         match self.printer.print_bytes(piece) {
             // The reader has closed the pipe, but the files must be completed.
             Err(Failure::BrokenPipe)
-                if !self.tables.is_empty() || !self.documents.is_empty() || self.parquet.is_some() =>
+                if !self.tables.is_empty()
+                    || !self.documents.is_empty()
+                    || self.parquet.is_some() =>
             {
                 self.print = false
             }

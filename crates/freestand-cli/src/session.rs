@@ -1,7 +1,10 @@
 //! A command that was asked for by another program than the command line: its document is kept, and
 //! what it tells while it works goes to that program.
 
-#![cfg_attr(not(feature = "page"), allow(dead_code, reason = "nobody begins a session"))]
+#![cfg_attr(
+    not(feature = "page"),
+    allow(dead_code, reason = "nobody begins a session")
+)]
 
 use std::fmt::Debug;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -48,7 +51,11 @@ pub(crate) struct Session {
 /// What a command tells while it works.
 pub(crate) enum Told {
     /// So much is done of a phase.
-    Progress { phase: &'static str, done: usize, total: usize },
+    Progress {
+        phase: &'static str,
+        done: usize,
+        total: usize,
+    },
     /// A finished object.
     Object(Value),
     /// A problem that does not end the work.
@@ -72,7 +79,11 @@ pub(crate) struct Kept {
 
 impl Debug for Session {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.debug_struct("Session").field("follow", &self.follow).field("is_live", &self.is_live).finish()
+        formatter
+            .debug_struct("Session")
+            .field("follow", &self.follow)
+            .field("is_live", &self.is_live)
+            .finish()
     }
 }
 
@@ -83,7 +94,15 @@ impl Session {
         memory: Arc<Memory>,
         tell: Box<dyn Fn(Told) + Send + Sync>,
     ) -> Self {
-        Self { stop, follow, memory, rows: RowsWanted::default(), is_live, tell, kept: Mutex::default() }
+        Self {
+            stop,
+            follow,
+            memory,
+            rows: RowsWanted::default(),
+            is_live,
+            tell,
+            kept: Mutex::default(),
+        }
     }
 
     /// The session with rows in this place.
@@ -148,11 +167,18 @@ impl Session {
             return Ok(());
         }
         let message = format!("these are {histories} histories, more than {MAX_HISTORIES}");
-        Err(Failure::usage(message, "ask for fewer objects or fewer motions, or use the command line"))
+        Err(Failure::usage(
+            message,
+            "ask for fewer objects or fewer motions, or use the command line",
+        ))
     }
 
     /// Refuses a shock spectrum that takes longer than somebody would wait for.
-    pub(crate) fn check_oscillators(&self, frequencies: usize, samples: usize) -> Result<(), Failure> {
+    pub(crate) fn check_oscillators(
+        &self,
+        frequencies: usize,
+        samples: usize,
+    ) -> Result<(), Failure> {
         if !self.is_live || frequencies.saturating_mul(samples) <= MAX_OSCILLATOR_SAMPLES {
             return Ok(());
         }
@@ -160,7 +186,10 @@ impl Session {
             "--frequencies: {frequencies} frequencies for {samples} samples are more than {MAX_OSCILLATOR_SAMPLES} \
              frequencies × samples"
         );
-        Err(Failure::usage(message, "ask for fewer frequencies or shorter records, or use the command line"))
+        Err(Failure::usage(
+            message,
+            "ask for fewer frequencies or shorter records, or use the command line",
+        ))
     }
 
     /// Tells how much is done, and gives way to others.

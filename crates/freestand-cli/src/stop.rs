@@ -22,8 +22,12 @@ impl Stop {
             // The order matters: the second signal finds the flag set by the first. If the system
             // refuses, the first signal ends the program at once, and the next run removes the
             // files that it left.
-            let _ = flag::register_conditional_shutdown(signal, EXIT_STATUS.into(), Arc::clone(&wanted))
-                .and_then(|_| flag::register(signal, Arc::clone(&wanted)));
+            let _ = flag::register_conditional_shutdown(
+                signal,
+                EXIT_STATUS.into(),
+                Arc::clone(&wanted),
+            )
+            .and_then(|_| flag::register(signal, Arc::clone(&wanted)));
         }
         Self(wanted)
     }
@@ -56,7 +60,13 @@ impl Stop {
 #[cfg(all(unix, feature = "page"))]
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map(str::trim);
-    let mask = mask.and_then(|text| u64::from_str_radix(text, 16).ok()).unwrap_or(0);
-    u32::try_from(signal - 1).is_ok_and(|bit| mask.checked_shr(bit).is_some_and(|mask| mask & 1 == 1))
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .map(str::trim);
+    let mask = mask
+        .and_then(|text| u64::from_str_radix(text, 16).ok())
+        .unwrap_or(0);
+    u32::try_from(signal - 1)
+        .is_ok_and(|bit| mask.checked_shr(bit).is_some_and(|mask| mask & 1 == 1))
 }

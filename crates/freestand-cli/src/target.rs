@@ -52,9 +52,17 @@ impl KeySet for TargetKeys {
         (
             "AS 1170.4 and NZS 1170.5",
             &[
-                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the place]"),
+                key(
+                    "hazard_factor",
+                    "RATIO",
+                    "Hazard factor Z [default: that of the place]",
+                ),
                 key("city", "NAME", "Another name of --place"),
-                key("return_period_years", "YEARS", "Return period in years [default: 500]"),
+                key(
+                    "return_period_years",
+                    "YEARS",
+                    "Return period in years [default: 500]",
+                ),
                 key(
                     "fault_distance",
                     "LENGTH",
@@ -65,9 +73,21 @@ impl KeySet for TargetKeys {
         (
             "Eurocode 8",
             &[
-                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 if magnitudes stay below 5.5"),
-                key("ground_acceleration", "ACCELERATION", "Reference ground acceleration on rock, a_gR"),
-                key("importance_factor", "RATIO", "Importance factor [default: 1]"),
+                key(
+                    "spectrum_type",
+                    "1|2",
+                    "Type of spectrum: 1, or 2 if magnitudes stay below 5.5",
+                ),
+                key(
+                    "ground_acceleration",
+                    "ACCELERATION",
+                    "Reference ground acceleration on rock, a_gR",
+                ),
+                key(
+                    "importance_factor",
+                    "RATIO",
+                    "Importance factor [default: 1]",
+                ),
                 key(
                     "soil_factor",
                     "RATIO",
@@ -83,13 +103,37 @@ impl KeySet for TargetKeys {
         (
             "ASCE 7",
             &[
-                key("sds", "ACCELERATION", "Design acceleration at short periods"),
+                key(
+                    "sds",
+                    "ACCELERATION",
+                    "Design acceleration at short periods",
+                ),
                 key("sd1", "ACCELERATION", "Design acceleration at 1 s"),
-                key("ss", "ACCELERATION", "Mapped acceleration at short periods, instead of --sds"),
-                key("s1", "ACCELERATION", "Mapped acceleration at 1 s, instead of --sd1"),
-                key("fa", "RATIO", "Site coefficient of --ss [default: that of --site]"),
-                key("fv", "RATIO", "Site coefficient of --s1 [default: that of --site]"),
-                key("long_period", "TIME", "Long-period transition TL [default with --place: 8 s]"),
+                key(
+                    "ss",
+                    "ACCELERATION",
+                    "Mapped acceleration at short periods, instead of --sds",
+                ),
+                key(
+                    "s1",
+                    "ACCELERATION",
+                    "Mapped acceleration at 1 s, instead of --sd1",
+                ),
+                key(
+                    "fa",
+                    "RATIO",
+                    "Site coefficient of --ss [default: that of --site]",
+                ),
+                key(
+                    "fv",
+                    "RATIO",
+                    "Site coefficient of --s1 [default: that of --site]",
+                ),
+                key(
+                    "long_period",
+                    "TIME",
+                    "Long-period transition TL [default with --place: 8 s]",
+                ),
             ],
         ),
         (
@@ -100,7 +144,11 @@ impl KeySet for TargetKeys {
                     "FILE",
                     "Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings",
                 ),
-                key("interpolation", "HOW", "How to interpolate between periods: log-log or linear [default: log-log]"),
+                key(
+                    "interpolation",
+                    "HOW",
+                    "How to interpolate between periods: log-log or linear [default: log-log]",
+                ),
                 key(
                     "beyond",
                     "HOW",
@@ -137,6 +185,11 @@ impl TargetArgs {
 
     /// The file that `--spectrum` names.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.keys.words.get("spectrum").map(PathBuf::from).into_iter().collect()
+        self.keys
+            .words
+            .get("spectrum")
+            .map(PathBuf::from)
+            .into_iter()
+            .collect()
     }
 }

@@ -36,9 +36,16 @@ where
 {
     type Value = Given<T>;
 
-    fn parse_ref(&self, _: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Given<T>, clap::Error> {
+    fn parse_ref(
+        &self,
+        _: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Given<T>, clap::Error> {
         let flag = arg.and_then(Arg::get_long).unwrap_or_default();
-        Ok(Given((self.0)(&value.to_string_lossy()).map_err(|problem| named(flag, problem))))
+        Ok(Given(
+            (self.0)(&value.to_string_lossy()).map_err(|problem| named(flag, problem)),
+        ))
     }
 }
 
@@ -47,7 +54,12 @@ impl<T: Clone + Send + Sync + 'static> ValueParserFactory for Given<T> {
     type Parser = Reader<fn(&str) -> Result<T, Problem>>;
 
     fn value_parser() -> Self::Parser {
-        Reader(|_| Err(Problem::value("this flag cannot be read", "this is a defect of freestand; please report it")))
+        Reader(|_| {
+            Err(Problem::value(
+                "this flag cannot be read",
+                "this is a defect of freestand; please report it",
+            ))
+        })
     }
 }
 
@@ -86,7 +98,10 @@ pub(crate) trait Reads: Into<Arg> {
         let arg = self.into().value_name(value_name(dimension));
         arg.read(move |text| {
             let value_si = quantity::parse_positive(text, dimension, "the value")?;
-            Ok(Typed { value_si, system: UnitSystem::of(text) })
+            Ok(Typed {
+                value_si,
+                system: UnitSystem::of(text),
+            })
         })
     }
 
@@ -98,7 +113,9 @@ pub(crate) trait Reads: Into<Arg> {
 
     /// A grid or a list.
     fn grid(self, dimension: Dimension) -> Arg {
-        self.into().value_name("GRID").read(move |text| quantity::parse_grid(text, dimension))
+        self.into()
+            .value_name("GRID")
+            .read(move |text| quantity::parse_grid(text, dimension))
     }
 }
 
@@ -107,7 +124,10 @@ impl Reads for Arg {}
 /// `LENGTH`, `ANGULAR-VELOCITY`.
 fn value_name(dimension: Dimension) -> String {
     let name = dimension.with_article();
-    name.split_once(' ').map_or(name, |(_, name)| name).to_uppercase().replace(' ', "-")
+    name.split_once(' ')
+        .map_or(name, |(_, name)| name)
+        .to_uppercase()
+        .replace(' ', "-")
 }
 
 /// Two lengths, `"0.3 m, 1.2 m"`.
@@ -124,7 +144,9 @@ pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
 /// Two names or numbers, `"1, 2"`.
 pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
     match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
-        [first, second] if !first.is_empty() && !second.is_empty() => Ok((first.to_owned(), second.to_owned())),
+        [first, second] if !first.is_empty() && !second.is_empty() => {
+            Ok((first.to_owned(), second.to_owned()))
+        }
         _ => {
             let message = format!("two names or numbers are expected, not \"{text}\"");
             Err(Problem::value(message, "write \"1, 2\", or \"N-S, E-W\""))
@@ -133,11 +155,17 @@ pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
 }
 
 /// One of these values, chosen by its name.
-pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedValueParser<Value = T> {
-    let names = choices.iter().map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
+pub(crate) fn choice<T: Copy + Send + Sync>(
+    choices: Choices<T>,
+) -> impl TypedValueParser<Value = T> {
+    let names = choices
+        .iter()
+        .map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
     PossibleValuesParser::new(names).try_map(|text| {
         let known = choices.iter().find(|(_, name, _)| *name == text);
-        known.map(|(value, ..)| *value).ok_or("not one of the values")
+        known
+            .map(|(value, ..)| *value)
+            .ok_or("not one of the values")
     })
 }
 
@@ -152,13 +180,16 @@ pub(crate) fn finished(command: Command) -> Command {
         }
         _ => command,
     };
-    command.mut_args(with_negative_values).mut_subcommands(finished)
+    command
+        .mut_args(with_negative_values)
+        .mut_subcommands(finished)
 }
 
 /// Lets a value begin with a minus sign, as in `--x "-1 rad"`. Names of files and lists of values
 /// are excluded: they would take the next flag for a value.
 fn with_negative_values(arg: Arg) -> Arg {
-    let is_single = arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
+    let is_single =
+        arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
     let is_named = arg.get_value_names().is_some_and(|names| names == ["FILE"]);
     let is_path = is_named || arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     let allowed = !arg.is_positional() && is_single && !is_path;
@@ -167,13 +198,23 @@ fn with_negative_values(arg: Arg) -> Arg {
 
 /// The units of the values that a command takes, one line for each dimension.
 fn units(command: &Command) -> String {
-    let values = command.get_arguments().filter(|arg| arg.get_action().takes_values());
-    let names: Vec<&str> =
-        values.flat_map(|arg| arg.get_value_names().unwrap_or_default()).map(|name| &**name).collect();
-    let taken = Dimension::ALL.into_iter().filter(|dimension| names.contains(&&*value_name(*dimension)));
+    let values = command
+        .get_arguments()
+        .filter(|arg| arg.get_action().takes_values());
+    let names: Vec<&str> = values
+        .flat_map(|arg| arg.get_value_names().unwrap_or_default())
+        .map(|name| &**name)
+        .collect();
+    let taken = Dimension::ALL
+        .into_iter()
+        .filter(|dimension| names.contains(&&*value_name(*dimension)));
     let line = |dimension: Dimension| {
         let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).collect();
-        let bare = if dimension == Dimension::Ratio { "none, or " } else { "" };
+        let bare = if dimension == Dimension::Ratio {
+            "none, or "
+        } else {
+            ""
+        };
         format!("  {:17}  {bare}{}", value_name(dimension), units.join(", "))
     };
     taken.map(line).collect::<Vec<_>>().join("\n")
@@ -187,7 +228,10 @@ pub(crate) struct Values {
 
 impl Values {
     /// The value of a flag; `None` if it is not given or wrong.
-    pub(crate) fn read<'a, T: Clone + 'a>(&mut self, given: impl Into<Option<&'a Given<T>>>) -> Option<T> {
+    pub(crate) fn read<'a, T: Clone + 'a>(
+        &mut self,
+        given: impl Into<Option<&'a Given<T>>>,
+    ) -> Option<T> {
         self.take(given.into()?.0.clone())
     }
 

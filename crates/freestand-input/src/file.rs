@@ -22,7 +22,10 @@ pub struct InputFile {
 impl InputFile {
     /// Describes a file that has these bytes.
     pub fn new(path: &Path, bytes: &[u8]) -> Self {
-        Self { path: path.to_path_buf(), sha256: sha256_hex(bytes) }
+        Self {
+            path: path.to_path_buf(),
+            sha256: sha256_hex(bytes),
+        }
     }
 }
 
@@ -34,11 +37,13 @@ impl InputFile {
 /// assert!(digest.starts_with("ba7816bf") && digest.len() == 64);
 /// ```
 pub fn sha256_hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    Sha256::digest(bytes)
+        .iter()
+        .fold(String::with_capacity(64), |mut text, byte| {
+            // Writing to a String cannot fail.
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
 }
 
 /// The only folder from which this process reads input files, where there is one.
@@ -59,7 +64,9 @@ pub fn read_only_from(folder: &Path) {
 /// # Errors
 /// Such a path.
 pub fn check_allowed(path: &Path) -> Result<(), Problem> {
-    ONLY_FOLDER.get().map_or(Ok(()), |folder| check_in(folder, path))
+    ONLY_FOLDER
+        .get()
+        .map_or(Ok(()), |folder| check_in(folder, path))
 }
 
 fn check_in(folder: &Path, path: &Path) -> Result<(), Problem> {
@@ -69,9 +76,16 @@ fn check_in(folder: &Path, path: &Path) -> Result<(), Problem> {
         return Ok(());
     }
     // The name as it was written, as far as that is known: the folder itself concerns nobody.
-    let named = path.strip_prefix(folder).ok().and_then(Path::file_name).map_or(path, Path::new);
-    Err(Problem::new(ProblemKind::Io, format!("{} is not a file of this request", named.display()))
-        .hint("upload the file with the request, and name it without a folder"))
+    let named = path
+        .strip_prefix(folder)
+        .ok()
+        .and_then(Path::file_name)
+        .map_or(path, Path::new);
+    Err(Problem::new(
+        ProblemKind::Io,
+        format!("{} is not a file of this request", named.display()),
+    )
+    .hint("upload the file with the request, and name it without a folder"))
 }
 
 /// The largest file that is read into memory \[bytes\]: about a hundred million samples, more than
@@ -84,7 +98,12 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Problem> {
 }
 
 /// As [`load`], with another limit of length \[bytes\], and the message and hint for a longer file.
-pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Result<Vec<u8>, Problem> {
+pub fn load_up_to(
+    path: &Path,
+    most: u64,
+    too_long: &str,
+    remedy: &str,
+) -> Result<Vec<u8>, Problem> {
     let io = |what: &str, error: &std::io::Error| {
         Problem::new(ProblemKind::Io, format!("{what}: {error}"))
             .in_file(path)
@@ -92,9 +111,12 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     };
     check_allowed(path)?;
     if is_named_pipe(path) {
-        return Err(Problem::new(ProblemKind::Io, "is a named pipe, not a file: reading it might never end")
-            .in_file(path)
-            .hint("give a regular file"));
+        return Err(Problem::new(
+            ProblemKind::Io,
+            "is a named pipe, not a file: reading it might never end",
+        )
+        .in_file(path)
+        .hint("give a regular file"));
     }
     let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
     // On Unix, opening a folder succeeds; only reading it fails, with an unhelpful message.
@@ -109,9 +131,13 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
             .hint("name the file itself"));
     }
     let mut bytes = Vec::new();
-    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;
+    file.take(most + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| io("cannot read the file", &error))?;
     if bytes.len() as u64 > most {
-        return Err(Problem::new(ProblemKind::Format, too_long).in_file(path).hint(remedy));
+        return Err(Problem::new(ProblemKind::Format, too_long)
+            .in_file(path)
+            .hint(remedy));
     }
     Ok(bytes)
 }
@@ -121,8 +147,12 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
 #[cfg(unix)]
 fn is_named_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;
-    let real = path.canonicalize().ok().filter(|real| !real.starts_with("/dev/fd"));
-    real.and_then(|real| real.metadata().ok()).is_some_and(|data| data.file_type().is_fifo())
+    let real = path
+        .canonicalize()
+        .ok()
+        .filter(|real| !real.starts_with("/dev/fd"));
+    real.and_then(|real| real.metadata().ok())
+        .is_some_and(|data| data.file_type().is_fifo())
 }
 
 #[cfg(not(unix))]
@@ -152,7 +182,10 @@ mod tests {
     fn a_device_is_not_read() {
         // Without an end: a test that reads it takes two gigabytes, and fails by its message.
         let problem = load(Path::new("/dev/zero")).unwrap_err();
-        assert_eq!((problem.kind, problem.message.as_str()), (ProblemKind::Io, "is a device, not a file"));
+        assert_eq!(
+            (problem.kind, problem.message.as_str()),
+            (ProblemKind::Io, "is a device, not a file")
+        );
         assert!(problem.hint.is_some());
     }
 
@@ -161,12 +194,24 @@ mod tests {
     fn a_named_pipe_is_refused_and_that_of_a_shell_read() {
         use std::process::Command;
         let folder = tempfile::tempdir().unwrap();
-        let (pipe, link) = (folder.path().join("motion.csv"), folder.path().join("link.csv"));
-        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let (pipe, link) = (
+            folder.path().join("motion.csv"),
+            folder.path().join("link.csv"),
+        );
+        assert!(
+            Command::new("mkfifo")
+                .arg(&pipe)
+                .status()
+                .unwrap()
+                .success()
+        );
         std::os::unix::fs::symlink(&pipe, &link).unwrap();
         for path in [pipe, link] {
             let problem = load(&path).unwrap_err();
-            assert_eq!((problem.kind, problem.path.as_deref()), (ProblemKind::Io, Some(path.as_path())));
+            assert_eq!(
+                (problem.kind, problem.path.as_deref()),
+                (ProblemKind::Io, Some(path.as_path()))
+            );
             assert_eq!(problem.hint.as_deref(), Some("give a regular file"));
         }
         let (reader, mut writer) = std::io::pipe().unwrap();
@@ -188,11 +233,22 @@ mod tests {
         assert!(check_in(&inside, &inside).is_ok());
         let missing = check_in(&inside, &inside.join("gone.csv")).unwrap_err();
         assert_eq!(missing.message, "gone.csv is not a file of this request");
-        for path in ["../r2/list.csv", "/etc/passwd", "/no/such/file", "../r1/list.csv"] {
+        for path in [
+            "../r2/list.csv",
+            "/etc/passwd",
+            "/no/such/file",
+            "../r1/list.csv",
+        ] {
             let problem = check_in(&inside, &inside.join(path)).unwrap_err();
             // A file that is there is refused in the same words as one that is not.
-            assert!(problem.message.ends_with("is not a file of this request"), "{problem}");
-            assert!(!problem.message.contains(&*inside.to_string_lossy()), "{problem}");
+            assert!(
+                problem.message.ends_with("is not a file of this request"),
+                "{problem}"
+            );
+            assert!(
+                !problem.message.contains(&*inside.to_string_lossy()),
+                "{problem}"
+            );
         }
         // The beginning of a name is not a folder.
         let longer = folder.path().join("r11");

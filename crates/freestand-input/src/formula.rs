@@ -17,12 +17,20 @@ use std::borrow::Cow;
 /// assert_eq!(unguarded("'=1+1"), "=1+1");
 /// ```
 pub fn guarded(text: &str) -> Cow<'_, str> {
-    if is_formula_like(text.trim_start_matches('\'')) { format!("'{text}").into() } else { text.into() }
+    if is_formula_like(text.trim_start_matches('\'')) {
+        format!("'{text}").into()
+    } else {
+        text.into()
+    }
 }
 
 /// A field that holds a number or a text: a number is left as it is.
 pub fn guarded_text_or_number(text: &str) -> Cow<'_, str> {
-    if text.parse::<f64>().is_ok() { text.into() } else { guarded(text) }
+    if text.parse::<f64>().is_ok() {
+        text.into()
+    } else {
+        guarded(text)
+    }
 }
 
 /// The text from which [`guarded`] made this; any other text is unchanged.
@@ -34,8 +42,10 @@ pub fn unguarded(text: &str) -> &str {
 }
 
 fn is_formula_like(text: &str) -> bool {
-    let is_skipped = |c: char| c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}' | '\u{feff}');
-    text.trim_start_matches(is_skipped).starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠'])
+    let is_skipped =
+        |c: char| c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}' | '\u{feff}');
+    text.trim_start_matches(is_skipped)
+        .starts_with(['=', '+', '-', '@', '＝', '＋', '－', '＠'])
 }
 
 #[cfg(test)]

@@ -62,7 +62,11 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("drop_acceleration_g", "drop_acceleration", " g"),
     ("tolerance_g", "tolerance", " g"),
     ("tolerance_duration_s", "tolerance_duration", " s"),
-    ("tolerance_velocity_change_m_s", "tolerance_velocity_change", " m/s"),
+    (
+        "tolerance_velocity_change_m_s",
+        "tolerance_velocity_change",
+        " m/s",
+    ),
     ("tolerance_edge_lift_m", "tolerance_edge_lift", " m"),
     ("component_frequency_hz", "component_frequency", " Hz"),
     ("component_capacity_g", "component_capacity", " g"),
@@ -147,8 +151,15 @@ const SAME: &[&str] = &[
 /// assert_eq!(argument_key("stiffnes"), None);
 /// ```
 pub fn argument_key(argument: &str) -> Option<(&'static str, &'static str)> {
-    let renamed = ARGUMENTS.iter().find(|(name, ..)| *name == argument).map(|&(_, key, unit)| (key, unit));
-    renamed.or_else(|| SAME.iter().find(|name| **name == argument).map(|&key| (key, "")))
+    let renamed = ARGUMENTS
+        .iter()
+        .find(|(name, ..)| *name == argument)
+        .map(|&(_, key, unit)| (key, unit));
+    renamed.or_else(|| {
+        SAME.iter()
+            .find(|name| **name == argument)
+            .map(|&key| (key, ""))
+    })
 }
 
 impl KeyStyle {
@@ -158,9 +169,11 @@ impl KeyStyle {
         match self {
             Self::File => key.to_owned(),
             Self::Flag => format!("--{}", key.trim_end_matches("_years").replace('_', "-")),
-            Self::Argument => {
-                ARGUMENTS.iter().find(|(_, known, _)| *known == key).map_or(key, |(name, ..)| name).to_owned()
-            }
+            Self::Argument => ARGUMENTS
+                .iter()
+                .find(|(_, known, _)| *known == key)
+                .map_or(key, |(name, ..)| name)
+                .to_owned(),
         }
     }
 
@@ -178,7 +191,10 @@ impl KeyStyle {
         while let Some((before, tail)) = rest.split_once('`') {
             shown.push_str(before);
             // A backtick that does not mark a key stays unchanged.
-            match tail.split_once('`').and_then(|(marked, after)| Some((self.entry(marked)?, after))) {
+            match tail
+                .split_once('`')
+                .and_then(|(marked, after)| Some((self.entry(marked)?, after)))
+            {
                 Some((entry, after)) => {
                     shown.push_str(&entry);
                     rest = after;
@@ -195,9 +211,13 @@ impl KeyStyle {
 
     /// `key` or `key = value` in this style; `None` for anything else.
     fn entry(self, marked: &str) -> Option<String> {
-        let (key, value) = marked.split_once(" = ").map_or((marked, None), |(key, value)| (key, Some(value)));
+        let (key, value) = marked
+            .split_once(" = ")
+            .map_or((marked, None), |(key, value)| (key, Some(value)));
         let is_key = key.starts_with(|c: char| c.is_ascii_lowercase())
-            && key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+            && key
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
         if !is_key {
             return None;
         }
@@ -211,7 +231,9 @@ impl KeyStyle {
             (Self::Argument, Some(value)) => format!("{name}={value}"),
             (Self::Flag, Some(value)) => {
                 let bare = value.trim_matches('"');
-                let is_word = bare.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c));
+                let is_word = bare
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || "._-".contains(c));
                 format!("{name} {}", if is_word { bare } else { value })
             }
         })
@@ -241,7 +263,11 @@ impl Words {
 
     /// Adds a value to those of a key, with its line if it is from a file.
     pub fn add(&mut self, key: &'static str, text: impl Into<String>, line: Option<usize>) {
-        self.entries.push(Word { key, text: text.into(), line });
+        self.entries.push(Word {
+            key,
+            text: text.into(),
+            line,
+        });
     }
 
     /// Removes the values of a key.
@@ -261,12 +287,16 @@ impl Words {
 
     /// All values of a key.
     pub fn all(&self, key: &str) -> impl Iterator<Item = &str> {
-        self.entries().filter(move |(name, _)| *name == key).map(|(_, text)| text)
+        self.entries()
+            .filter(move |(name, _)| *name == key)
+            .map(|(_, text)| text)
     }
 
     /// Keys and values, in the order of writing.
     pub fn entries(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        self.entries.iter().map(|word| (word.key, word.text.as_str()))
+        self.entries
+            .iter()
+            .map(|word| (word.key, word.text.as_str()))
     }
 
     /// Keys and their lines, in the order of writing.
@@ -276,14 +306,23 @@ impl Words {
 
     /// The last line on which one of these keys was written.
     pub fn line_of(&self, keys: &[&str]) -> Option<usize> {
-        self.lines().filter(|(key, _)| keys.contains(key)).filter_map(|(_, line)| line).max()
+        self.lines()
+            .filter(|(key, _)| keys.contains(key))
+            .filter_map(|(_, line)| line)
+            .max()
     }
 }
 
 impl<T: Into<String>> FromIterator<(&'static str, T)> for Words {
     fn from_iter<I: IntoIterator<Item = (&'static str, T)>>(entries: I) -> Self {
-        let word = |(key, text): (&'static str, T)| Word { key, text: text.into(), line: None };
-        Self { entries: entries.into_iter().map(word).collect() }
+        let word = |(key, text): (&'static str, T)| Word {
+            key,
+            text: text.into(),
+            line: None,
+        };
+        Self {
+            entries: entries.into_iter().map(word).collect(),
+        }
     }
 }
 
@@ -297,15 +336,42 @@ mod tests {
             KeyStyle::Argument.shown("`pad_stiffness` needs `pads_per_edge = 2`"),
             "pad_stiffness_n_m needs pads_per_edge=2"
         );
-        assert_eq!(KeyStyle::Argument.shown("`tolerance = \"5 g\"`, `plot = true`"), "tolerance_g, plot=True");
+        assert_eq!(
+            KeyStyle::Argument.shown("`tolerance = \"5 g\"`, `plot = true`"),
+            "tolerance_g, plot=True"
+        );
         for (message, file, flag) in [
-            ("`dt`: not a number", "dt: not a number", "--dt: not a number"),
-            ("give `tolerance = \"5 g\"`", "give tolerance = \"5 g\"", "give --tolerance \"5 g\""),
-            ("or `beyond = \"hold\"`", "or beyond = \"hold\"", "or --beyond hold"),
+            (
+                "`dt`: not a number",
+                "dt: not a number",
+                "--dt: not a number",
+            ),
+            (
+                "give `tolerance = \"5 g\"`",
+                "give tolerance = \"5 g\"",
+                "give --tolerance \"5 g\"",
+            ),
+            (
+                "or `beyond = \"hold\"`",
+                "or beyond = \"hold\"",
+                "or --beyond hold",
+            ),
             ("`plot = true`", "plot = true", "--plot"),
-            ("`return_period_years`", "return_period_years", "--return-period"),
-            ("expected `=`, `dt`", "expected `=`, dt", "expected `=`, --dt"),
-            ("a lone ` before `dt`", "a lone ` before dt", "a lone ` before --dt"),
+            (
+                "`return_period_years`",
+                "return_period_years",
+                "--return-period",
+            ),
+            (
+                "expected `=`, `dt`",
+                "expected `=`, dt",
+                "expected `=`, --dt",
+            ),
+            (
+                "a lone ` before `dt`",
+                "a lone ` before dt",
+                "a lone ` before --dt",
+            ),
             ("none", "none", "none"),
         ] {
             assert_eq!(

@@ -43,7 +43,14 @@ pub struct Problem {
 impl Problem {
     /// A problem that is not yet tied to a file.
     pub fn new(kind: ProblemKind, message: impl Into<String>) -> Self {
-        Self { kind, path: None, line: None, keys: Vec::new(), message: message.into(), hint: None }
+        Self {
+            kind,
+            path: None,
+            line: None,
+            keys: Vec::new(),
+            message: message.into(),
+            hint: None,
+        }
     }
 
     /// A problem with a value, and its remedy.
@@ -53,7 +60,11 @@ impl Problem {
 
     /// The caller stopped the calculation.
     pub fn stopped() -> Self {
-        Self::new(ProblemKind::Stopped, "the calculation was stopped before its end").hint("run it again")
+        Self::new(
+            ProblemKind::Stopped,
+            "the calculation was stopped before its end",
+        )
+        .hint("run it again")
     }
 
     /// Sets the keys that it is about, unless they are already set.
@@ -135,7 +146,9 @@ impl Problems {
 
     /// Whether the caller stopped the calculation.
     pub fn is_stopped(&self) -> bool {
-        self.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped)
+        self.problems
+            .iter()
+            .any(|problem| problem.kind == ProblemKind::Stopped)
     }
 
     /// The number of problems.
@@ -150,7 +163,9 @@ impl Problems {
 
     /// The value of a result; its problems are collected.
     pub fn keep<T, E: Into<Problems>>(&mut self, result: Result<T, E>) -> Option<T> {
-        result.map_err(|error| self.problems.extend(error.into().problems)).ok()
+        result
+            .map_err(|error| self.problems.extend(error.into().problems))
+            .ok()
     }
 
     /// The value of a result; its problem is collected under this key.
@@ -182,13 +197,17 @@ impl IntoIterator for Problems {
 
 impl FromIterator<Problem> for Problems {
     fn from_iter<I: IntoIterator<Item = Problem>>(problems: I) -> Self {
-        Self { problems: problems.into_iter().collect() }
+        Self {
+            problems: problems.into_iter().collect(),
+        }
     }
 }
 
 impl From<Problem> for Problems {
     fn from(problem: Problem) -> Self {
-        Self { problems: vec![problem] }
+        Self {
+            problems: vec![problem],
+        }
     }
 }
 

@@ -27,7 +27,10 @@ pub struct Written<T> {
 impl<T> Written<T> {
     /// The same line with another value.
     pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Written<U> {
-        Written { value: change(self.value), line: self.line }
+        Written {
+            value: change(self.value),
+            line: self.line,
+        }
     }
 }
 
@@ -71,14 +74,20 @@ pub struct Reader<'s> {
 impl<'s> Reader<'s> {
     /// A reader of a text that has not been parsed.
     pub fn new(text: &str, source: Option<&'s Path>) -> Self {
-        let mut reader = Self { source, line_starts: Vec::new(), problems: Problems::default() };
+        let mut reader = Self {
+            source,
+            line_starts: Vec::new(),
+            problems: Problems::default(),
+        };
         reader.set_text(text);
         reader
     }
 
     /// Finds the lines of a text.
     pub fn set_text(&mut self, text: &str) {
-        self.line_starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        self.line_starts = std::iter::once(0)
+            .chain(text.match_indices('\n').map(|(at, _)| at + 1))
+            .collect();
     }
 
     /// The keys and values of the text; `None` if it is not TOML.
@@ -122,17 +131,38 @@ impl<'s> Reader<'s> {
     /// Adds a problem of the file, at its line if that is known. The problem names the keys as the
     /// file does.
     pub fn note(&mut self, line: Option<usize>, problem: Problem) {
-        let problem = line.into_iter().fold(problem.shown(KeyStyle::File), Problem::at_line);
-        self.problems.push(self.source.into_iter().fold(problem, Problem::in_file));
+        let problem = line
+            .into_iter()
+            .fold(problem.shown(KeyStyle::File), Problem::at_line);
+        self.problems
+            .push(self.source.into_iter().fold(problem, Problem::in_file));
     }
 
     /// Adds the problem of a value that has the wrong type.
-    pub fn wrong_type(&mut self, line: usize, key: &str, expected: &str, value: &DeValue, hint: &str) {
-        self.note(Some(line), Problem::value(format!("{key} must be {expected}, not {}", describe(value)), hint));
+    pub fn wrong_type(
+        &mut self,
+        line: usize,
+        key: &str,
+        expected: &str,
+        value: &DeValue,
+        hint: &str,
+    ) {
+        self.note(
+            Some(line),
+            Problem::value(
+                format!("{key} must be {expected}, not {}", describe(value)),
+                hint,
+            ),
+        );
     }
 
     /// The value with its line; a problem is added under its key.
-    pub fn keep<T>(&mut self, key: &str, line: usize, result: Result<T, Problem>) -> Option<Written<T>> {
+    pub fn keep<T>(
+        &mut self,
+        key: &str,
+        line: usize,
+        result: Result<T, Problem>,
+    ) -> Option<Written<T>> {
         match result {
             Ok(value) => Some(Written { value, line }),
             Err(mut problem) => {
@@ -145,9 +175,18 @@ impl<'s> Reader<'s> {
 
     /// A ratio: bare, or a string such as "5 %".
     pub fn ratio_value(&mut self, key: &str, value: &DeValue, line: usize) -> Option<Written<f64>> {
-        let text = value.as_str().map(str::to_owned).or_else(|| bare_number(value));
+        let text = value
+            .as_str()
+            .map(str::to_owned)
+            .or_else(|| bare_number(value));
         let Some(text) = text else {
-            self.wrong_type(line, key, "a number", value, "write a bare number or a percentage such as \"5 %\"");
+            self.wrong_type(
+                line,
+                key,
+                "a number",
+                value,
+                "write a bare number or a percentage such as \"5 %\"",
+            );
             return None;
         };
         let result = quantity::parse(&text, Dimension::Ratio);
@@ -169,7 +208,10 @@ impl<'s> Reader<'s> {
             (None, Some(number), _) => quantity::parse(&number, dimension),
             (None, None, Some(text)) => quantity::parse(text, dimension),
             _ => {
-                let hint = format!("write a number and its unit, such as {}", example(dimension));
+                let hint = format!(
+                    "write a number and its unit, such as {}",
+                    example(dimension)
+                );
                 self.wrong_type(line, key, dimension.with_article(), value, &hint);
                 return None;
             }
@@ -180,7 +222,10 @@ impl<'s> Reader<'s> {
 
 /// An example of a quantity, for a hint: `"2.3 m"`.
 pub fn example(dimension: Dimension) -> String {
-    dimension.units().next().map_or_else(|| "0.5".to_owned(), |unit| format!("\"2.3 {}\"", unit.symbol))
+    dimension.units().next().map_or_else(
+        || "0.5".to_owned(),
+        |unit| format!("\"2.3 {}\"", unit.symbol),
+    )
 }
 
 /// How a unit is written at the end of a key: `N/mm` → `n_mm`, `m/s2` → `m_s2`.
@@ -216,12 +261,24 @@ pub struct Section<'t, 'i> {
 impl<'t, 'i> Section<'t, 'i> {
     /// A table before reading.
     pub fn new(place: Place, entries: &'t DeTable<'i>, line: usize) -> Self {
-        Self { place, entries, line, known: Vec::new(), taken: Vec::new() }
+        Self {
+            place,
+            entries,
+            line,
+            known: Vec::new(),
+            taken: Vec::new(),
+        }
     }
 
     /// A key and its value.
-    pub fn entry(&self, key: &str) -> Option<(&'t Spanned<std::borrow::Cow<'i, str>>, &'t DeValue<'i>)> {
-        self.entries.iter().find(|(name, _)| name.get_ref() == key).map(|(name, value)| (name, value.get_ref()))
+    pub fn entry(
+        &self,
+        key: &str,
+    ) -> Option<(&'t Spanned<std::borrow::Cow<'i, str>>, &'t DeValue<'i>)> {
+        self.entries
+            .iter()
+            .find(|(name, _)| name.get_ref() == key)
+            .map(|(name, value)| (name, value.get_ref()))
     }
 
     /// A value and its line; the key counts as known.
@@ -251,41 +308,76 @@ impl<'t, 'i> Section<'t, 'i> {
     pub fn string(&mut self, reader: &mut Reader, key: &'static str) -> Option<Written<String>> {
         let (value, line) = self.take(reader, key)?;
         if let Some(text) = value.as_str() {
-            return Some(Written { value: text.to_owned(), line });
+            return Some(Written {
+                value: text.to_owned(),
+                line,
+            });
         }
         reader.wrong_type(line, key, "text", value, "write it in \"quotes\"");
         None
     }
 
     /// A text, or the digits of a number.
-    pub fn name_or_number(&mut self, reader: &mut Reader, key: &'static str) -> Option<Written<String>> {
+    pub fn name_or_number(
+        &mut self,
+        reader: &mut Reader,
+        key: &'static str,
+    ) -> Option<Written<String>> {
         let (value, line) = self.take(reader, key)?;
-        if let Some(text) = value.as_str().map(str::to_owned).or_else(|| bare_number(value)) {
+        if let Some(text) = value
+            .as_str()
+            .map(str::to_owned)
+            .or_else(|| bare_number(value))
+        {
             return Some(Written { value: text, line });
         }
-        reader.wrong_type(line, key, "a name or a number", value, "write it in \"quotes\"");
+        reader.wrong_type(
+            line,
+            key,
+            "a name or a number",
+            value,
+            "write it in \"quotes\"",
+        );
         None
     }
 
     /// A list of texts; a single text counts as a list of one.
-    pub fn strings(&mut self, reader: &mut Reader, key: &'static str) -> Option<Written<Vec<Written<String>>>> {
+    pub fn strings(
+        &mut self,
+        reader: &mut Reader,
+        key: &'static str,
+    ) -> Option<Written<Vec<Written<String>>>> {
         let (value, line) = self.take(reader, key)?;
         let hint = format!("write {key} = [\"a.AT2\", \"b.AT2\"]");
         match value {
             DeValue::String(text) => {
-                let only = Written { value: text.clone().into_owned(), line };
-                return Some(Written { value: vec![only], line });
+                let only = Written {
+                    value: text.clone().into_owned(),
+                    line,
+                };
+                return Some(Written {
+                    value: vec![only],
+                    line,
+                });
             }
             DeValue::Array(items) => {
                 let mut strings = Vec::new();
                 for item in items {
                     let line = reader.line_of(item.span().start);
                     match item.get_ref().as_str() {
-                        Some(text) => strings.push(Written { value: text.to_owned(), line }),
-                        None => reader.wrong_type(line, key, "a list of texts", item.get_ref(), &hint),
+                        Some(text) => strings.push(Written {
+                            value: text.to_owned(),
+                            line,
+                        }),
+                        None => {
+                            reader.wrong_type(line, key, "a list of texts", item.get_ref(), &hint)
+                        }
                     }
                 }
-                return Some(Written { value: strings, line });
+                return Some(Written {
+                    value: strings,
+                    line,
+                });
             }
             _ => reader.wrong_type(line, key, "a list of texts", value, &hint),
         }
@@ -312,7 +404,13 @@ impl<'t, 'i> Section<'t, 'i> {
         if let Some(value) = number {
             return Some(Written { value, line });
         }
-        reader.wrong_type(line, key, "a whole number", value, "write only digits, without a sign, a point or quotes");
+        reader.wrong_type(
+            line,
+            key,
+            "a whole number",
+            value,
+            "write only digits, without a sign, a point or quotes",
+        );
         None
     }
 
@@ -329,10 +427,14 @@ impl<'t, 'i> Section<'t, 'i> {
         key: &'static str,
         dimension: Dimension,
     ) -> Option<(String, &'t DeValue<'i>, usize, Option<&'static Unit>)> {
-        let mut found = self.take(reader, key).map(|(value, line)| (key.to_owned(), value, line, None));
+        let mut found = self
+            .take(reader, key)
+            .map(|(value, line)| (key.to_owned(), value, line, None));
         for unit in dimension.units() {
             let stated = format!("{key}_{}", key_suffix(unit));
-            let Some((name, value)) = self.entry(&stated) else { continue };
+            let Some((name, value)) = self.entry(&stated) else {
+                continue;
+            };
             // N/mm and kN/m share no suffix, but two spellings of one unit would be seen twice
             // here.
             if self.taken.contains(&stated) {
@@ -351,13 +453,23 @@ impl<'t, 'i> Section<'t, 'i> {
     }
 
     /// A quantity: a text with its unit, or a bare number where the key states the unit.
-    pub fn quantity(&mut self, reader: &mut Reader, key: &'static str, dimension: Dimension) -> Option<Written<f64>> {
+    pub fn quantity(
+        &mut self,
+        reader: &mut Reader,
+        key: &'static str,
+        dimension: Dimension,
+    ) -> Option<Written<f64>> {
         let (name, value, line, unit) = self.take_with_unit(reader, key, dimension)?;
         reader.quantity_value(&name, value, line, dimension, unit)
     }
 
     /// A grid text, a list of quantities or one quantity; bare numbers if the key states the unit.
-    pub fn grid(&mut self, reader: &mut Reader, key: &'static str, dimension: Dimension) -> Option<Written<Vec<f64>>> {
+    pub fn grid(
+        &mut self,
+        reader: &mut Reader,
+        key: &'static str,
+        dimension: Dimension,
+    ) -> Option<Written<Vec<f64>>> {
         let (name, value, line, unit) = self.take_with_unit(reader, key, dimension)?;
         match (value, unit) {
             (DeValue::Array(items), _) => {
@@ -370,7 +482,10 @@ impl<'t, 'i> Section<'t, 'i> {
                     })
                     .map(|written| written.value)
                     .collect();
-                (reader.problems.len() == before).then_some(Written { value: values, line })
+                (reader.problems.len() == before).then_some(Written {
+                    value: values,
+                    line,
+                })
             }
             (DeValue::String(text), unit) => {
                 let result = match unit {
@@ -379,7 +494,11 @@ impl<'t, 'i> Section<'t, 'i> {
                 };
                 reader.keep(&name, line, result)
             }
-            _ => Some(reader.quantity_value(&name, value, line, dimension, unit)?.map(|value| vec![value])),
+            _ => Some(
+                reader
+                    .quantity_value(&name, value, line, dimension, unit)?
+                    .map(|value| vec![value]),
+            ),
         }
     }
 
@@ -392,7 +511,9 @@ impl<'t, 'i> Section<'t, 'i> {
             }
             let shown = quantity::shorten(key);
             let what = match (self.place, value.get_ref()) {
-                (Place::Document | Place::PlainDocument, DeValue::Table(_)) => format!("unknown table [{shown}]"),
+                (Place::Document | Place::PlainDocument, DeValue::Table(_)) => {
+                    format!("unknown table [{shown}]")
+                }
                 (Place::Document, _) => format!("{shown} is outside every table"),
                 (Place::PlainDocument, _) => format!("unknown key {shown}"),
                 (Place::Table(table), _) => format!("unknown key {shown} in [{table}]"),
@@ -415,15 +536,28 @@ mod tests {
     /// A file of another kind is told by its first lines and the number of the others.
     #[test]
     fn a_file_that_is_not_toml_is_told_in_a_few_lines() {
-        let text: String = (0..40_000).map(|i| format!("{i};cabinet;1800;300\n")).collect();
+        let text: String = (0..40_000)
+            .map(|i| format!("{i};cabinet;1800;300\n"))
+            .collect();
         let mut reader = Reader::new(&text, None);
         assert!(reader.document(&text).is_none());
-        let lines: Vec<Option<usize>> = reader.problems.into_iter().map(|problem| problem.line).collect();
+        let lines: Vec<Option<usize>> = reader
+            .problems
+            .into_iter()
+            .map(|problem| problem.line)
+            .collect();
         let told: Vec<Option<usize>> = (1..=MAX_TOLD).map(Some).chain([None]).collect();
         assert_eq!(lines, told);
         let few = "a = 1\nb\nc = 2\n";
         let mut reader = Reader::new(few, None);
         assert!(reader.document(few).is_none());
-        assert_eq!(reader.problems.into_iter().map(|problem| problem.line).collect::<Vec<_>>(), [Some(2)]);
+        assert_eq!(
+            reader
+                .problems
+                .into_iter()
+                .map(|problem| problem.line)
+                .collect::<Vec<_>>(),
+            [Some(2)]
+        );
     }
 }

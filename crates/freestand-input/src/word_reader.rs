@@ -19,7 +19,10 @@ pub struct WordReader<'w> {
 impl<'w> WordReader<'w> {
     /// A reader that has not read any of these words.
     pub fn new(words: &'w Words) -> Self {
-        Self { words, problems: Problems::default() }
+        Self {
+            words,
+            problems: Problems::default(),
+        }
     }
 
     /// Whether a key was written.
@@ -28,13 +31,27 @@ impl<'w> WordReader<'w> {
     }
 
     /// Adds a problem with the values of some keys.
-    pub fn note(&mut self, keys: &[&'static str], message: impl Into<String>, hint: impl Into<String>) {
+    pub fn note(
+        &mut self,
+        keys: &[&'static str],
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
         self.problems.push(Problem::value(message, hint).of(keys));
     }
 
     /// Adds a problem with keys, the first of which is missing.
-    pub fn missing(&mut self, keys: &[&'static str], message: impl Into<String>, hint: impl Into<String>) {
-        self.problems.push(Problem::new(ProblemKind::Missing, message).hint(hint).of(keys));
+    pub fn missing(
+        &mut self,
+        keys: &[&'static str],
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        self.problems.push(
+            Problem::new(ProblemKind::Missing, message)
+                .hint(hint)
+                .of(keys),
+        );
     }
 
     /// The value of a result; a problem is added under the key.
@@ -43,7 +60,11 @@ impl<'w> WordReader<'w> {
     }
 
     /// A text read by a function.
-    pub fn read<T>(&mut self, key: &'static str, read: impl FnOnce(&str) -> Result<T, Problem>) -> Option<T> {
+    pub fn read<T>(
+        &mut self,
+        key: &'static str,
+        read: impl FnOnce(&str) -> Result<T, Problem>,
+    ) -> Option<T> {
         self.keep(key, read(self.words.get(key)?))
     }
 
@@ -69,8 +90,16 @@ impl<'w> WordReader<'w> {
             return Some(value);
         }
         let text = self.words.get(key).unwrap_or_default();
-        let message = format!("`{key}` must be {}, not \"{}\"", expected[0], shorten(text.trim()));
-        self.note(&[key], message, format!("give {} {}", dimension.with_article(), expected[1]));
+        let message = format!(
+            "`{key}` must be {}, not \"{}\"",
+            expected[0],
+            shorten(text.trim())
+        );
+        self.note(
+            &[key],
+            message,
+            format!("give {} {}", dimension.with_article(), expected[1]),
+        );
         None
     }
 
@@ -81,7 +110,12 @@ impl<'w> WordReader<'w> {
 
     /// A quantity of zero or more.
     pub fn non_negative(&mut self, key: &'static str, dimension: Dimension) -> Option<f64> {
-        self.accepted(key, dimension, |value| value >= 0.0, ["0 or more", "of 0 or more"])
+        self.accepted(
+            key,
+            dimension,
+            |value| value >= 0.0,
+            ["0 or more", "of 0 or more"],
+        )
     }
 
     /// A grid or a list of quantities.
@@ -94,7 +128,11 @@ impl<'w> WordReader<'w> {
         let text = self.words.get(key)?.trim();
         if text.is_empty() || !text.chars().all(|c| c.is_ascii_digit()) {
             let message = format!("`{key}` must be a whole number, not \"{}\"", shorten(text));
-            self.note(&[key], message, "write digits alone, without a sign, a point or a unit");
+            self.note(
+                &[key],
+                message,
+                "write digits alone, without a sign, a point or a unit",
+            );
             return None;
         }
         Some(text.parse().unwrap_or(u32::MAX))
@@ -104,14 +142,21 @@ impl<'w> WordReader<'w> {
     pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
         let text = self.words.get(key)?;
         let plain = text.trim().to_lowercase().replace(['_', ' '], "-");
-        let found = known.iter().find(|(name, _)| *name == plain).map(|(_, value)| *value);
+        let found = known
+            .iter()
+            .find(|(name, _)| *name == plain)
+            .map(|(_, value)| *value);
         if found.is_none() {
             let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
             let hint = match nearest(text, &names) {
                 Some(near) => format!("did you mean {near}?"),
                 None => format!("give one of {}", names.join(", ")),
             };
-            self.note(&[key], format!("`{key}` \"{}\" is not known", shorten(text)), hint);
+            self.note(
+                &[key],
+                format!("`{key}` \"{}\" is not known", shorten(text)),
+                hint,
+            );
         }
         found
     }
@@ -123,19 +168,31 @@ mod tests {
 
     #[test]
     fn every_wrong_value_is_a_problem_under_its_key() {
-        let words: Words =
-            [("mass", "-2 kg"), ("uplift", "-1 mm"), ("stiffness", "4380"), ("count", "2.5"), ("window", "lamm")]
-                .into_iter()
-                .collect();
+        let words: Words = [
+            ("mass", "-2 kg"),
+            ("uplift", "-1 mm"),
+            ("stiffness", "4380"),
+            ("count", "2.5"),
+            ("window", "lamm"),
+        ]
+        .into_iter()
+        .collect();
         let mut reader = WordReader::new(&words);
         assert_eq!(reader.positive("mass", Dimension::Mass), None);
         assert_eq!(reader.non_negative("uplift", Dimension::Length), None);
         assert_eq!(reader.positive("stiffness", Dimension::Stiffness), None);
         assert_eq!(reader.whole("count"), None);
-        assert_eq!(reader.one_of("window", &[("lam", 1), ("saragoni-hart", 2)]), None);
+        assert_eq!(
+            reader.one_of("window", &[("lam", 1), ("saragoni-hart", 2)]),
+            None
+        );
         assert_eq!(reader.positive("height", Dimension::Length), None);
-        let found: Vec<(&str, &str)> =
-            reader.problems.problems.iter().map(|one| (one.keys[0], one.message.as_str())).collect();
+        let found: Vec<(&str, &str)> = reader
+            .problems
+            .problems
+            .iter()
+            .map(|one| (one.keys[0], one.message.as_str()))
+            .collect();
         assert_eq!(
             found,
             [

@@ -15,7 +15,10 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
     // The exponent is taken after rounding: 9.9996 with four digits is 10.00.
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, power)| power.parse::<i32>().ok())
+        .unwrap_or(0);
     if (-4..9).contains(&exponent) {
         let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
         format!("{value:.decimals$}")
@@ -27,14 +30,27 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// A number as [`significant`], without trailing zeros: `300`, `1.5`, `0.196`.
 pub fn number(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
-    let (mantissa, power) = text.split_once('e').map_or((text.as_str(), None), |(m, p)| (m, Some(p)));
-    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
-    power.map_or_else(|| mantissa.to_owned(), |power| format!("{mantissa}e{power}"))
+    let (mantissa, power) = text
+        .split_once('e')
+        .map_or((text.as_str(), None), |(m, p)| (m, Some(p)));
+    let mantissa = if mantissa.contains('.') {
+        mantissa.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        mantissa
+    };
+    power.map_or_else(
+        || mantissa.to_owned(),
+        |power| format!("{mantissa}e{power}"),
+    )
 }
 
 /// A number with a fixed number of decimals; `–` if it is not finite.
 pub fn fixed(value: f64, decimals: usize) -> String {
-    if value.is_finite() { format!("{value:.decimals$}") } else { "–".to_owned() }
+    if value.is_finite() {
+        format!("{value:.decimals$}")
+    } else {
+        "–".to_owned()
+    }
 }
 
 /// A share in percent.
@@ -49,7 +65,10 @@ pub fn percent_significant(share: f64, digits: usize) -> String {
 
 /// A count with its noun in singular or plural: `1 motion`, `20 motions`, `3 entries`.
 pub fn counted(count: usize, noun: &str) -> String {
-    match noun.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
+    match noun
+        .strip_suffix('y')
+        .filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u']))
+    {
         _ if count == 1 => format!("{count} {noun}"),
         Some(stem) => format!("{count} {stem}ies"),
         None => format!("{count} {noun}s"),
@@ -60,7 +79,12 @@ pub fn counted(count: usize, noun: &str) -> String {
 pub fn some(names: &[impl AsRef<str>], most: usize) -> String {
     let listed: Vec<&str> = names.iter().take(most).map(AsRef::as_ref).collect();
     let more = names.len() - listed.len();
-    listed.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
+    listed.join(", ")
+        + &if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        }
 }
 
 /// A number for CSV: the shortest text that reads back as `value`.
@@ -74,7 +98,11 @@ pub fn shortest(value: f64) -> String {
 /// (Writing to a `String` cannot fail.)
 pub fn push_shortest(out: &mut String, value: f64) {
     let size = value.abs();
-    let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
+    let _ = if size == 0.0 || (1e-5..1e16).contains(&size) {
+        write!(out, "{value}")
+    } else {
+        write!(out, "{value:e}")
+    };
 }
 
 /// Values with their names in inputs and outputs, and their meanings.
@@ -82,7 +110,10 @@ pub type Choices<T> = &'static [(T, &'static str, &'static str)];
 
 /// The name of one of these values.
 pub fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
-    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
+    choices
+        .iter()
+        .find(|choice| choice.0 == value)
+        .map_or("", |choice| choice.1)
 }
 
 /// The form in which words are compared: letters and digits in lower case, without accents and other
@@ -103,7 +134,13 @@ pub fn canonical(text: &str) -> String {
     } else {
         // What is not an accent of the Latin script belongs to its letter (が) and is put back.
         let is_accent = |c: &char| ('\u{300}'..='\u{36f}').contains(c);
-        push_words(&mut out, text.nfkd().filter(|c| !is_accent(c)).nfc().flat_map(char::to_lowercase));
+        push_words(
+            &mut out,
+            text.nfkd()
+                .filter(|c| !is_accent(c))
+                .nfc()
+                .flat_map(char::to_lowercase),
+        );
     }
     out.truncate(out.trim_end().len());
     out
@@ -174,19 +211,29 @@ mod tests {
 
     #[test]
     fn rounding_up_a_decade_adds_no_digit() {
-        assert_eq!((significant(9.99996, 4), significant(0.0999999, 3)), ("10.00".to_owned(), "0.100".to_owned()));
-        assert_eq!((significant(2.7835e-5, 4), significant(4.38e6, 3)), ("2.784e-5".to_owned(), "4380000".to_owned()));
+        assert_eq!(
+            (significant(9.99996, 4), significant(0.0999999, 3)),
+            ("10.00".to_owned(), "0.100".to_owned())
+        );
+        assert_eq!(
+            (significant(2.7835e-5, 4), significant(4.38e6, 3)),
+            ("2.784e-5".to_owned(), "4380000".to_owned())
+        );
     }
 
     #[test]
     fn nouns_follow_their_count() {
-        let found = [(1, "entry"), (2, "entry"), (0, "motion"), (30, "storey")].map(|(n, noun)| counted(n, noun));
+        let found = [(1, "entry"), (2, "entry"), (0, "motion"), (30, "storey")]
+            .map(|(n, noun)| counted(n, noun));
         assert_eq!(found, ["1 entry", "2 entries", "0 motions", "30 storeys"]);
     }
 
     #[test]
     fn nearest_words() {
-        assert_eq!(nearest("storey_hight", &["storeys", "storey_height"]), Some("storey_height"));
+        assert_eq!(
+            nearest("storey_hight", &["storeys", "storey_height"]),
+            Some("storey_height")
+        );
         assert_eq!(nearest("banana", &["storeys", "storey_height"]), None);
         assert_eq!(nearest("x", &[]), None);
     }

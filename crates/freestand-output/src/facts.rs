@@ -56,15 +56,30 @@ fn number_words(value: f64, unit: Option<(&str, usize)>) -> String {
     let (unit, digits) = unit.unwrap_or(("", 4));
     match lookup(unit).map(|unit| unit.dimension) {
         Some(dimension) if digits == 6 => format_si(value, dimension),
-        _ => format!("{} {}", significant(value, digits), unit.replace("m/s2", "m/s²")).trim_end().to_owned(),
+        _ => format!(
+            "{} {}",
+            significant(value, digits),
+            unit.replace("m/s2", "m/s²")
+        )
+        .trim_end()
+        .to_owned(),
     }
 }
 
 impl<'a> Facts<'a> {
     /// Adds a fact that people read under `label`.
     #[must_use]
-    pub fn fact(mut self, name: &'static str, label: &'static str, value: impl Into<Value<'a>>) -> Self {
-        self.0.push(Fact { name, label, value: value.into() });
+    pub fn fact(
+        mut self,
+        name: &'static str,
+        label: &'static str,
+        value: impl Into<Value<'a>>,
+    ) -> Self {
+        self.0.push(Fact {
+            name,
+            label,
+            value: value.into(),
+        });
         self
     }
 
@@ -108,12 +123,19 @@ impl<'a> Facts<'a> {
 
     /// The text called `name`; `None` if it is missing or not a text.
     pub fn text(&self, name: &str) -> Option<&str> {
-        if let Value::Text(text) = self.get(name)? { Some(text) } else { None }
+        if let Value::Text(text) = self.get(name)? {
+            Some(text)
+        } else {
+            None
+        }
     }
 
     /// Names and values for programs, in their order.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, &Value<'a>)> {
-        self.0.iter().filter(|fact| !fact.name.is_empty()).map(|fact| (fact.name, &fact.value))
+        self.0
+            .iter()
+            .filter(|fact| !fact.name.is_empty())
+            .map(|fact| (fact.name, &fact.value))
     }
 
     /// Labels and values for people, of the facts that have both.
@@ -150,7 +172,11 @@ impl<'a> Facts<'a> {
                 let is_own = unit_of(name).is_some_and(|(own, _)| own == unit);
                 let unit = lookup(unit).filter(|_| !is_own);
                 let value = unit.map_or(*value, |unit| unit.from_si(*value));
-                if digits == 0 { shortest(value) } else { significant(value, digits) }
+                if digits == 0 {
+                    shortest(value)
+                } else {
+                    significant(value, digits)
+                }
             }
             Some(Value::Missing) | None => "-".to_owned(),
             Some(value) => value.words(None),
@@ -159,8 +185,13 @@ impl<'a> Facts<'a> {
 
     /// The fields of a row: names and values, without lists and nested facts.
     fn fields(&self) -> impl Iterator<Item = (&'static str, &Value<'a>)> {
-        let is_field = |fact: &&Fact| !(fact.name.is_empty() || matches!(fact.value, Value::List(_) | Value::Facts(_)));
-        self.0.iter().filter(is_field).map(|fact| (fact.name, &fact.value))
+        let is_field = |fact: &&Fact| {
+            !(fact.name.is_empty() || matches!(fact.value, Value::List(_) | Value::Facts(_)))
+        };
+        self.0
+            .iter()
+            .filter(is_field)
+            .map(|fact| (fact.name, &fact.value))
     }
 }
 
@@ -169,8 +200,15 @@ impl<'a> Facts<'a> {
 pub fn parquet_columns(row: &Facts, holds: impl Fn(&str) -> ColumnType) -> Vec<ParquetColumn> {
     let column = |(name, _): (&'static str, _)| {
         let unit = unit_of(name).map_or("", |(unit, _)| unit);
-        let described = Some((if unit.is_empty() { "–" } else { unit }.to_owned(), String::new()));
-        ParquetColumn { name: name.to_owned(), holds: holds(name), described }
+        let described = Some((
+            if unit.is_empty() { "–" } else { unit }.to_owned(),
+            String::new(),
+        ));
+        ParquetColumn {
+            name: name.to_owned(),
+            holds: holds(name),
+            described,
+        }
     };
     row.fields().map(column).collect()
 }
@@ -182,7 +220,9 @@ pub fn parquet_values<'r>(row: &'r Facts<'_>) -> impl Iterator<Item = ParquetVal
         Value::Number(value) | Value::NumberOr(Some(value), _) => ParquetValue::Number(*value),
         Value::Count(count) => ParquetValue::Count(*count),
         Value::Flag(flag) => ParquetValue::Flag(*flag),
-        Value::Missing | Value::NumberOr(None, _) | Value::List(_) | Value::Facts(_) => ParquetValue::Missing,
+        Value::Missing | Value::NumberOr(None, _) | Value::List(_) | Value::Facts(_) => {
+            ParquetValue::Missing
+        }
     })
 }
 
@@ -209,8 +249,16 @@ impl Value<'_> {
             Self::Flag(flag) => if *flag { "yes" } else { "no" }.to_owned(),
             Self::List(values) if values.is_empty() => "-".to_owned(),
             Self::List(values) => {
-                let between = if matches!(values[0], Self::Number(_)) { " to " } else { ", " };
-                values.iter().map(|value| value.words(unit)).collect::<Vec<_>>().join(between)
+                let between = if matches!(values[0], Self::Number(_)) {
+                    " to "
+                } else {
+                    ", "
+                };
+                values
+                    .iter()
+                    .map(|value| value.words(unit))
+                    .collect::<Vec<_>>()
+                    .join(between)
             }
             Self::Facts(_) => String::new(),
         }
@@ -243,7 +291,10 @@ impl Serialize for Value<'_> {
 /// # Errors
 /// None in practice: writing to memory does not fail.
 pub fn csv_header(row: &Facts) -> Result<Vec<u8>, Problem> {
-    csv(&row.fields().map(|(name, _)| name).collect::<Vec<_>>(), std::iter::empty())
+    csv(
+        &row.fields().map(|(name, _)| name).collect::<Vec<_>>(),
+        std::iter::empty(),
+    )
 }
 
 /// Rows as CSV without a header; lists are left out.
@@ -270,7 +321,9 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Pr
         }
         writer.write_record(None::<&[u8]>).map_err(broken)?;
     }
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+    writer
+        .into_inner()
+        .map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
 /// Rows as a table; empty if there are no rows.
@@ -287,9 +340,14 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Pr
 /// ```
 pub fn table<'a>(rows: impl IntoIterator<Item = Facts<'a>>) -> Result<Table, Problem> {
     let mut rows = rows.into_iter().peekable();
-    let Some(first) = rows.peek() else { return Ok(Table::default()) };
+    let Some(first) = rows.peek() else {
+        return Ok(Table::default());
+    };
     let mut text = csv_header(first)?;
-    let mut columns: Vec<(String, Holds)> = first.fields().map(|(name, _)| (name.to_owned(), Holds::Nothing)).collect();
+    let mut columns: Vec<(String, Holds)> = first
+        .fields()
+        .map(|(name, _)| (name.to_owned(), Holds::Nothing))
+        .collect();
     text.extend(csv_rows(rows.inspect(|row| {
         for ((_, holds), (_, value)) in columns.iter_mut().zip(row.fields()) {
             *holds = holds.and(value.held());
@@ -304,7 +362,9 @@ pub fn table<'a>(rows: impl IntoIterator<Item = Facts<'a>>) -> Result<Table, Pro
 /// # Errors
 /// None in practice: writing to memory does not fail.
 pub fn json_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Problem> {
-    let broken = |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
+    let broken = |error: serde_json::Error| {
+        Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"))
+    };
     let mut out = Vec::new();
     for row in rows {
         out.extend_from_slice(b",\n    {");
@@ -328,8 +388,12 @@ pub type JsonColumn = (&'static str, Vec<u8>);
 /// # Errors
 /// None in practice: writing to memory does not fail.
 pub fn json_columns<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<JsonColumn>, Problem> {
-    let broken =
-        |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a column cannot be written: {error}"));
+    let broken = |error: serde_json::Error| {
+        Problem::new(
+            ProblemKind::Io,
+            format!("a column cannot be written: {error}"),
+        )
+    };
     let mut columns: Vec<JsonColumn> = Vec::new();
     for row in rows {
         if columns.is_empty() {
@@ -423,7 +487,9 @@ mod tests {
     use super::*;
 
     fn shock() -> Facts<'static> {
-        let stiffness = Facts::default().fact("fit", "stiffness", 4.38e6).key("ci95", [4e6, 5e6]);
+        let stiffness = Facts::default()
+            .fact("fit", "stiffness", 4.38e6)
+            .key("ci95", [4e6, 5e6]);
         Facts::default()
             .fact("name", "object", "rack")
             .line("cushion", Some("linear, 4380 N/mm".to_owned()))
@@ -450,7 +516,10 @@ mod tests {
             ("note", "one"),
             ("note", "two"),
         ];
-        assert_eq!(shock().lines(), lines.map(|(label, words)| (label, words.to_owned())));
+        assert_eq!(
+            shock().lines(),
+            lines.map(|(label, words)| (label, words.to_owned()))
+        );
     }
 
     #[test]
@@ -467,7 +536,10 @@ mod tests {
     #[test]
     fn a_row_leaves_out_lines_lists_and_facts_within_facts() {
         let csv = table([shock()]).unwrap();
-        assert_eq!(csv.as_ref(), b"name,uplift_m,peak_accel_m_s2,steps,overturned\nrack,0.0123,,12,false\n");
+        assert_eq!(
+            csv.as_ref(),
+            b"name,uplift_m,peak_accel_m_s2,steps,overturned\nrack,0.0123,,12,false\n"
+        );
         assert_eq!(table([]).unwrap().as_ref(), b"");
     }
 
@@ -483,15 +555,29 @@ mod tests {
     #[test]
     fn a_cell_is_in_the_unit_of_its_column() {
         let facts = shock();
-        let cells = [("uplift_m", "mm", 3), ("uplift_m", "m", 0), ("peak_accel_m_s2", "m/s2", 3), ("none", "", 3)];
-        assert_eq!(cells.map(|(name, unit, digits)| facts.cell(name, unit, digits)), ["12.3", "0.0123", "-", "-"]);
+        let cells = [
+            ("uplift_m", "mm", 3),
+            ("uplift_m", "m", 0),
+            ("peak_accel_m_s2", "m/s2", 3),
+            ("none", "", 3),
+        ];
+        assert_eq!(
+            cells.map(|(name, unit, digits)| facts.cell(name, unit, digits)),
+            ["12.3", "0.0123", "-", "-"]
+        );
         assert_eq!(facts.cell("fit", "N/mm", 4), "4380");
     }
 
     #[test]
     fn a_value_is_found_also_within_other_facts() {
         let facts = shock();
-        assert_eq!((facts.number("fit"), facts.number("steps")), (Some(4.38e6), Some(12.0)));
-        assert_eq!((facts.text("name"), facts.text("fit"), facts.number("name")), (Some("rack"), None, None));
+        assert_eq!(
+            (facts.number("fit"), facts.number("steps")),
+            (Some(4.38e6), Some(12.0))
+        );
+        assert_eq!(
+            (facts.text("name"), facts.text("fit"), facts.number("name")),
+            (Some("rack"), None, None)
+        );
     }
 }

@@ -35,7 +35,13 @@ pub const CLOSING: &str = "</main>\n</body>\n</html>\n";
 /// code points.
 fn css_string(text: &str) -> String {
     let has_meaning = |c: char| c.is_control() || "\"\\<>&\u{fffe}\u{ffff}".contains(c);
-    let written = |c: char| if has_meaning(c) { format!("\\{:x} ", u32::from(c)) } else { c.to_string() };
+    let written = |c: char| {
+        if has_meaning(c) {
+            format!("\\{:x} ", u32::from(c))
+        } else {
+            c.to_string()
+        }
+    };
     format!("\"{}\"", text.chars().map(written).collect::<String>())
 }
 
@@ -49,17 +55,29 @@ pub struct Cell {
 
 /// A cell of words.
 pub fn words(text: &str) -> Cell {
-    Cell { html: escape(text), class: "", columns: 1 }
+    Cell {
+        html: escape(text),
+        class: "",
+        columns: 1,
+    }
 }
 
 /// A cell of a number, aligned to the right.
 pub fn figure(text: impl AsRef<str>) -> Cell {
-    Cell { html: escape(text.as_ref()), class: "n", columns: 1 }
+    Cell {
+        html: escape(text.as_ref()),
+        class: "n",
+        columns: 1,
+    }
 }
 
 /// A cell of markup.
 pub fn markup(html: String, class: &'static str) -> Cell {
-    Cell { html, class, columns: 1 }
+    Cell {
+        html,
+        class,
+        columns: 1,
+    }
 }
 
 impl Cell {
@@ -93,7 +111,12 @@ pub fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> Strin
 }
 
 /// The same with a style class.
-pub fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
+pub fn classed_table(
+    class: &str,
+    caption: &str,
+    headings: &[Vec<Cell>],
+    rows: &[Vec<Cell>],
+) -> String {
     let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
     if !caption.is_empty() {
         html.push_str(&format!("<caption>{}</caption>", escape(caption)));
@@ -102,11 +125,19 @@ pub fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &
     for row in headings {
         html.push_str("<tr>");
         for cell in row {
-            cell.write(&mut html, "th", if cell.columns > 1 { "colgroup" } else { "col" });
+            cell.write(
+                &mut html,
+                "th",
+                if cell.columns > 1 { "colgroup" } else { "col" },
+            );
         }
         html.push_str("</tr>");
     }
-    html.push_str(if headings.is_empty() { "<tbody>" } else { "</thead><tbody>" });
+    html.push_str(if headings.is_empty() {
+        "<tbody>"
+    } else {
+        "</thead><tbody>"
+    });
     for row in rows {
         html.push_str("<tr>");
         for (i, cell) in row.iter().enumerate() {
@@ -146,7 +177,10 @@ pub fn list<S: AsRef<str>>(items: &[S]) -> String {
 
 /// A section with its heading; `id` is the target of links.
 pub fn section(id: &str, heading: &str, html: &str) -> String {
-    format!("<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n", escape(heading))
+    format!(
+        "<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n",
+        escape(heading)
+    )
 }
 
 /// A heading inside a section.
@@ -180,13 +214,25 @@ mod tests {
 
     #[test]
     fn markup_is_escaped() {
-        assert_eq!(escape("<a href='x'>&\u{0}\"</a>"), "&lt;a href=&#39;x&#39;&gt;&amp;&quot;&lt;/a&gt;");
+        assert_eq!(
+            escape("<a href='x'>&\u{0}\"</a>"),
+            "&lt;a href=&#39;x&#39;&gt;&amp;&quot;&lt;/a&gt;"
+        );
     }
 
     #[test]
     fn a_title_stays_a_text_in_a_style() {
-        assert_eq!(css_string("a \"b\"\\ </style>&\nü"), "\"a \\22 b\\22 \\5c  \\3c /style\\3e \\26 \\a ü\"");
+        assert_eq!(
+            css_string("a \"b\"\\ </style>&\nü"),
+            "\"a \\22 b\\22 \\5c  \\3c /style\\3e \\26 \\a ü\""
+        );
         let html = opening("]]> </style>", "\u{0}", "");
-        assert_eq!((html.matches("</style>").count(), html.matches("]]>").count()), (1, 0));
+        assert_eq!(
+            (
+                html.matches("</style>").count(),
+                html.matches("]]>").count()
+            ),
+            (1, 0)
+        );
     }
 }

@@ -9,10 +9,17 @@ use serde_json::{Map, Value};
 ///
 /// # Errors
 /// A body that is not JSON: a defect.
-pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Problem> {
+pub fn document<T: Serialize>(
+    schema: &str,
+    body: &T,
+    warnings: &[String],
+) -> Result<String, Problem> {
     let not_json = |error: serde_json::Error| {
-        Problem::new(ProblemKind::Computation, format!("the result is not JSON: {error}"))
-            .hint("this is a defect of freestand; please report it")
+        Problem::new(
+            ProblemKind::Computation,
+            format!("the result is not JSON: {error}"),
+        )
+        .hint("this is a defect of freestand; please report it")
     };
     let mut all = Map::new();
     all.insert("schema".to_owned(), Value::from(schema));

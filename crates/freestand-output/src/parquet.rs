@@ -75,9 +75,17 @@ pub fn provenance(
     seed: Option<u64>,
     inputs: impl IntoIterator<Item = (String, Option<String>)>,
 ) -> Vec<(String, String)> {
-    let inputs: Vec<_> = inputs.into_iter().map(|(name, sha256)| json!({"name": name, "sha256": sha256})).collect();
+    let inputs: Vec<_> = inputs
+        .into_iter()
+        .map(|(name, sha256)| json!({"name": name, "sha256": sha256}))
+        .collect();
     let seed = seed.map(|seed| ("freestand.seed".to_owned(), seed.to_string()));
-    seed.into_iter().chain([("freestand.inputs".to_owned(), serde_json::Value::from(inputs).to_string())]).collect()
+    seed.into_iter()
+        .chain([(
+            "freestand.inputs".to_owned(),
+            serde_json::Value::from(inputs).to_string(),
+        )])
+        .collect()
 }
 
 /// A file as it is written.
@@ -114,21 +122,35 @@ impl<W: Write + Send> ParquetFile<W> {
         columns: &[ParquetColumn],
         facts: impl IntoIterator<Item = (String, String)>,
     ) -> Result<Self, Problem> {
-        let types = columns.iter().map(|column| field_type(&column.name, column.holds)).collect::<Result<_, _>>();
+        let types = columns
+            .iter()
+            .map(|column| field_type(&column.name, column.holds))
+            .collect::<Result<_, _>>();
         let table = schema.strip_prefix("freestand.").unwrap_or(schema);
         let table = table.split('/').next().unwrap_or_default();
-        let group = types.and_then(|types| Type::group_type_builder(table).with_fields(types).build());
-        let described = columns.iter().filter_map(|column| Some((&column.name, column.described.as_ref()?)));
+        let group =
+            types.and_then(|types| Type::group_type_builder(table).with_fields(types).build());
+        let described = columns
+            .iter()
+            .filter_map(|column| Some((&column.name, column.described.as_ref()?)));
         let units: Map<String, serde_json::Value> = described
-            .map(|(name, (unit, meaning))| (name.clone(), json!({"unit": unit, "meaning": meaning})))
+            .map(|(name, (unit, meaning))| {
+                (name.clone(), json!({"unit": unit, "meaning": meaning}))
+            })
             .collect();
         let own = [
             ("freestand.version", env!("CARGO_PKG_VERSION").to_owned()),
             ("freestand.schema", schema.to_owned()),
-            ("freestand.columns", serde_json::Value::Object(units).to_string()),
+            (
+                "freestand.columns",
+                serde_json::Value::Object(units).to_string(),
+            ),
         ];
         let own = own.into_iter().map(|(key, value)| (key.to_owned(), value));
-        let metadata = own.chain(facts).map(|(key, value)| KeyValue::new(key, value)).collect();
+        let metadata = own
+            .chain(facts)
+            .map(|(key, value)| KeyValue::new(key, value))
+            .collect();
         let properties = ZstdLevel::try_new(ZSTD_LEVEL).map(|level| {
             WriterProperties::builder()
                 .set_compression(Compression::ZSTD(level))
@@ -137,10 +159,20 @@ impl<W: Write + Send> ParquetFile<W> {
                 .build()
         });
         let writer = group
-            .and_then(|group| SerializedFileWriter::new(file, Arc::new(group), Arc::new(properties?)))
+            .and_then(|group| {
+                SerializedFileWriter::new(file, Arc::new(group), Arc::new(properties?))
+            })
             .map_err(|error| broken(&error))?;
-        let columns = columns.iter().map(|column| Values::new(column.holds)).collect();
-        Ok(Self { file: writer, columns, rows: 0, text_bytes: 0 })
+        let columns = columns
+            .iter()
+            .map(|column| Values::new(column.holds))
+            .collect();
+        Ok(Self {
+            file: writer,
+            columns,
+            rows: 0,
+            text_bytes: 0,
+        })
     }
 
     /// Adds a row: a value for each column, in their order. A value that is not of the type of its
@@ -148,18 +180,28 @@ impl<W: Write + Send> ParquetFile<W> {
     ///
     /// # Errors
     /// A disk that is full.
-    pub fn row<'a>(&mut self, values: impl IntoIterator<Item = ParquetValue<'a>>) -> Result<(), Problem> {
-        let values = values.into_iter().chain(std::iter::repeat(ParquetValue::Missing));
+    pub fn row<'a>(
+        &mut self,
+        values: impl IntoIterator<Item = ParquetValue<'a>>,
+    ) -> Result<(), Problem> {
+        let values = values
+            .into_iter()
+            .chain(std::iter::repeat(ParquetValue::Missing));
         for (column, value) in self.columns.iter_mut().zip(values) {
             self.text_bytes += column.push(value);
         }
         self.rows += 1;
-        if self.rows >= GROUP_ROWS || self.text_bytes >= GROUP_TEXT_BYTES { self.end_group() } else { Ok(()) }
+        if self.rows >= GROUP_ROWS || self.text_bytes >= GROUP_TEXT_BYTES {
+            self.end_group()
+        } else {
+            Ok(())
+        }
     }
 
     /// Adds to the metadata what is known at the end only.
     pub fn note(&mut self, name: &str, text: String) {
-        self.file.append_key_value_metadata(KeyValue::new(name.to_owned(), text));
+        self.file
+            .append_key_value_metadata(KeyValue::new(name.to_owned(), text));
     }
 
     /// Writes the last group and the end of the file.
@@ -185,23 +227,33 @@ fn write_group<W: Write + Send>(
 ) -> Result<(), ParquetError> {
     let mut group = file.next_row_group()?;
     for column in columns {
-        let Some(mut writer) = group.next_column()? else { break };
+        let Some(mut writer) = group.next_column()? else {
+            break;
+        };
         let present = Some(&column.present[..]);
         match &mut column.values {
             Typed::Number(values) => {
-                writer.typed::<DoubleType>().write_batch(values, present, None)?;
+                writer
+                    .typed::<DoubleType>()
+                    .write_batch(values, present, None)?;
                 values.clear();
             }
             Typed::Count(values) => {
-                writer.typed::<Int64Type>().write_batch(values, present, None)?;
+                writer
+                    .typed::<Int64Type>()
+                    .write_batch(values, present, None)?;
                 values.clear();
             }
             Typed::Flag(values) => {
-                writer.typed::<BoolType>().write_batch(values, present, None)?;
+                writer
+                    .typed::<BoolType>()
+                    .write_batch(values, present, None)?;
                 values.clear();
             }
             Typed::Text(values) => {
-                writer.typed::<ByteArrayType>().write_batch(values, present, None)?;
+                writer
+                    .typed::<ByteArrayType>()
+                    .write_batch(values, present, None)?;
                 values.clear();
             }
         }
@@ -220,15 +272,22 @@ impl Values {
             ColumnType::Flag => Typed::Flag(Vec::new()),
             ColumnType::Text => Typed::Text(Vec::new()),
         };
-        Self { present: Vec::new(), values }
+        Self {
+            present: Vec::new(),
+            values,
+        }
     }
 
     /// Adds a value; returns the bytes of its text.
     fn push(&mut self, value: ParquetValue) -> usize {
         let (mut is_present, mut bytes) = (true, 0);
         match (&mut self.values, value) {
-            (Typed::Number(values), ParquetValue::Number(value)) if value.is_finite() => values.push(value),
-            (Typed::Count(values), ParquetValue::Count(value)) => values.push(i64::try_from(value).unwrap_or(i64::MAX)),
+            (Typed::Number(values), ParquetValue::Number(value)) if value.is_finite() => {
+                values.push(value)
+            }
+            (Typed::Count(values), ParquetValue::Count(value)) => {
+                values.push(i64::try_from(value).unwrap_or(i64::MAX))
+            }
             (Typed::Flag(values), ParquetValue::Flag(value)) => values.push(value),
             (Typed::Text(values), ParquetValue::Text(text)) => {
                 bytes = text.len();
@@ -257,8 +316,11 @@ fn field_type(name: &str, holds: ColumnType) -> Result<Arc<Type>, ParquetError> 
 }
 
 fn broken(error: &ParquetError) -> Problem {
-    Problem::new(ProblemKind::Io, format!("a Parquet table cannot be written: {error}"))
-        .hint("free space on the disk, or choose another place")
+    Problem::new(
+        ProblemKind::Io,
+        format!("a Parquet table cannot be written: {error}"),
+    )
+    .hint("free space on the disk, or choose another place")
 }
 
 #[cfg(test)]
@@ -268,7 +330,11 @@ mod tests {
     use parquet::record::Field;
 
     fn column(name: &str, holds: ColumnType) -> ParquetColumn {
-        ParquetColumn { name: name.to_owned(), holds, described: Some(("m".to_owned(), "a length".to_owned())) }
+        ParquetColumn {
+            name: name.to_owned(),
+            holds,
+            described: Some(("m".to_owned(), "a length".to_owned())),
+        }
     }
 
     /// Types, nulls, groups of 65,536 rows, Zstandard, and the same bytes again.
@@ -282,7 +348,8 @@ mod tests {
         ];
         let write = || {
             let facts = [("freestand.study".to_owned(), "a.toml".to_owned())];
-            let mut file = ParquetFile::begin(Vec::new(), "freestand.rows/1", &columns, facts).unwrap();
+            let mut file =
+                ParquetFile::begin(Vec::new(), "freestand.rows/1", &columns, facts).unwrap();
             file.row([
                 ParquetValue::Number(0.1 + 0.2),
                 ParquetValue::Count(7),
@@ -290,7 +357,8 @@ mod tests {
                 ParquetValue::Text("ü\n".into()),
             ])
             .unwrap();
-            file.row([ParquetValue::Number(f64::NAN), ParquetValue::Number(1.0)]).unwrap();
+            file.row([ParquetValue::Number(f64::NAN), ParquetValue::Number(1.0)])
+                .unwrap();
             for _ in 2..65_537 {
                 file.row([ParquetValue::Missing]).unwrap();
             }
@@ -303,19 +371,49 @@ mod tests {
         file.write_all(&bytes).unwrap();
         let reader = SerializedFileReader::new(file).unwrap();
         let metadata = reader.metadata();
-        assert_eq!((metadata.num_row_groups(), metadata.row_group(0).num_rows()), (2, 65_536));
-        assert!(matches!(metadata.row_group(0).column(0).compression(), Compression::ZSTD(_)));
+        assert_eq!(
+            (metadata.num_row_groups(), metadata.row_group(0).num_rows()),
+            (2, 65_536)
+        );
+        assert!(matches!(
+            metadata.row_group(0).column(0).compression(),
+            Compression::ZSTD(_)
+        ));
         let values = metadata.file_metadata().key_value_metadata().unwrap();
-        let value = |key: &str| values.iter().find(|one| one.key == key).and_then(|one| one.value.as_deref()).unwrap();
-        assert_eq!((value("freestand.study"), value("freestand.partial")), ("a.toml", "no"));
-        assert!(value("freestand.columns").contains(r#""height_m":{"unit":"m","meaning":"a length"}"#));
+        let value = |key: &str| {
+            values
+                .iter()
+                .find(|one| one.key == key)
+                .and_then(|one| one.value.as_deref())
+                .unwrap()
+        };
+        assert_eq!(
+            (value("freestand.study"), value("freestand.partial")),
+            ("a.toml", "no")
+        );
+        assert!(
+            value("freestand.columns").contains(r#""height_m":{"unit":"m","meaning":"a length"}"#)
+        );
         let rows: Vec<Vec<Field>> = reader
             .get_row_iter(None)
             .unwrap()
             .take(3)
-            .map(|row| row.unwrap().get_column_iter().map(|(_, field)| field.clone()).collect())
+            .map(|row| {
+                row.unwrap()
+                    .get_column_iter()
+                    .map(|(_, field)| field.clone())
+                    .collect()
+            })
             .collect();
-        let first = [Field::Double(0.1 + 0.2), Field::Long(7), Field::Bool(true), Field::Str("ü\n".to_owned())];
-        assert_eq!((rows[0].as_slice(), rows[1].as_slice()), (first.as_slice(), [const { Field::Null }; 4].as_slice()));
+        let first = [
+            Field::Double(0.1 + 0.2),
+            Field::Long(7),
+            Field::Bool(true),
+            Field::Str("ü\n".to_owned()),
+        ];
+        assert_eq!(
+            (rows[0].as_slice(), rows[1].as_slice()),
+            (first.as_slice(), [const { Field::Null }; 4].as_slice())
+        );
     }
 }

@@ -38,12 +38,18 @@ fn beginning_next_to(path: &Path) -> Option<OsString> {
 /// A leftover is removed if its process is gone and its lock is free. Either alone is not enough:
 /// processes in other containers are not visible here, and not every file system has locks.
 pub fn clear_leftovers(target: &Path, files: bool) {
-    let places = [(Some(target), Some(STAGING_PREFIX.into())), (target.parent(), beginning_next_to(target))];
+    let places = [
+        (Some(target), Some(STAGING_PREFIX.into())),
+        (target.parent(), beginning_next_to(target)),
+    ];
     for (folder, beginning) in places {
-        let (Some(folder), Some(beginning)) = (folder, beginning) else { continue };
+        let (Some(folder), Some(beginning)) = (folder, beginning) else {
+            continue;
+        };
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let process = process_of(&entry.file_name(), &beginning);
-            let free = || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
+            let free =
+                || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
             if process.is_some_and(is_gone) && free() {
                 // A leftover that cannot be removed is not a failure of this run.
                 let _ = match entry.file_type() {
@@ -58,20 +64,27 @@ pub fn clear_leftovers(target: &Path, files: bool) {
 
 /// The process number in a name `BEGINNING` + `PID-LETTERS`.
 fn process_of(name: &OsStr, beginning: &OsStr) -> Option<u32> {
-    let (process, _) = name.to_str()?.strip_prefix(beginning.to_str()?)?.split_once('-')?;
+    let (process, _) = name
+        .to_str()?
+        .strip_prefix(beginning.to_str()?)?
+        .split_once('-')?;
     process.parse().ok()
 }
 
 /// Whether no such process is running. If that cannot be determined, the answer is no.
 fn is_gone(process: u32) -> bool {
     let processes = Path::new("/proc");
-    cfg!(target_os = "linux") && processes.join("self").exists() && !processes.join(process.to_string()).exists()
+    cfg!(target_os = "linux")
+        && processes.join("self").exists()
+        && !processes.join(process.to_string()).exists()
 }
 
 /// The target of a link; any other path unchanged.
 pub fn real_path(path: &Path) -> PathBuf {
     let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
-    link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
+    link.then(|| fs::canonicalize(path).ok())
+        .flatten()
+        .unwrap_or_else(|| path.to_path_buf())
 }
 
 /// Refuses a link inside a folder of results: whoever made the folder could let it lead anywhere,
@@ -83,19 +96,28 @@ pub fn refuse_link(path: &Path) -> Result<(), Problem> {
     if !fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink()) {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Io, "is a link, and nothing is written through a link in a folder of results")
-        .in_file(path)
-        .hint("remove the link, or name another folder with `out`"))
+    Err(Problem::new(
+        ProblemKind::Io,
+        "is a link, and nothing is written through a link in a folder of results",
+    )
+    .in_file(path)
+    .hint("remove the link, or name another folder with `out`"))
 }
 
 /// Refuses links among these names in a folder, and among the folders above them.
 ///
 /// # Errors
 /// As [`refuse_link`].
-pub fn refuse_links<'n>(folder: &Path, names: impl IntoIterator<Item = &'n str>) -> Result<(), Problem> {
+pub fn refuse_links<'n>(
+    folder: &Path,
+    names: impl IntoIterator<Item = &'n str>,
+) -> Result<(), Problem> {
     let mut seen = BTreeSet::new();
     for name in names {
-        for part in Path::new(name).ancestors().filter(|part| !part.as_os_str().is_empty()) {
+        for part in Path::new(name)
+            .ancestors()
+            .filter(|part| !part.as_os_str().is_empty())
+        {
             if !seen.insert(part) {
                 break;
             }
@@ -111,7 +133,11 @@ pub fn refuse_links<'n>(folder: &Path, names: impl IntoIterator<Item = &'n str>)
 /// As [`refuse_link`].
 pub fn refuse_links_in(folder: &Path) -> Result<(), Problem> {
     refuse_link(folder)?;
-    fs::read_dir(folder).into_iter().flatten().flatten().try_for_each(|entry| refuse_link(&entry.path()))
+    fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .try_for_each(|entry| refuse_link(&entry.path()))
 }
 
 /// Refuses an output that would replace an input.
@@ -122,9 +148,12 @@ pub fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(),
     if inputs.is_empty() || !fs::canonicalize(output).is_ok_and(|output| inputs.contains(&output)) {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Io, "is read by this command; its output would replace it")
-        .in_file(output)
-        .hint(hint))
+    Err(Problem::new(
+        ProblemKind::Io,
+        "is read by this command; its output would replace it",
+    )
+    .in_file(output)
+    .hint(hint))
 }
 
 /// The problem of a path without a file name.
@@ -141,8 +170,12 @@ pub fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "check the permissions, or choose another place"
         }
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free space on the disk, or choose another place",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "free space on the disk, or choose another place"
+        }
         _ => "choose another place",
     };
-    Problem::new(ProblemKind::Io, format!("{what}: {error}")).in_file(path).hint(hint)
+    Problem::new(ProblemKind::Io, format!("{what}: {error}"))
+        .in_file(path)
+        .hint(hint)
 }

@@ -15,19 +15,31 @@ use crate::table::{Holds, Table};
 /// None in practice: all rows have the same length, and writing to memory does not fail.
 pub fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
-    writer.write_record(header.iter().map(|name| guarded_text_or_number(name).into_owned())).map_err(broken)?;
+    writer
+        .write_record(
+            header
+                .iter()
+                .map(|name| guarded_text_or_number(name).into_owned()),
+        )
+        .map_err(broken)?;
     for row in rows {
         for field in row {
-            writer.write_field(guarded_text_or_number(&field).as_ref()).map_err(broken)?;
+            writer
+                .write_field(guarded_text_or_number(&field).as_ref())
+                .map_err(broken)?;
         }
         writer.write_record(None::<&[u8]>).map_err(broken)?;
     }
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+    writer
+        .into_inner()
+        .map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
 /// A writer of CSV to memory; lines end with LF.
 pub fn csv_writer() -> csv::Writer<Vec<u8>> {
-    csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new())
+    csv::WriterBuilder::new()
+        .terminator(csv::Terminator::Any(b'\n'))
+        .from_writer(Vec::new())
 }
 
 /// Records of a serializable type as a table: field names as the header, `None` as an empty field.
@@ -52,10 +64,16 @@ pub fn table_of_records<T: serde::Serialize>(records: &[T]) -> Result<Table, Pro
     for record in records {
         // By default, the csv crate writes numbers as `0.0` and `1e16`.
         let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
-            return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
+            return Err(Problem::new(
+                ProblemKind::Io,
+                "a table cannot be written: its records have no fields",
+            ));
         };
         if rows.is_empty() {
-            columns = fields.keys().map(|name| (name.clone(), Holds::Nothing)).collect();
+            columns = fields
+                .keys()
+                .map(|name| (name.clone(), Holds::Nothing))
+                .collect();
         }
         for ((_, holds), value) in columns.iter_mut().zip(fields.values()) {
             *holds = holds.and(held(value));
@@ -83,7 +101,10 @@ fn held(value: &Value) -> Holds {
 
 /// Rows of numbers as a table whose first line is `header`, names with commas between them.
 pub fn table_of_numbers<R: AsRef<[f64]>>(header: &str, rows: impl IntoIterator<Item = R>) -> Table {
-    let columns = header.split(',').map(|name| (name.to_owned(), Holds::Number)).collect();
+    let columns = header
+        .split(',')
+        .map(|name| (name.to_owned(), Holds::Number))
+        .collect();
     Table::new(numbers_csv(header, rows).into_bytes(), columns)
 }
 
@@ -105,8 +126,20 @@ pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R
 /// A finished CSV as a table; `columns` are the names in its first line, each with whether the
 /// column holds numbers. Other columns hold text.
 pub fn table_of_csv(csv: Vec<u8>, columns: &[(&str, bool)]) -> Table {
-    let holds = |is_number: bool| if is_number { Holds::Number } else { Holds::Text };
-    Table::new(csv, columns.iter().map(|(name, is_number)| ((*name).to_owned(), holds(*is_number))).collect())
+    let holds = |is_number: bool| {
+        if is_number {
+            Holds::Number
+        } else {
+            Holds::Text
+        }
+    };
+    Table::new(
+        csv,
+        columns
+            .iter()
+            .map(|(name, is_number)| ((*name).to_owned(), holds(*is_number)))
+            .collect(),
+    )
 }
 
 /// Named columns of numbers, all of the same length, as a table.
@@ -115,9 +148,27 @@ pub fn table_of_csv(csv: Vec<u8>, columns: &[(&str, bool)]) -> Table {
 /// None in practice: writing to memory does not fail.
 pub fn table_of_columns(columns: &[(&str, &[f64])]) -> Result<Table, Problem> {
     let header: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
-    let length = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
-    let text = csv(&header, (0..length).map(|i| columns.iter().map(|(_, values)| shortest(values[i])).collect()))?;
-    Ok(Table::new(text, header.iter().map(|name| ((*name).to_owned(), Holds::Number)).collect()))
+    let length = columns
+        .iter()
+        .map(|(_, values)| values.len())
+        .min()
+        .unwrap_or(0);
+    let text = csv(
+        &header,
+        (0..length).map(|i| {
+            columns
+                .iter()
+                .map(|(_, values)| shortest(values[i]))
+                .collect()
+        }),
+    )?;
+    Ok(Table::new(
+        text,
+        header
+            .iter()
+            .map(|name| ((*name).to_owned(), Holds::Number))
+            .collect(),
+    ))
 }
 
 fn cell(value: &Value) -> String {

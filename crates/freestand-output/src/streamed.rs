@@ -32,24 +32,36 @@ impl StreamedFile {
     /// # Errors
     /// A folder that does not exist or is not writable, a folder with the file's name, or an input.
     pub fn begin(path: &Path, inputs: &[PathBuf]) -> Result<Self, Problem> {
-        let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+        let inputs: Vec<PathBuf> = inputs
+            .iter()
+            .filter_map(|input| fs::canonicalize(input).ok())
+            .collect();
         refuse_input(&inputs, path, "name another file to write")?;
         let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
         if path.is_dir() {
-            return Err(Problem::new(ProblemKind::Io, "is a folder, not a file").in_file(path).hint("name a file"));
+            return Err(Problem::new(ProblemKind::Io, "is a folder, not a file")
+                .in_file(path)
+                .hint("name a file"));
         }
         // A device such as /dev/null, or a pipe, is written to, not replaced by a file.
         if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
-            let device = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+            let device = fs::OpenOptions::new()
+                .write(true)
+                .open(path)
+                .map_err(failed)?;
             return Ok(Self::of(device, path));
         }
         // A link remains a link: its target is replaced.
         let target = std::path::absolute(real_path(path)).map_err(failed)?;
-        let (prefix, folder) = prefix_next_to(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
+        let (prefix, folder) = prefix_next_to(&target)
+            .zip(target.parent())
+            .ok_or_else(|| no_name(path))?;
         clear_leftovers(&target, true);
         // Created here, the file has the permissions that the umask of the user allows; tempfile
         // would give it 0600.
-        let temporary = tempfile::Builder::new().prefix(&prefix).make_in(folder, |path| fs::File::create_new(path));
+        let temporary = tempfile::Builder::new()
+            .prefix(&prefix)
+            .make_in(folder, |path| fs::File::create_new(path));
         let (file, temporary) = temporary.map_err(failed)?.into_parts();
         // Locked during writing, so that no other process takes it for a leftover. If files cannot
         // be locked, the process number shows whose it is.
@@ -61,7 +73,11 @@ impl StreamedFile {
 
     /// A file that is written under its final name; `path` is its name in messages.
     pub fn of(file: fs::File, path: &Path) -> Self {
-        Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
+        Self {
+            file: io::BufWriter::with_capacity(1 << 16, file),
+            path: path.to_path_buf(),
+            rename: None,
+        }
     }
 
     /// Appends and flushes, so that a full disk is reported here.
@@ -69,7 +85,10 @@ impl StreamedFile {
     /// # Errors
     /// A disk that is full.
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), Problem> {
-        self.file.write_all(bytes).and_then(|()| self.file.flush()).map_err(|error| self.failed(&error))
+        self.file
+            .write_all(bytes)
+            .and_then(|()| self.file.flush())
+            .map_err(|error| self.failed(&error))
     }
 
     /// Ends the file and gives it its name.
@@ -80,8 +99,13 @@ impl StreamedFile {
         self.file.flush().map_err(|error| self.failed(&error))?;
         if let Some((temporary, target)) = self.rename.take() {
             // Else the name may reach the disk before the content does.
-            self.file.get_ref().sync_data().map_err(|error| self.failed(&error))?;
-            temporary.persist(target).map_err(|error| self.failed(&error.error))?;
+            self.file
+                .get_ref()
+                .sync_data()
+                .map_err(|error| self.failed(&error))?;
+            temporary
+                .persist(target)
+                .map_err(|error| self.failed(&error.error))?;
         }
         Ok(())
     }
@@ -115,16 +139,27 @@ pub fn rows_head(schema: &str) -> Result<String, Problem> {
 ///
 /// # Errors
 /// A body that is not JSON: a defect.
-pub fn rows_tail<T: Serialize>(schema: &str, others: &T, warnings: &[String]) -> Result<String, Problem> {
+pub fn rows_tail<T: Serialize>(
+    schema: &str,
+    others: &T,
+    warnings: &[String],
+) -> Result<String, Problem> {
     let (_, tail) = split(schema, others, warnings)?;
     Ok(format!("\n  ],\n{tail}"))
 }
 
 /// A document, split after its `schema`.
-fn split<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<(String, String), Problem> {
+fn split<T: Serialize>(
+    schema: &str,
+    body: &T,
+    warnings: &[String],
+) -> Result<(String, String), Problem> {
     let text = document(schema, body, warnings)?;
     // The first line is the brace, the second the schema; a line end within a text is escaped.
-    let end = text.match_indices('\n').nth(1).map_or(text.len(), |(index, _)| index + 1);
+    let end = text
+        .match_indices('\n')
+        .nth(1)
+        .map_or(text.len(), |(index, _)| index + 1);
     let (head, tail) = text.split_at(end);
     Ok((head.to_owned(), tail.to_owned()))
 }
@@ -135,7 +170,9 @@ mod tests {
     use crate::facts::{Facts, json_rows};
 
     fn names(folder: &Path) -> Vec<String> {
-        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let entries = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap());
         entries.collect()
     }
 
@@ -146,17 +183,30 @@ mod tests {
         fs::write(&path, "before").unwrap();
         let mut file = StreamedFile::begin(&path, &[]).unwrap();
         file.write(&vec![b'x'; 1 << 20]).unwrap();
-        assert_eq!((names(folder.path()).len(), fs::read(&path).unwrap()), (2, b"before".to_vec()));
+        assert_eq!(
+            (names(folder.path()).len(), fs::read(&path).unwrap()),
+            (2, b"before".to_vec())
+        );
         drop(file);
-        assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"before".to_vec()));
+        assert_eq!(
+            (names(folder.path()), fs::read(&path).unwrap()),
+            (vec!["rows.csv".into()], b"before".to_vec())
+        );
         let mut file = StreamedFile::begin(&path, &[]).unwrap();
         file.write(b"after").unwrap();
         file.finish().unwrap();
-        assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"after".to_vec()));
+        assert_eq!(
+            (names(folder.path()), fs::read(&path).unwrap()),
+            (vec!["rows.csv".into()], b"after".to_vec())
+        );
         // Of a process that was killed, and of one that runs: no process has a number above 2^22,
         // and 1 always runs.
         for process in [4_194_999, 1] {
-            fs::write(folder.path().join(format!(".rows.csv.partial-{process}-0")), "left").unwrap();
+            fs::write(
+                folder.path().join(format!(".rows.csv.partial-{process}-0")),
+                "left",
+            )
+            .unwrap();
         }
         drop(StreamedFile::begin(&path, &[]).unwrap());
         let mut left = names(folder.path());
@@ -176,21 +226,34 @@ mod tests {
         let (plain, ours) = (folder.path().join("plain"), folder.path().join("ours"));
         fs::write(&plain, "").unwrap();
         StreamedFile::begin(&ours, &[]).unwrap().finish().unwrap();
-        assert_eq!(fs::metadata(&ours).unwrap().mode(), fs::metadata(&plain).unwrap().mode());
+        assert_eq!(
+            fs::metadata(&ours).unwrap().mode(),
+            fs::metadata(&plain).unwrap().mode()
+        );
     }
 
     /// The pieces make the document that is written in one.
     #[test]
     fn rows_in_pieces_are_the_document() {
         let row = |name: &'static str, value: Option<f64>, count: usize, flag: bool| {
-            Facts::default().key("name", name).key("value", value).key("count", count).key("flag", flag)
+            Facts::default()
+                .key("name", name)
+                .key("value", value)
+                .key("count", count)
+                .key("flag", flag)
         };
-        let rows = [row("a \"b\"\nü", Some(1e-300), 3, true), row("", None, 0, false)];
+        let rows = [
+            row("a \"b\"\nü", Some(1e-300), 3, true),
+            row("", None, 0, false),
+        ];
         let timing = json!({"solve_s": 1.0});
         let warnings = ["one".to_owned()];
         let mut text = rows_head("s/1").unwrap();
         text += &String::from_utf8(json_rows(rows.iter().cloned()).unwrap()).unwrap()[1..];
         text += &rows_tail("s/1", &json!({"timing": timing}), &warnings).unwrap();
-        assert_eq!(text, document("s/1", &json!({"rows": rows, "timing": timing}), &warnings).unwrap());
+        assert_eq!(
+            text,
+            document("s/1", &json!({"rows": rows, "timing": timing}), &warnings).unwrap()
+        );
     }
 }

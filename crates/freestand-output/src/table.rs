@@ -73,18 +73,38 @@ impl Table {
     ///
     /// # Errors
     /// None in practice: the text is ours, and writing to memory does not fail.
-    pub fn parquet(&self, schema: &str, facts: impl IntoIterator<Item = (String, String)>) -> Result<Vec<u8>, Problem> {
+    pub fn parquet(
+        &self,
+        schema: &str,
+        facts: impl IntoIterator<Item = (String, String)>,
+    ) -> Result<Vec<u8>, Problem> {
         let mut columns: Vec<ParquetColumn> = Vec::new();
         for (name, holds) in &self.columns {
             let holds_type = holds.column_type(name);
-            let unit = unit_within(name).filter(|unit| holds_type == ColumnType::Number && !unit.is_empty());
+            let unit = unit_within(name)
+                .filter(|unit| holds_type == ColumnType::Number && !unit.is_empty());
             let described = Some((unit.unwrap_or("–").to_owned(), String::new()));
-            let count = columns.iter().filter(|one| is_numbered(&one.name, name)).count();
-            let unique = if count == 0 { name.clone() } else { format!("{name}_{}", count + 1) };
-            columns.push(ParquetColumn { name: unique.clone(), holds: holds_type, described });
+            let count = columns
+                .iter()
+                .filter(|one| is_numbered(&one.name, name))
+                .count();
+            let unique = if count == 0 {
+                name.clone()
+            } else {
+                format!("{name}_{}", count + 1)
+            };
+            columns.push(ParquetColumn {
+                name: unique.clone(),
+                holds: holds_type,
+                described,
+            });
             if let Holds::NumberOr(word) = holds {
                 let name = format!("{unique}_{word}");
-                columns.push(ParquetColumn { name, holds: ColumnType::Flag, described: None });
+                columns.push(ParquetColumn {
+                    name,
+                    holds: ColumnType::Flag,
+                    described: None,
+                });
             }
         }
         let mut file = ParquetFile::begin(Vec::new(), schema, &columns, facts)?;
@@ -98,7 +118,9 @@ impl Table {
                     Holds::NumberOr(word) => Some(ParquetValue::Flag(cell == *word)),
                     _ => None,
                 };
-                [Some(value(cell, holds.column_type(name))), word].into_iter().flatten()
+                [Some(value(cell, holds.column_type(name))), word]
+                    .into_iter()
+                    .flatten()
             }))?;
         }
         file.finish()
@@ -107,13 +129,21 @@ impl Table {
 
 /// The problem of a table that cannot be written.
 pub fn broken(error: csv::Error) -> Problem {
-    Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"))
+    Problem::new(
+        ProblemKind::Io,
+        format!("a table cannot be written: {error}"),
+    )
 }
 
 /// Whether a column has this name, with a number or without.
 fn is_numbered(column: &str, name: &str) -> bool {
     let rest = column.strip_prefix(name);
-    rest.is_some_and(|rest| rest.is_empty() || rest.strip_prefix('_').is_some_and(|rest| rest.parse::<usize>().is_ok()))
+    rest.is_some_and(|rest| {
+        rest.is_empty()
+            || rest
+                .strip_prefix('_')
+                .is_some_and(|rest| rest.parse::<usize>().is_ok())
+    })
 }
 
 fn value(cell: &str, holds: ColumnType) -> ParquetValue<'_> {
@@ -175,37 +205,111 @@ mod tests {
             row("", Some(2.0), Value::Missing),
         ];
         let one = table(rows).unwrap();
-        let bytes = one.parquet("freestand.run/1", [("freestand.seed".to_owned(), "7".to_owned())]).unwrap();
+        let bytes = one
+            .parquet(
+                "freestand.run/1",
+                [("freestand.seed".to_owned(), "7".to_owned())],
+            )
+            .unwrap();
         let mut file = tempfile::tempfile().unwrap();
         file.write_all(&bytes).unwrap();
         let reader = SerializedFileReader::new(file).unwrap();
-        let metadata = reader.metadata().file_metadata().key_value_metadata().unwrap();
-        let fact = |key: &str| metadata.iter().find(|one| one.key == key).and_then(|one| one.value.clone()).unwrap();
-        assert_eq!((fact("freestand.seed").as_str(), fact("freestand.schema").as_str()), ("7", "freestand.run/1"));
+        let metadata = reader
+            .metadata()
+            .file_metadata()
+            .key_value_metadata()
+            .unwrap();
+        let fact = |key: &str| {
+            metadata
+                .iter()
+                .find(|one| one.key == key)
+                .and_then(|one| one.value.clone())
+                .unwrap()
+        };
+        assert_eq!(
+            (
+                fact("freestand.seed").as_str(),
+                fact("freestand.schema").as_str()
+            ),
+            ("7", "freestand.run/1")
+        );
         let units: serde_json::Value = serde_json::from_str(&fact("freestand.columns")).unwrap();
         let unit = |name: &str| units[name]["unit"].as_str().unwrap().to_owned();
-        assert_eq!(["uplift_m", "uplift_m_median", "ceiling_g", "motion"].map(unit), ["m", "m", "g", "–"]);
+        assert_eq!(
+            ["uplift_m", "uplift_m_median", "ceiling_g", "motion"].map(unit),
+            ["m", "m", "g", "–"]
+        );
         let rows: Vec<Vec<(String, Field)>> = reader
             .get_row_iter(None)
             .unwrap()
-            .map(|row| row.unwrap().get_column_iter().map(|(n, f)| (n.clone(), f.clone())).collect())
+            .map(|row| {
+                row.unwrap()
+                    .get_column_iter()
+                    .map(|(n, f)| (n.clone(), f.clone()))
+                    .collect()
+            })
             .collect();
         let names: Vec<&str> = rows[0].iter().map(|(name, _)| name.as_str()).collect();
-        let expected = ["motion", "uplift_m", "uplift_m_median", "uplift_m_median_overturned", "motions", "is_last"];
+        let expected = [
+            "motion",
+            "uplift_m",
+            "uplift_m_median",
+            "uplift_m_median_overturned",
+            "motions",
+            "is_last",
+        ];
         assert_eq!(names[..6], expected);
-        let fields = |row: usize| rows[row].iter().map(|(_, field)| field.clone()).collect::<Vec<_>>();
+        let fields = |row: usize| {
+            rows[row]
+                .iter()
+                .map(|(_, field)| field.clone())
+                .collect::<Vec<_>>()
+        };
         let text = |text: &str| Field::Str(text.to_owned());
         let (yes, no, null) = (Field::Bool(true), Field::Bool(false), Field::Null);
         let ends = || [null.clone(), null.clone()];
-        let first = [text("1"), null.clone(), null.clone(), yes.clone(), Field::Long(3), no.clone()];
+        let first = [
+            text("1"),
+            null.clone(),
+            null.clone(),
+            yes.clone(),
+            Field::Long(3),
+            no.clone(),
+        ];
         assert_eq!(fields(0), [&first[..], &ends()].concat());
-        let second = [text("2"), Field::Double(0.1 + 0.2), Field::Double(1e-300), no.clone(), Field::Long(3), yes];
+        let second = [
+            text("2"),
+            Field::Double(0.1 + 0.2),
+            Field::Double(1e-300),
+            no.clone(),
+            Field::Long(3),
+            yes,
+        ];
         assert_eq!(fields(1), [&second[..], &ends()].concat());
-        let third = [null.clone(), Field::Double(2.0), null.clone(), null.clone(), Field::Long(3), no];
+        let third = [
+            null.clone(),
+            Field::Double(2.0),
+            null.clone(),
+            null.clone(),
+            Field::Long(3),
+            no,
+        ];
         assert_eq!(fields(2), [&third[..], &ends()].concat());
         // A column without values holds numbers where its name has a unit.
-        let types: Vec<_> = reader.metadata().row_group(0).columns().iter().map(|one| one.column_type()).collect();
-        assert_eq!(types[6..], [parquet::basic::Type::DOUBLE, parquet::basic::Type::BYTE_ARRAY]);
+        let types: Vec<_> = reader
+            .metadata()
+            .row_group(0)
+            .columns()
+            .iter()
+            .map(|one| one.column_type())
+            .collect();
+        assert_eq!(
+            types[6..],
+            [
+                parquet::basic::Type::DOUBLE,
+                parquet::basic::Type::BYTE_ARRAY
+            ]
+        );
     }
 
     #[test]
@@ -214,30 +318,55 @@ mod tests {
         let one = table(rows.map(|id| Facts::default().key("id", id).key("share", -0.5))).unwrap();
         let text = one.to_string();
         assert_eq!(
-            text.lines().skip(1).map(|line| line.trim_matches('"')).collect::<Vec<_>>(),
-            ["'=cmd|' /C calc'!A0,-0.5", "'\t=1,-0.5", "'＝1,-0.5", "'-5,-0.5", "rack,-0.5"]
+            text.lines()
+                .skip(1)
+                .map(|line| line.trim_matches('"'))
+                .collect::<Vec<_>>(),
+            [
+                "'=cmd|' /C calc'!A0,-0.5",
+                "'\t=1,-0.5",
+                "'＝1,-0.5",
+                "'-5,-0.5",
+                "rack,-0.5"
+            ]
         );
         let mut file = tempfile::tempfile().unwrap();
-        file.write_all(&one.parquet("freestand.risk/1", []).unwrap()).unwrap();
+        file.write_all(&one.parquet("freestand.risk/1", []).unwrap())
+            .unwrap();
         let reader = SerializedFileReader::new(file).unwrap();
-        let id = |row: parquet::record::Row| row.get_column_iter().next().map(|(_, field)| field.clone());
-        let read: Vec<_> = reader.get_row_iter(None).unwrap().filter_map(|row| id(row.unwrap())).collect();
+        let id = |row: parquet::record::Row| {
+            row.get_column_iter().next().map(|(_, field)| field.clone())
+        };
+        let read: Vec<_> = reader
+            .get_row_iter(None)
+            .unwrap()
+            .filter_map(|row| id(row.unwrap()))
+            .collect();
         assert_eq!(read, rows.map(|id| Field::Str(id.to_owned())));
     }
 
     #[test]
     fn the_second_of_two_equal_names_gets_a_number() {
-        let numbers = crate::rows::table_of_numbers("time_s,at_g,at_g,at_g", [[0.5, 1.0, 2.0, f64::NAN]]);
+        let numbers =
+            crate::rows::table_of_numbers("time_s,at_g,at_g,at_g", [[0.5, 1.0, 2.0, f64::NAN]]);
         let bytes = numbers.parquet("freestand.rock/1", []).unwrap();
         let mut file = tempfile::tempfile().unwrap();
         file.write_all(&bytes).unwrap();
         let reader = SerializedFileReader::new(file).unwrap();
         let row = reader.get_row_iter(None).unwrap().next().unwrap().unwrap();
-        let cells: Vec<_> = row.get_column_iter().map(|(name, field)| (name.as_str(), field.clone())).collect();
+        let cells: Vec<_> = row
+            .get_column_iter()
+            .map(|(name, field)| (name.as_str(), field.clone()))
+            .collect();
         let number = Field::Double;
         assert_eq!(
             cells,
-            [("time_s", number(0.5)), ("at_g", number(1.0)), ("at_g_2", number(2.0)), ("at_g_3", Field::Null)]
+            [
+                ("time_s", number(0.5)),
+                ("at_g", number(1.0)),
+                ("at_g_2", number(2.0)),
+                ("at_g_3", Field::Null)
+            ]
         );
     }
 
@@ -247,6 +376,12 @@ mod tests {
         assert_eq!(Holds::Nothing.and(Holds::Flag), Holds::Flag);
         assert_eq!(Holds::Count.and(Holds::Number), Holds::Number);
         assert_eq!(Holds::Number.and(word).and(Holds::Count), word);
-        assert_eq!((Holds::Number.and(Holds::Text), Holds::Flag.and(Holds::Count)), (Holds::Text, Holds::Text));
+        assert_eq!(
+            (
+                Holds::Number.and(Holds::Text),
+                Holds::Flag.and(Holds::Count)
+            ),
+            (Holds::Text, Holds::Text)
+        );
     }
 }

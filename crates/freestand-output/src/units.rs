@@ -28,16 +28,24 @@ const UNITS: [(&str, &str, usize); 21] = [
 
 /// The unit of the value called `name`, and the number of digits that people are shown.
 pub(crate) fn unit_of(name: &str) -> Option<(&'static str, usize)> {
-    UNITS.iter().find(|(ending, ..)| name.ends_with(ending)).map(|&(_, unit, digits)| (unit, digits))
+    UNITS
+        .iter()
+        .find(|(ending, ..)| name.ends_with(ending))
+        .map(|&(_, unit, digits)| (unit, digits))
 }
 
 /// The unit of the values called `name`, which may have words after the unit (`uplift_m_median`) or
 /// the unit in brackets (`pfv [m/s]`).
 pub(crate) fn unit_within(name: &str) -> Option<&str> {
-    if let Some((_, unit)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
+    if let Some((_, unit)) = name
+        .strip_suffix(']')
+        .and_then(|name| name.rsplit_once('['))
+    {
         return Some(unit);
     }
-    let mut heads = std::iter::successors(Some(name), |name| name.rsplit_once('_').map(|(head, _)| head));
+    let mut heads = std::iter::successors(Some(name), |name| {
+        name.rsplit_once('_').map(|(head, _)| head)
+    });
     heads.find_map(unit_of).map(|(unit, _)| unit)
 }
 
@@ -48,15 +56,26 @@ mod tests {
     #[test]
     fn every_ending_comes_before_the_shorter_one_that_ends_it() {
         for (i, (ending, ..)) in UNITS.iter().enumerate() {
-            let earlier = UNITS[..i].iter().find(|(shorter, ..)| ending.ends_with(shorter));
+            let earlier = UNITS[..i]
+                .iter()
+                .find(|(shorter, ..)| ending.ends_with(shorter));
             assert!(earlier.is_none(), "{ending} is never reached: {earlier:?}");
         }
     }
 
     #[test]
     fn words_may_follow_the_unit() {
-        let names = ["uplift_m_median", "edge_acceleration_g_max_of_survivors", "pfv_m_s_p16", "beta", "motions"];
-        assert_eq!(names.map(unit_within), [Some("m"), Some("g"), Some("m/s"), None, None]);
+        let names = [
+            "uplift_m_median",
+            "edge_acceleration_g_max_of_survivors",
+            "pfv_m_s_p16",
+            "beta",
+            "motions",
+        ];
+        assert_eq!(
+            names.map(unit_within),
+            [Some("m"), Some("g"), Some("m/s"), None, None]
+        );
         assert_eq!(unit_within("pfv [m/s]"), Some("m/s"));
     }
 }

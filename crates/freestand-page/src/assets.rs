@@ -1,6 +1,8 @@
 //! The page, embedded. It holds no secret, so it needs no token.
 
-use hyper::header::{ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, ETAG, HeaderValue, IF_NONE_MATCH, VARY};
+use hyper::header::{
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, ETAG, HeaderValue, IF_NONE_MATCH, VARY,
+};
 use hyper::{HeaderMap, StatusCode};
 use sha2::{Digest, Sha256};
 
@@ -28,20 +30,35 @@ macro_rules! asset {
 
 static ASSETS: [Asset; 4] = [
     asset!("/", "index.html", "text/html; charset=utf-8"),
-    asset!("/assets/app.js", "assets/app.js", "text/javascript; charset=utf-8"),
-    asset!("/assets/app.css", "assets/app.css", "text/css; charset=utf-8"),
+    asset!(
+        "/assets/app.js",
+        "assets/app.js",
+        "text/javascript; charset=utf-8"
+    ),
+    asset!(
+        "/assets/app.css",
+        "assets/app.css",
+        "text/css; charset=utf-8"
+    ),
     asset!("/assets/icon.svg", "assets/icon.svg", "image/svg+xml"),
 ];
 
 /// The file at a path of the table; `None` where there is none.
 pub(crate) fn asset(path: &str, headers: &HeaderMap) -> Option<Answered> {
     let asset = ASSETS.iter().find(|asset| asset.path == path)?;
-    let accepts = |header: &HeaderValue| header.to_str().is_ok_and(|text| text.split(',').any(is_gzip));
+    let accepts = |header: &HeaderValue| {
+        header
+            .to_str()
+            .is_ok_and(|text| text.split(',').any(is_gzip))
+    };
     let is_packed = headers.get_all(ACCEPT_ENCODING).iter().any(accepts);
     let bytes = if is_packed { asset.packed } else { asset.plain };
     let tag = format!("\"{}\"", hex(&Sha256::digest(bytes)));
     let tag = HeaderValue::from_str(&tag).ok()?;
-    let is_known = headers.get_all(IF_NONE_MATCH).iter().any(|known| known == tag);
+    let is_known = headers
+        .get_all(IF_NONE_MATCH)
+        .iter()
+        .any(|known| known == tag);
     let (status, content) = match is_known {
         true => (StatusCode::NOT_MODIFIED, None),
         false => (StatusCode::OK, Some(bytes.into())),
@@ -61,9 +78,13 @@ pub(crate) fn asset(path: &str, headers: &HeaderMap) -> Option<Answered> {
 /// `gzip`, unless its weight is 0.
 fn is_gzip(offer: &str) -> bool {
     let mut parts = offer.split(';').map(str::trim);
-    let is_named = parts.next().is_some_and(|name| name.eq_ignore_ascii_case("gzip"));
+    let is_named = parts
+        .next()
+        .is_some_and(|name| name.eq_ignore_ascii_case("gzip"));
     let is_refused = parts.any(|part| {
-        let weight = part.strip_prefix("q=").and_then(|weight| weight.parse::<f64>().ok());
+        let weight = part
+            .strip_prefix("q=")
+            .and_then(|weight| weight.parse::<f64>().ok());
         weight.is_some_and(|weight| weight <= 0.0)
     });
     is_named && !is_refused
@@ -85,7 +106,9 @@ mod tests {
     fn packed_files_are_the_plain_ones() {
         for asset in &ASSETS {
             let mut plain = Vec::new();
-            flate2::read::GzDecoder::new(asset.packed).read_to_end(&mut plain).unwrap();
+            flate2::read::GzDecoder::new(asset.packed)
+                .read_to_end(&mut plain)
+                .unwrap();
             assert!(plain == asset.plain, "{}: run cargo xtask ui", asset.path);
         }
     }

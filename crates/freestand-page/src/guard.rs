@@ -23,7 +23,9 @@ impl Token {
     pub(crate) fn random() -> std::io::Result<Self> {
         let mut bytes = [0u8; TOKEN_BYTES];
         getrandom::fill(&mut bytes).map_err(|error| std::io::Error::other(error.to_string()))?;
-        Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+        Ok(Self(
+            bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
+        ))
     }
 
     pub(crate) fn text(&self) -> &str {
@@ -34,7 +36,10 @@ impl Token {
     /// are right.
     fn is(&self, text: &[u8]) -> bool {
         let own = self.0.as_bytes();
-        let different = own.iter().zip(text).fold(0u8, |all, (a, b)| std::hint::black_box(all | (a ^ b)));
+        let different = own
+            .iter()
+            .zip(text)
+            .fold(0u8, |all, (a, b)| std::hint::black_box(all | (a ^ b)));
         text.len() == own.len() && different == 0
     }
 }
@@ -56,19 +61,39 @@ const DEFAULT_PORT: u16 = 80;
 impl Guard {
     pub(crate) fn new(port: u16, token: Token) -> Self {
         const NAMES: [&str; 2] = ["127.0.0.1", "localhost"];
-        let bare = NAMES.iter().filter(|_| port == DEFAULT_PORT).map(|name| (*name).to_owned());
-        let hosts: Vec<String> = NAMES.iter().map(|name| format!("{name}:{port}")).chain(bare).collect();
+        let bare = NAMES
+            .iter()
+            .filter(|_| port == DEFAULT_PORT)
+            .map(|name| (*name).to_owned());
+        let hosts: Vec<String> = NAMES
+            .iter()
+            .map(|name| format!("{name}:{port}"))
+            .chain(bare)
+            .collect();
         let origins = hosts.iter().map(|host| format!("http://{host}")).collect();
-        Self { hosts, origins, token, once: Arc::default() }
+        Self {
+            hosts,
+            origins,
+            token,
+            once: Arc::default(),
+        }
     }
 
     /// Refuses what comes from elsewhere; before anything else is looked at.
     pub(crate) fn check_origin<B>(&self, request: &Request<B>) -> Result<(), Refusal> {
         let forbidden = |kind: &'static str, message: &str| {
-            Refusal::new(Status::Forbidden, kind, message, "open the address that freestand serve printed")
+            Refusal::new(
+                Status::Forbidden,
+                kind,
+                message,
+                "open the address that freestand serve printed",
+            )
         };
         let is_host = |text: &str| self.hosts.iter().any(|own| text.eq_ignore_ascii_case(own));
-        let named = request.uri().authority().is_none_or(|authority| is_host(authority.as_str()));
+        let named = request
+            .uri()
+            .authority()
+            .is_none_or(|authority| is_host(authority.as_str()));
         if !named || only(request.headers(), &HOST).is_none_or(|host| !is_host(host)) {
             return Err(forbidden("host", "the request names another host"));
         }
@@ -91,14 +116,16 @@ impl Guard {
     /// The token, for whoever brings the word that opens the page once; the word is then used up.
     pub(crate) fn open(&self, once: &str) -> Option<&Token> {
         let mut kept = self.once.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.take_if(|kept| kept.is(once.as_bytes())).map(|_| &self.token)
+        kept.take_if(|kept| kept.is(once.as_bytes()))
+            .map(|_| &self.token)
     }
 
     /// Refuses whoever asks the program without the token.
     pub(crate) fn check_token<B>(&self, request: &Request<B>) -> Result<(), Refusal> {
         let site = HeaderName::from_static("sec-fetch-site");
         if request.headers().contains_key(&site)
-            && only(request.headers(), &site).is_none_or(|site| !["same-origin", "none"].contains(&site))
+            && only(request.headers(), &site)
+                .is_none_or(|site| !["same-origin", "none"].contains(&site))
         {
             let message = "the request comes from another site";
             return Err(Refusal::new(
@@ -108,12 +135,18 @@ impl Guard {
                 "open the address that freestand serve printed",
             ));
         }
-        let given = only(request.headers(), &AUTHORIZATION).and_then(|text| text.strip_prefix("Bearer "));
+        let given =
+            only(request.headers(), &AUTHORIZATION).and_then(|text| text.strip_prefix("Bearer "));
         if given.is_some_and(|given| self.token.is(given.as_bytes())) {
             return Ok(());
         }
         let hint = "open the address that freestand serve printed, with everything after the #";
-        Err(Refusal::new(Status::Unauthorized, "token", "the token is missing or wrong", hint))
+        Err(Refusal::new(
+            Status::Unauthorized,
+            "token",
+            "the token is missing or wrong",
+            hint,
+        ))
     }
 }
 
@@ -121,7 +154,11 @@ impl Guard {
 fn only<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
     let mut all = headers.get_all(name).iter();
     let first = all.next()?;
-    if all.next().is_some() { None } else { first.to_str().ok() }
+    if all.next().is_some() {
+        None
+    } else {
+        first.to_str().ok()
+    }
 }
 
 #[cfg(test)]
@@ -132,12 +169,18 @@ mod tests {
     fn the_default_port_may_be_left_out() {
         let asked = |port: u16, host: &str| {
             let guard = Guard::new(port, Token::random().unwrap());
-            let request = Request::builder().header(HOST, host).header(ORIGIN, format!("http://{host}"));
+            let request = Request::builder()
+                .header(HOST, host)
+                .header(ORIGIN, format!("http://{host}"));
             guard.check_origin(&request.body(()).unwrap()).is_ok()
         };
         for host in ["127.0.0.1", "localhost"] {
             assert!(asked(80, host) && asked(80, &format!("{host}:80")));
-            assert!(!asked(8080, host) && !asked(80, &format!("{host}:8080")) && asked(8080, &format!("{host}:8080")));
+            assert!(
+                !asked(8080, host)
+                    && !asked(80, &format!("{host}:8080"))
+                    && asked(8080, &format!("{host}:8080"))
+            );
         }
         assert!(!asked(80, "example.org"));
     }

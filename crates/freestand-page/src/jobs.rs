@@ -44,9 +44,16 @@ impl Events {
         if told.phase == phase && told.done == Some(done) {
             return;
         }
-        *told = Told { phase: phase.to_owned(), at: Some(Instant::now()), done: Some(done) };
+        *told = Told {
+            phase: phase.to_owned(),
+            at: Some(Instant::now()),
+            done: Some(done),
+        };
         drop(told);
-        job.push("progress", &json!({"done": done, "total": total, "phase": phase}));
+        job.push(
+            "progress",
+            &json!({"done": done, "total": total, "phase": phase}),
+        );
     }
 
     /// A finished object.
@@ -128,7 +135,9 @@ impl Job {
         let mut record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
         if !record.is_ended {
             let number = record.events.len() + 1;
-            record.events.push(format!("id: {number}\nevent: {name}\ndata: {data}\n\n").into());
+            record
+                .events
+                .push(format!("id: {number}\nevent: {name}\ndata: {data}\n\n").into());
             record.is_ended = ["done", "failed", "cancelled"].contains(&name);
             record.is_finished = name == "done";
             self.count.send_replace(number);
@@ -136,15 +145,23 @@ impl Job {
     }
 
     pub(crate) fn events(self: &Arc<Self>) -> Events {
-        Events { job: Some(Arc::clone(self)) }
+        Events {
+            job: Some(Arc::clone(self)),
+        }
     }
 
     pub(crate) fn is_ended(&self) -> bool {
-        self.record.lock().unwrap_or_else(PoisonError::into_inner).is_ended
+        self.record
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .is_ended
     }
 
     fn is_finished(&self) -> bool {
-        self.record.lock().unwrap_or_else(PoisonError::into_inner).is_finished
+        self.record
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .is_finished
     }
 
     /// The last event of the job.
@@ -161,19 +178,29 @@ impl Job {
                     self.push("done", &json!({"result": result}));
                 }
             }
-            Err(_) if self.cancel.is_cancelled() => self.push("cancelled", &json!({"done": self.done()})),
+            Err(_) if self.cancel.is_cancelled() => {
+                self.push("cancelled", &json!({"done": self.done()}))
+            }
             Err(refusal) => self.push("failed", &refusal.document()),
         }
     }
 
     fn done(&self) -> usize {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner).done.unwrap_or(0)
+        self.told
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .done
+            .unwrap_or(0)
     }
 
     /// Whether a file may be downloaded.
     pub(crate) fn file(&self, name: &str) -> Option<PathBuf> {
         let record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
-        record.files.iter().find(|own| *own == name).map(|own| self.folder.join(own))
+        record
+            .files
+            .iter()
+            .find(|own| *own == name)
+            .map(|own| self.folder.join(own))
     }
 
     /// All events after a number, and those that come.
@@ -186,7 +213,10 @@ impl Job {
                 count.borrow_and_update();
                 let (pending, is_ended) = {
                     let record = job.record.lock().unwrap_or_else(PoisonError::into_inner);
-                    (record.events.get(next..).unwrap_or_default().to_vec(), record.is_ended)
+                    (
+                        record.events.get(next..).unwrap_or_default().to_vec(),
+                        record.is_ended,
+                    )
                 };
                 next += pending.len();
                 for event in pending {
@@ -200,7 +230,14 @@ impl Job {
                 match tokio::time::timeout(ALIVE, count.changed()).await {
                     Ok(Ok(())) => {}
                     Ok(Err(_)) => return,
-                    Err(_) if sender.send(Bytes::from_static(b": working\n\n")).await.is_err() => return,
+                    Err(_)
+                        if sender
+                            .send(Bytes::from_static(b": working\n\n"))
+                            .await
+                            .is_err() =>
+                    {
+                        return;
+                    }
                     Err(_) => {}
                 }
             }
@@ -225,11 +262,21 @@ impl Jobs {
     /// continues: only the same work continues a job, and only one that was stopped or has failed.
     /// The name has the first number for which there is no folder yet: the results of an earlier server
     /// stay as they are.
-    pub(crate) fn begin(&self, continues: Option<&str>, work: Value, results: &Path) -> Result<Arc<Job>, Refusal> {
+    pub(crate) fn begin(
+        &self,
+        continues: Option<&str>,
+        work: Value,
+        results: &Path,
+    ) -> Result<Arc<Job>, Refusal> {
         let mut all = self.list();
         if all.iter().filter(|job| !job.is_ended()).count() >= MAX_RUNNING {
             let message = format!("{MAX_RUNNING} jobs are running already");
-            return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them, or cancel it"));
+            return Err(Refusal::new(
+                Status::TooMany,
+                "busy",
+                message,
+                "wait for one of them, or cancel it",
+            ));
         }
         let next = all.last().map_or(1, |job| job.number + 1);
         let (number, folder) = match continues {
@@ -239,18 +286,33 @@ impl Jobs {
                 Refusal::new(Status::Defect, "io", message, hint)
             })?,
             Some(earlier) => {
-                let earlier = all.iter().find(|job| job.id == earlier).ok_or_else(missing)?;
+                let earlier = all
+                    .iter()
+                    .find(|job| job.id == earlier)
+                    .ok_or_else(missing)?;
                 if !earlier.is_ended() {
                     let hint = "cancel it first, or follow it";
-                    return Err(Refusal::new(Status::BadInput, "value", "this job is still running", hint));
+                    return Err(Refusal::new(
+                        Status::BadInput,
+                        "value",
+                        "this job is still running",
+                        hint,
+                    ));
                 }
                 if earlier.is_finished() {
                     let hint = "start a new job: leave `continues` out";
-                    return Err(Refusal::new(Status::BadInput, "value", "this job is finished", hint));
+                    return Err(Refusal::new(
+                        Status::BadInput,
+                        "value",
+                        "this job is finished",
+                        hint,
+                    ));
                 }
                 if earlier.work != work {
-                    let message = "another request cannot continue this job: its files would be replaced";
-                    let hint = "send the same command, options, files and edits, or leave `continues` out";
+                    let message =
+                        "another request cannot continue this job: its files would be replaced";
+                    let hint =
+                        "send the same command, options, files and edits, or leave `continues` out";
                     return Err(Refusal::new(Status::BadInput, "value", message, hint));
                 }
                 (next, earlier.folder.clone())
@@ -272,7 +334,11 @@ impl Jobs {
     }
 
     pub(crate) fn find(&self, id: &str) -> Result<Arc<Job>, Refusal> {
-        self.list().iter().find(|job| job.id == id).cloned().ok_or_else(missing)
+        self.list()
+            .iter()
+            .find(|job| job.id == id)
+            .cloned()
+            .ok_or_else(missing)
     }
 
     /// Asks every job to stop.
@@ -305,5 +371,10 @@ fn new_folder(results: &Path, from: usize) -> std::io::Result<(usize, PathBuf)> 
 }
 
 fn missing() -> Refusal {
-    Refusal::new(Status::NotFound, "missing", "there is no such job", "start it again")
+    Refusal::new(
+        Status::NotFound,
+        "missing",
+        "there is no such job",
+        "start it again",
+    )
 }

@@ -7,8 +7,8 @@ use std::task::{Context, Poll};
 use bytes::Bytes;
 use hyper::body::{Body, Frame, SizeHint};
 use hyper::header::{
-    ALLOW, CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, HeaderValue, REFERRER_POLICY,
-    X_CONTENT_TYPE_OPTIONS,
+    ALLOW, CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, HeaderValue,
+    REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
 };
 use hyper::{Response, StatusCode};
 use serde::Serialize;
@@ -82,14 +82,33 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that is about no option and no file.
-    pub fn new(status: Status, kind: &'static str, message: impl Into<Box<str>>, hint: impl Into<Box<str>>) -> Self {
+    pub fn new(
+        status: Status,
+        kind: &'static str,
+        message: impl Into<Box<str>>,
+        hint: impl Into<Box<str>>,
+    ) -> Self {
         let (message, hint) = (message.into(), hint.into());
-        Self { status, kind, key: None, file: None, line: None, message, hint, others: Vec::new() }
+        Self {
+            status,
+            kind,
+            key: None,
+            file: None,
+            line: None,
+            message,
+            hint,
+            others: Vec::new(),
+        }
     }
 
     /// The request was stopped because a newer one has taken its place.
     pub fn superseded() -> Self {
-        Self::new(Status::Superseded, "superseded", "a newer request has taken its place", "use the newer answer")
+        Self::new(
+            Status::Superseded,
+            "superseded",
+            "a newer request has taken its place",
+            "use the newer answer",
+        )
     }
 
     /// The document of this error.
@@ -102,11 +121,15 @@ impl Refusal {
 /// as [`Shape::Columns`](crate::Shape::Columns) asks. A value that is not a list of rows is left as
 /// it is.
 pub fn columns(rows: &Value) -> Value {
-    let Some(list) = rows.as_array() else { return rows.clone() };
+    let Some(list) = rows.as_array() else {
+        return rows.clone();
+    };
     let mut columns: Map<String, Value> = Map::new();
     for (place, row) in list.iter().enumerate() {
         for (name, value) in row.as_object().into_iter().flatten() {
-            let column = columns.entry(name.clone()).or_insert_with(|| Value::Array(vec![Value::Null; place]));
+            let column = columns
+                .entry(name.clone())
+                .or_insert_with(|| Value::Array(vec![Value::Null; place]));
             if let Some(column) = column.as_array_mut() {
                 column.resize(place, Value::Null);
                 column.push(value.clone());
@@ -131,12 +154,15 @@ impl Body for Content {
     type Data = Bytes;
     type Error = Infallible;
 
-    fn poll_frame(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
+    fn poll_frame(
+        self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
         match self.get_mut() {
             Self::Whole(bytes) => Poll::Ready(bytes.take().map(|bytes| Ok(Frame::data(bytes)))),
-            Self::Stream(receiver) => {
-                receiver.poll_recv(context).map(|bytes| bytes.map(|bytes| Ok(Frame::data(bytes))))
-            }
+            Self::Stream(receiver) => receiver
+                .poll_recv(context)
+                .map(|bytes| bytes.map(|bytes| Ok(Frame::data(bytes)))),
         }
     }
 
@@ -146,7 +172,9 @@ impl Body for Content {
 
     fn size_hint(&self) -> SizeHint {
         match self {
-            Self::Whole(bytes) => SizeHint::with_exact(bytes.as_ref().map_or(0, |bytes| bytes.len() as u64)),
+            Self::Whole(bytes) => {
+                SizeHint::with_exact(bytes.as_ref().map_or(0, |bytes| bytes.len() as u64))
+            }
             Self::Stream(_) => SizeHint::default(),
         }
     }
@@ -159,7 +187,11 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; i
                       font-src 'self'; connect-src 'self'; form-action 'none'; base-uri 'none'; frame-ancestors 'none'";
 
 /// A response with the headers that every one has.
-pub(crate) fn response(status: StatusCode, content_type: &'static str, content: Content) -> Answered {
+pub(crate) fn response(
+    status: StatusCode,
+    content_type: &'static str,
+    content: Content,
+) -> Answered {
     let mut response = Response::new(content);
     *response.status_mut() = status;
     let headers = response.headers_mut();
@@ -168,15 +200,25 @@ pub(crate) fn response(status: StatusCode, content_type: &'static str, content: 
     headers.insert(CONTENT_SECURITY_POLICY, fixed(POLICY));
     headers.insert(X_CONTENT_TYPE_OPTIONS, fixed("nosniff"));
     headers.insert(REFERRER_POLICY, fixed("no-referrer"));
-    headers.insert(HeaderName::from_static("cross-origin-opener-policy"), fixed("same-origin"));
-    headers.insert(HeaderName::from_static("cross-origin-resource-policy"), fixed("same-origin"));
+    headers.insert(
+        HeaderName::from_static("cross-origin-opener-policy"),
+        fixed("same-origin"),
+    );
+    headers.insert(
+        HeaderName::from_static("cross-origin-resource-policy"),
+        fixed("same-origin"),
+    );
     headers.insert(CACHE_CONTROL, fixed("no-store"));
     response
 }
 
 /// A JSON document.
 pub(crate) fn document(status: StatusCode, text: impl Into<Bytes>) -> Answered {
-    response(status, "application/json", Content::Whole(Some(text.into())))
+    response(
+        status,
+        "application/json",
+        Content::Whole(Some(text.into())),
+    )
 }
 
 /// A value as a JSON document.
@@ -192,14 +234,25 @@ pub(crate) fn refused(refusal: &Refusal) -> Answered {
 /// 405, with the methods that there are.
 pub(crate) fn not_allowed(methods: &'static str) -> Answered {
     let hint = format!("use {methods}");
-    let mut answer = refused(&Refusal::new(Status::NotAllowed, "method", "this address has no such method", hint));
-    answer.headers_mut().insert(ALLOW, HeaderValue::from_static(methods));
+    let mut answer = refused(&Refusal::new(
+        Status::NotAllowed,
+        "method",
+        "this address has no such method",
+        hint,
+    ));
+    answer
+        .headers_mut()
+        .insert(ALLOW, HeaderValue::from_static(methods));
     answer
 }
 
 /// 204.
 pub(crate) fn nothing() -> Answered {
-    response(StatusCode::NO_CONTENT, "application/json", Content::Whole(None))
+    response(
+        StatusCode::NO_CONTENT,
+        "application/json",
+        Content::Whole(None),
+    )
 }
 
 #[cfg(test)]
@@ -209,6 +262,9 @@ mod tests {
     #[test]
     fn rows_become_columns() {
         let rows = json!([{"a": 1, "b": 2}, {"a": 3}, {"a": 4, "c": 5}]);
-        assert_eq!(columns(&rows), json!({"a": [1, 3, 4], "b": [2, null, null], "c": [null, null, 5]}));
+        assert_eq!(
+            columns(&rows),
+            json!({"a": [1, 3, 4], "b": [2, null, null], "c": [null, null, 5]})
+        );
     }
 }

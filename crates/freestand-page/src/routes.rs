@@ -16,7 +16,9 @@ use serde_json::{Map, Value, json};
 use crate::assets::asset;
 use crate::guard::Guard;
 use crate::jobs::Jobs;
-use crate::reply::{Answered, Content, Refusal, Status, document, not_allowed, nothing, refused, response, value};
+use crate::reply::{
+    Answered, Content, Refusal, Status, document, not_allowed, nothing, refused, response, value,
+};
 use crate::slots::{Slot, Slots};
 use crate::uploads::Uploads;
 use crate::{Cancel, Edit, Events, History, Program, Request, Shape};
@@ -43,7 +45,11 @@ pub(crate) struct Site {
 }
 
 impl Site {
-    pub(crate) fn new(program: Program, guard: Guard, folder: Option<PathBuf>) -> std::io::Result<Self> {
+    pub(crate) fn new(
+        program: Program,
+        guard: Guard,
+        folder: Option<PathBuf>,
+    ) -> std::io::Result<Self> {
         Ok(Self {
             program,
             guard,
@@ -128,9 +134,16 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
         }
         (_, ["v1", "jobs", _]) => Ok(not_allowed("DELETE")),
         (&Method::GET, ["v1", "jobs", id, "events"]) => {
-            let last = request.headers().get("last-event-id").and_then(|text| text.to_str().ok()?.parse().ok());
+            let last = request
+                .headers()
+                .get("last-event-id")
+                .and_then(|text| text.to_str().ok()?.parse().ok());
             let events = site.jobs.find(id)?.follow(last.unwrap_or(0));
-            Ok(response(StatusCode::OK, "text/event-stream", Content::Stream(events)))
+            Ok(response(
+                StatusCode::OK,
+                "text/event-stream",
+                Content::Stream(events),
+            ))
         }
         (_, ["v1", "jobs", _, "events"]) => Ok(not_allowed("GET")),
         (&Method::GET, ["v1", "jobs", id, "files", name]) => download(&site, id, name).await,
@@ -143,33 +156,70 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
 fn opened(guard: &Guard, once: &str) -> Result<Answered, Refusal> {
     let used = || {
         let hint = "open the address that freestand serve printed";
-        Refusal::new(Status::NotFound, "token", "this address opens the page only once", hint)
+        Refusal::new(
+            Status::NotFound,
+            "token",
+            "this address opens the page only once",
+            hint,
+        )
     };
     let token = guard.open(once).ok_or_else(used)?;
     let place = HeaderValue::from_str(&format!("/#{}", token.text())).map_err(|_| used())?;
-    let mut answer = response(StatusCode::SEE_OTHER, "text/plain; charset=utf-8", Content::Whole(None));
+    let mut answer = response(
+        StatusCode::SEE_OTHER,
+        "text/plain; charset=utf-8",
+        Content::Whole(None),
+    );
     answer.headers_mut().insert(LOCATION, place);
     Ok(answer)
 }
 
 fn unknown() -> Refusal {
-    Refusal::new(Status::NotFound, "missing", "there is nothing at this address", "open the page at /")
+    Refusal::new(
+        Status::NotFound,
+        "missing",
+        "there is nothing at this address",
+        "open the page at /",
+    )
 }
 
 /// The JSON body of a request.
 async fn body(request: hyper::Request<Incoming>) -> Result<Asked, Refusal> {
-    let of_type = request.headers().get(CONTENT_TYPE).and_then(|text| text.to_str().ok()).unwrap_or_default();
-    let is_json = of_type.split(';').next().is_some_and(|one| one.trim().eq_ignore_ascii_case("application/json"));
+    let of_type = request
+        .headers()
+        .get(CONTENT_TYPE)
+        .and_then(|text| text.to_str().ok())
+        .unwrap_or_default();
+    let is_json = of_type
+        .split(';')
+        .next()
+        .is_some_and(|one| one.trim().eq_ignore_ascii_case("application/json"));
     if !is_json {
         let hint = "send the request as application/json";
-        return Err(Refusal::new(Status::UnsupportedType, "type", "the request is not JSON", hint));
+        return Err(Refusal::new(
+            Status::UnsupportedType,
+            "type",
+            "the request is not JSON",
+            hint,
+        ));
     }
     let too_large = || {
         let hint = "upload large data as files";
-        Refusal::new(Status::TooLarge, "size", "the request is larger than 1 MiB", hint)
+        Refusal::new(
+            Status::TooLarge,
+            "size",
+            "the request is larger than 1 MiB",
+            hint,
+        )
     };
-    let length = request.headers().get(hyper::header::CONTENT_LENGTH).and_then(|text| text.to_str().ok());
-    if length.and_then(|text| text.parse::<u64>().ok()).is_some_and(|bytes| bytes > MAX_BODY_BYTES as u64) {
+    let length = request
+        .headers()
+        .get(hyper::header::CONTENT_LENGTH)
+        .and_then(|text| text.to_str().ok());
+    if length
+        .and_then(|text| text.parse::<u64>().ok())
+        .is_some_and(|bytes| bytes > MAX_BODY_BYTES as u64)
+    {
         return Err(too_large());
     }
     let whole = Limited::new(request.into_body(), MAX_BODY_BYTES).collect();
@@ -183,7 +233,8 @@ async fn body(request: hyper::Request<Incoming>) -> Result<Asked, Refusal> {
     if !bytes.trim_ascii_start().starts_with(b"{") {
         return Err(wrong("the request is not a JSON object".to_owned()));
     }
-    serde_json::from_slice(&bytes).map_err(|error| wrong(format!("the request cannot be understood: {error}")))
+    serde_json::from_slice(&bytes)
+        .map_err(|error| wrong(format!("the request cannot be understood: {error}")))
 }
 
 fn wrong(message: String) -> Refusal {
@@ -203,22 +254,50 @@ fn understood(site: &Site, asked: Asked, folder: Option<PathBuf>) -> Result<Requ
         Ids::Several(ids) => (flag, ids),
     });
     let listed: Vec<(String, Vec<String>)> = listed.collect();
-    let mut all: Vec<&str> = listed.iter().flat_map(|(_, ids)| ids).map(String::as_str).collect();
+    let mut all: Vec<&str> = listed
+        .iter()
+        .flat_map(|(_, ids)| ids)
+        .map(String::as_str)
+        .collect();
     all.sort_unstable();
     all.dedup();
     let together = match listed.iter().any(|(flag, _)| flag == BESIDE) {
         true => site.uploads.together(&all)?,
         false => Vec::new(),
     };
-    let path = |id: &String| match all.iter().position(|own| own == id).and_then(|at| together.get(at)) {
+    let path = |id: &String| match all
+        .iter()
+        .position(|own| own == id)
+        .and_then(|at| together.get(at))
+    {
         Some(path) => Ok(path.clone()),
         None => site.uploads.path(id),
     };
     let named = listed.iter().filter(|(flag, _)| flag != BESIDE);
-    let paths = named.map(|(flag, ids)| Ok((flag.clone(), ids.iter().map(path).collect::<Result<_, Refusal>>()?)));
+    let paths = named.map(|(flag, ids)| {
+        Ok((
+            flag.clone(),
+            ids.iter().map(path).collect::<Result<_, Refusal>>()?,
+        ))
+    });
     let files = paths.collect::<Result<_, Refusal>>()?;
-    let Asked { command, options, history, shape, edits, .. } = asked;
-    Ok(Request { command, options, files, history, shape, edits, folder })
+    let Asked {
+        command,
+        options,
+        history,
+        shape,
+        edits,
+        ..
+    } = asked;
+    Ok(Request {
+        command,
+        options,
+        files,
+        history,
+        shape,
+        edits,
+        folder,
+    })
 }
 
 /// Cancels the work of a request when the request is left: this future is dropped as soon as its
@@ -241,9 +320,17 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     }
     let Ok(room) = site.room.try_acquire() else {
         let message = format!("{MAX_LIVE} requests are being answered already");
-        return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them"));
+        return Err(Refusal::new(
+            Status::TooMany,
+            "busy",
+            message,
+            "wait for one of them",
+        ));
     };
-    let slot = asked.slot.as_ref().map(|name| Slot { tab: asked.tab.clone(), name: name.clone() });
+    let slot = asked.slot.as_ref().map(|name| Slot {
+        tab: asked.tab.clone(),
+        name: name.clone(),
+    });
     let request = understood(&site, asked, None)?;
     let entered = site.jobs.live.enter();
     let program = site.program;
@@ -301,7 +388,12 @@ impl<T, E> ReadyOk for std::task::Poll<Result<T, E>> {
 /// The work has panicked.
 fn defect() -> Refusal {
     let hint = "this is a defect of freestand; please report it with what you entered";
-    Refusal::new(Status::Defect, "defect", "the calculation ended unexpectedly", hint)
+    Refusal::new(
+        Status::Defect,
+        "defect",
+        "the calculation ended unexpectedly",
+        hint,
+    )
 }
 
 /// What makes two jobs the same work: everything that decides the content of its files. Whether it
@@ -314,7 +406,11 @@ fn work_of(asked: &Asked) -> Value {
         .filter(|(name, _)| *name != GOES_ON)
         .map(|(name, value)| (name.clone(), value.clone()))
         .collect();
-    let edits: Vec<_> = asked.edits.iter().map(|edit| (&edit.cell, &edit.value)).collect();
+    let edits: Vec<_> = asked
+        .edits
+        .iter()
+        .map(|edit| (&edit.cell, &edit.value))
+        .collect();
     json!({"command": asked.command, "options": options, "files": asked.files, "edits": edits})
 }
 
@@ -324,7 +420,8 @@ async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let same = work_of(&asked);
     let mut request = understood(site, asked, None)?;
     let program = site.program;
-    let checked = tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
+    let checked =
+        tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
     request = checked.map_err(|_| defect())??;
     let results = site.folder.as_deref().unwrap_or(site.uploads.folder());
     let job = site.jobs.begin(continues.as_deref(), same, results)?;
@@ -332,7 +429,8 @@ async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let id = job.id.clone();
     tokio::spawn(async move {
         let (events, cancel) = (job.events(), job.cancel.clone());
-        let work = tokio::task::spawn_blocking(move || (program.answer)(&request, &cancel, &events));
+        let work =
+            tokio::task::spawn_blocking(move || (program.answer)(&request, &cancel, &events));
         job.end(work.await.unwrap_or_else(|_| Err(defect())));
     });
     Ok(value(StatusCode::ACCEPTED, &json!({ "id": id })))
@@ -340,7 +438,14 @@ async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
 
 /// A file of a job, by its name in the list of the job.
 async fn download(site: &Site, id: &str, name: &str) -> Result<Answered, Refusal> {
-    let missing = || Refusal::new(Status::NotFound, "missing", "the job has no such file", "see its list of files");
+    let missing = || {
+        Refusal::new(
+            Status::NotFound,
+            "missing",
+            "the job has no such file",
+            "see its list of files",
+        )
+    };
     let path = site.jobs.find(id)?.file(name).ok_or_else(missing)?;
     let read = tokio::task::spawn_blocking(move || std::fs::read(path)).await;
     let bytes = read.ok().and_then(Result::ok).ok_or_else(missing)?;
@@ -353,7 +458,10 @@ async fn download(site: &Site, id: &str, name: &str) -> Result<Answered, Refusal
         _ => "application/octet-stream",
     };
     let mut answer = response(StatusCode::OK, of_type, Content::Whole(Some(bytes.into())));
-    let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\"")).map_err(|_| missing())?;
-    answer.headers_mut().insert(CONTENT_DISPOSITION, disposition);
+    let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
+        .map_err(|_| missing())?;
+    answer
+        .headers_mut()
+        .insert(CONTENT_DISPOSITION, disposition);
     Ok(answer)
 }

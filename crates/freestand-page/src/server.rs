@@ -79,12 +79,24 @@ impl Server {
             .build()
             .map_err(BindError::Port)?;
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, settings.port));
-        let listener = runtime.block_on(TcpListener::bind(address)).map_err(BindError::Port)?;
+        let listener = runtime
+            .block_on(TcpListener::bind(address))
+            .map_err(BindError::Port)?;
         let port = listener.local_addr().map_err(BindError::Port)?.port();
         let token = Token::random().map_err(BindError::Port)?;
-        let site = Site::new(program, Guard::new(port, token.clone()), settings.folder.clone());
+        let site = Site::new(
+            program,
+            Guard::new(port, token.clone()),
+            settings.folder.clone(),
+        );
         let site = Arc::new(site.map_err(BindError::Folder)?);
-        Ok(Self { runtime, listener, site, port, token })
+        Ok(Self {
+            runtime,
+            listener,
+            site,
+            port,
+            token,
+        })
     }
 
     /// The port.
@@ -107,7 +119,11 @@ impl Server {
     /// # Errors
     /// The operating system gives no random numbers.
     pub fn url_for_browser(&self) -> std::io::Result<String> {
-        Ok(format!("http://127.0.0.1:{}/open/{}", self.port, self.site.guard.new_once()?.text()))
+        Ok(format!(
+            "http://127.0.0.1:{}/open/{}",
+            self.port,
+            self.site.guard.new_once()?.text()
+        ))
     }
 
     /// The folder of the uploaded files: no request names a file elsewhere.
@@ -117,7 +133,12 @@ impl Server {
 
     /// Answers until `wants_to_stop`; then jobs end at their next object.
     pub fn serve(self, wants_to_stop: impl Fn() -> bool) {
-        let Self { runtime, listener, site, .. } = self;
+        let Self {
+            runtime,
+            listener,
+            site,
+            ..
+        } = self;
         let accepting = runtime.spawn(accept(listener, Arc::clone(&site)));
         while !wants_to_stop() {
             std::thread::sleep(LOOK);
@@ -137,7 +158,9 @@ impl Server {
 async fn accept(listener: TcpListener, site: Arc<Site>) {
     let room = Arc::new(tokio::sync::Semaphore::new(MAX_CONNECTIONS));
     loop {
-        let Ok(place) = Arc::clone(&room).acquire_owned().await else { return };
+        let Ok(place) = Arc::clone(&room).acquire_owned().await else {
+            return;
+        };
         let Ok((stream, _)) = listener.accept().await else {
             // No more open files, for example: the next connection may find one.
             tokio::time::sleep(LOOK).await;
@@ -154,9 +177,13 @@ async fn accept(listener: TcpListener, site: Arc<Site>) {
             let mut stream = TimeoutStream::new(stream);
             stream.set_write_timeout(Some(WRITE_TIME));
             let mut builder = http1::Builder::new();
-            builder.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);
+            builder
+                .timer(TokioTimer::new())
+                .header_read_timeout(HEAD_TIME);
             // A connection that breaks off concerns nobody else.
-            let _ = builder.serve_connection(TokioIo::new(Box::pin(stream)), service).await;
+            let _ = builder
+                .serve_connection(TokioIo::new(Box::pin(stream)), service)
+                .await;
             drop(place);
         });
     }

@@ -42,17 +42,28 @@ impl Slots {
         let mut running = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         running.last += 1;
         let number = running.last;
-        if let Some((_, older, told)) = running.slots.insert(slot.clone(), (number, cancel.clone(), sender)) {
+        if let Some((_, older, told)) = running
+            .slots
+            .insert(slot.clone(), (number, cancel.clone(), sender))
+        {
             older.cancel();
             let _ = told.send(());
         }
-        Taken { number, cancel, superseded }
+        Taken {
+            number,
+            cancel,
+            superseded,
+        }
     }
 
     /// Leaves a slot, unless a newer request has it.
     pub(crate) fn leave(&self, slot: &Slot, number: u64) {
         let mut running = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if running.slots.get(slot).is_some_and(|(own, ..)| *own == number) {
+        if running
+            .slots
+            .get(slot)
+            .is_some_and(|(own, ..)| *own == number)
+        {
             running.slots.remove(slot);
         }
     }

@@ -77,7 +77,11 @@ impl Uploads {
         let lock = File::create_new(folder.path().join(LOCK))?;
         // Where files cannot be locked, what a killed server leaves stays.
         let _ = lock.try_lock();
-        Ok(Self { folder, _lock: lock, kept: Mutex::default() })
+        Ok(Self {
+            folder,
+            _lock: lock,
+            kept: Mutex::default(),
+        })
     }
 
     /// Removes everything, also while work still holds the files.
@@ -96,24 +100,43 @@ impl Uploads {
     pub(crate) fn together(&self, ids: &[&str]) -> Result<Vec<PathBuf>, Refusal> {
         // Of fixed length, however many files there are.
         let digest = hex(&Sha256::digest(ids.join(" ")));
-        let folder = self.folder.path().join(format!("together-{}", digest.get(..16).unwrap_or_default()));
+        let folder = self
+            .folder
+            .path()
+            .join(format!("together-{}", digest.get(..16).unwrap_or_default()));
         let mut paths: Vec<PathBuf> = Vec::with_capacity(ids.len());
         for id in ids {
             let path = self.path(id)?;
-            let Some(name) = path.file_name() else { continue };
+            let Some(name) = path.file_name() else {
+                continue;
+            };
             let own = folder.join(name);
             if paths.contains(&own) {
                 let message = format!("two files of the request are called {}", name.display());
-                return Err(Refusal::new(Status::BadInput, "value", message, "rename one of them"));
+                return Err(Refusal::new(
+                    Status::BadInput,
+                    "value",
+                    message,
+                    "rename one of them",
+                ));
             }
             paths.push(own);
         }
         let _kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         std::fs::create_dir_all(&folder).map_err(|error| unwritten(&error))?;
         for (id, own) in ids.iter().zip(&paths) {
-            let from = self.folder.path().join(id).join(own.file_name().unwrap_or_default());
-            let made = if own.exists() { Ok(()) } else { std::fs::hard_link(&from, own) };
-            made.or_else(|_| std::fs::copy(&from, own).map(|_| ())).map_err(|error| unwritten(&error))?;
+            let from = self
+                .folder
+                .path()
+                .join(id)
+                .join(own.file_name().unwrap_or_default());
+            let made = if own.exists() {
+                Ok(())
+            } else {
+                std::fs::hard_link(&from, own)
+            };
+            made.or_else(|_| std::fs::copy(&from, own).map(|_| ()))
+                .map_err(|error| unwritten(&error))?;
         }
         Ok(paths)
     }
@@ -121,9 +144,18 @@ impl Uploads {
     /// The path of a file.
     pub(crate) fn path(&self, id: &str) -> Result<PathBuf, Refusal> {
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = kept.files.iter().find(|(own, _)| own == id).map(|(_, path)| path.clone());
+        let found = kept
+            .files
+            .iter()
+            .find(|(own, _)| own == id)
+            .map(|(_, path)| path.clone());
         found.ok_or_else(|| {
-            Refusal::new(Status::BadInput, "missing", format!("there is no file {id:?}"), "upload the file again")
+            Refusal::new(
+                Status::BadInput,
+                "missing",
+                format!("there is no file {id:?}"),
+                "upload the file again",
+            )
         })
     }
 
@@ -133,29 +165,54 @@ impl Uploads {
         request: Request<Incoming>,
         program: &Program,
     ) -> Result<Vec<Uploaded>, Refusal> {
-        let of_type = request.headers().get(CONTENT_TYPE).and_then(|text| text.to_str().ok()).unwrap_or_default();
+        let of_type = request
+            .headers()
+            .get(CONTENT_TYPE)
+            .and_then(|text| text.to_str().ok())
+            .unwrap_or_default();
         let Ok(boundary) = multer::parse_boundary(of_type) else {
             let hint = "send the files as multipart/form-data";
-            return Err(Refusal::new(Status::UnsupportedType, "type", "files come in a form", hint));
+            return Err(Refusal::new(
+                Status::UnsupportedType,
+                "type",
+                "files come in a form",
+                hint,
+            ));
         };
-        let limits = SizeLimit::new().whole_stream(MAX_TOTAL_BYTES).per_field(MAX_FILE_BYTES);
+        let limits = SizeLimit::new()
+            .whole_stream(MAX_TOTAL_BYTES)
+            .per_field(MAX_FILE_BYTES);
         let stream = BodyDataStream::new(request.into_body().map_err(std::io::Error::other));
-        let mut form = Multipart::with_constraints(stream, boundary, Constraints::new().size_limit(limits));
+        let mut form =
+            Multipart::with_constraints(stream, boundary, Constraints::new().size_limit(limits));
         let mut uploaded = Vec::new();
         while let Some(mut field) = arrived(form.next_field()).await? {
-            let Some(name) = field.file_name().map(clean) else { continue };
-            let mut staged = tempfile::NamedTempFile::new_in(self.folder.path()).map_err(|error| unwritten(&error))?;
+            let Some(name) = field.file_name().map(clean) else {
+                continue;
+            };
+            let mut staged = tempfile::NamedTempFile::new_in(self.folder.path())
+                .map_err(|error| unwritten(&error))?;
             let (mut sha, mut bytes) = (Sha256::new(), 0u64);
             while let Some(chunk) = arrived(field.chunk()).await? {
                 sha.update(&chunk);
                 bytes += chunk.len() as u64;
-                staged.write_all(&chunk).map_err(|error| unwritten(&error))?;
+                staged
+                    .write_all(&chunk)
+                    .map_err(|error| unwritten(&error))?;
             }
-            uploaded.push(self.keep(staged, name, bytes, hex(&sha.finalize()), program).await?);
+            uploaded.push(
+                self.keep(staged, name, bytes, hex(&sha.finalize()), program)
+                    .await?,
+            );
         }
         if uploaded.is_empty() {
             let hint = "choose one file or more";
-            return Err(Refusal::new(Status::BadInput, "missing", "the form has no file", hint));
+            return Err(Refusal::new(
+                Status::BadInput,
+                "missing",
+                "the form has no file",
+                hint,
+            ));
         }
         Ok(uploaded)
     }
@@ -180,15 +237,25 @@ impl Uploads {
             let folder = self.folder.path().join(&id);
             std::fs::create_dir(&folder).map_err(|error| unwritten(&error))?;
             let path = folder.join(&name);
-            let _file: File = staged.persist(&path).map_err(|error| unwritten(&error.error))?;
+            let _file: File = staged
+                .persist(&path)
+                .map_err(|error| unwritten(&error.error))?;
             kept.bytes += bytes;
             kept.files.push((id.clone(), path.clone()));
             (id, path)
         };
         // Reading a large file takes seconds, in which the threads of the server answer others.
         let kind = program.kind;
-        let kind = tokio::task::spawn_blocking(move || kind(&path)).await.unwrap_or(Kind::Unknown);
-        Ok(Uploaded { id, name, bytes, sha256, kind })
+        let kind = tokio::task::spawn_blocking(move || kind(&path))
+            .await
+            .unwrap_or(Kind::Unknown);
+        Ok(Uploaded {
+            id,
+            name,
+            bytes,
+            sha256,
+            kind,
+        })
     }
 }
 
@@ -203,7 +270,8 @@ fn clear_leftovers(temporary: &Path) {
         let lock = File::open(entry.path().join(LOCK));
         let is_old = |lock: &File| {
             let made = lock.metadata().and_then(|data| data.modified()).ok();
-            made.and_then(|made| made.elapsed().ok()).is_some_and(|age| age >= LEFTOVER_AGE)
+            made.and_then(|made| made.elapsed().ok())
+                .is_some_and(|age| age >= LEFTOVER_AGE)
         };
         if lock.is_ok_and(|lock| is_old(&lock) && lock.try_lock().is_ok()) {
             let _ = std::fs::remove_dir_all(entry.path());
@@ -215,12 +283,23 @@ fn clear_leftovers(temporary: &Path) {
 fn clean(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let is_plain = |c: char| c.is_alphanumeric() || " ._-+()".contains(c);
-    let plain: String = last.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
+    let plain: String = last
+        .chars()
+        .map(|c| if is_plain(c) { c } else { '_' })
+        .collect();
     let plain = plain.trim().trim_start_matches('.');
     // 255 bytes is the longest name of most file systems; the end says what the file is.
-    let from = plain.char_indices().map(|(at, _)| at).find(|at| plain.len() - at <= 120).unwrap_or(0);
+    let from = plain
+        .char_indices()
+        .map(|(at, _)| at)
+        .find(|at| plain.len() - at <= 120)
+        .unwrap_or(0);
     let short = plain.get(from..).unwrap_or_default();
-    if short.is_empty() { "file".to_owned() } else { short.to_owned() }
+    if short.is_empty() {
+        "file".to_owned()
+    } else {
+        short.to_owned()
+    }
 }
 
 fn too_large(message: String, hint: &str) -> Refusal {
@@ -239,7 +318,10 @@ fn refused(error: &multer::Error) -> Refusal {
             "use the command line for large files",
         ),
         multer::Error::StreamSizeExceeded { .. } => too_large(
-            format!("the files together are larger than {}", mebibytes(MAX_TOTAL_BYTES)),
+            format!(
+                "the files together are larger than {}",
+                mebibytes(MAX_TOTAL_BYTES)
+            ),
             "use the command line for large files",
         ),
         error => Refusal::new(
@@ -254,15 +336,26 @@ fn refused(error: &multer::Error) -> Refusal {
 /// A piece of a form, or a refusal if it takes too long to arrive.
 async fn arrived<T>(piece: impl Future<Output = Result<T, multer::Error>>) -> Result<T, Refusal> {
     let late = || {
-        let message = format!("no data of the upload arrived for {} s", PIECE_TIME.as_secs());
+        let message = format!(
+            "no data of the upload arrived for {} s",
+            PIECE_TIME.as_secs()
+        );
         Refusal::new(Status::BadInput, "value", message, "upload the files again")
     };
-    timeout(PIECE_TIME, piece).await.map_err(|_| late())?.map_err(|error| refused(&error))
+    timeout(PIECE_TIME, piece)
+        .await
+        .map_err(|_| late())?
+        .map_err(|error| refused(&error))
 }
 
 fn unwritten(error: &std::io::Error) -> Refusal {
     let hint = "check that the folder for temporary files is not full and can be written";
-    Refusal::new(Status::Defect, "io", format!("the file cannot be kept: {error}"), hint)
+    Refusal::new(
+        Status::Defect,
+        "io",
+        format!("the file cannot be kept: {error}"),
+        hint,
+    )
 }
 
 #[cfg(test)]
@@ -276,7 +369,8 @@ mod tests {
             let path = temporary.path().join(name);
             std::fs::create_dir(&path).unwrap();
             let lock = File::create_new(path.join(LOCK)).unwrap();
-            lock.set_modified(std::time::SystemTime::now() - age).unwrap();
+            lock.set_modified(std::time::SystemTime::now() - age)
+                .unwrap();
             lock
         };
         let (old, young) = (LEFTOVER_AGE * 2, Duration::ZERO);
@@ -287,10 +381,16 @@ mod tests {
         drop(folder("somebody-else", old));
         std::fs::create_dir(temporary.path().join("freestand-page-of-another-kind")).unwrap();
         clear_leftovers(temporary.path());
-        let left = std::fs::read_dir(temporary.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        let left = std::fs::read_dir(temporary.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name());
         let mut left: Vec<_> = left.map(|name| name.into_string().unwrap()).collect();
         left.sort_unstable();
-        let expected = ["freestand-page-alive", "freestand-page-of-another-kind", "freestand-page-starting"];
+        let expected = [
+            "freestand-page-alive",
+            "freestand-page-of-another-kind",
+            "freestand-page-starting",
+        ];
         assert_eq!(left, [&expected[..], &["somebody-else"]].concat());
     }
 
@@ -299,7 +399,10 @@ mod tests {
     fn uploads_are_private() {
         use std::os::unix::fs::PermissionsExt;
         let uploads = Uploads::new().unwrap();
-        let mode = std::fs::metadata(uploads.folder()).unwrap().permissions().mode();
+        let mode = std::fs::metadata(uploads.folder())
+            .unwrap()
+            .permissions()
+            .mode();
         assert_eq!(mode & 0o777, 0o700);
         uploads.remove();
         assert!(!uploads.folder().exists());
@@ -308,7 +411,10 @@ mod tests {
     #[test]
     fn names_are_no_paths() {
         assert_eq!(clean("../../etc/passwd"), "passwd");
-        assert_eq!(clean("C:\\lists\\Spital Übersicht.xlsx"), "Spital Übersicht.xlsx");
+        assert_eq!(
+            clean("C:\\lists\\Spital Übersicht.xlsx"),
+            "Spital Übersicht.xlsx"
+        );
         assert_eq!(clean("..."), "file");
         assert_eq!(clean("a\0b<c>.csv"), "a_b_c_.csv");
         assert!(clean(&"é".repeat(200)).len() <= 120);

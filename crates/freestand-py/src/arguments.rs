@@ -23,18 +23,30 @@ pub(crate) struct Given<'a, 'py> {
 
 impl<'a, 'py> Given<'a, 'py> {
     pub(crate) fn new(values: &'a Bound<'py, PyDict>) -> Self {
-        Self { values, problems: Problems::default() }
+        Self {
+            values,
+            problems: Problems::default(),
+        }
     }
 
     /// The value; `None` where it is missing or `None`.
     fn value(&self, name: &str) -> Option<Bound<'py, PyAny>> {
-        self.values.get_item(name).ok().flatten().filter(|value| !value.is_none())
+        self.values
+            .get_item(name)
+            .ok()
+            .flatten()
+            .filter(|value| !value.is_none())
     }
 
     fn wrong(&mut self, name: &str, expected: &str) {
-        let shown = self.value(name).map_or_else(String::new, |value| words_of(&value));
+        let shown = self
+            .value(name)
+            .map_or_else(String::new, |value| words_of(&value));
         let message = format!("{name} must be {expected}, not {shown}");
-        self.problems.push(Problem::value(message, format!("give {name} as {expected}")));
+        self.problems.push(Problem::value(
+            message,
+            format!("give {name} as {expected}"),
+        ));
     }
 
     pub(crate) fn push(&mut self, problem: Problem) {
@@ -46,10 +58,19 @@ impl<'a, 'py> Given<'a, 'py> {
         self.problems.keep(result)
     }
 
-    fn accepted(&mut self, name: &str, accept: impl Fn(f64) -> bool, expected: &str) -> Option<f64> {
+    fn accepted(
+        &mut self,
+        name: &str,
+        accept: impl Fn(f64) -> bool,
+        expected: &str,
+    ) -> Option<f64> {
         let value = self.value(name)?;
         // A truth value is a number to Python, and a mistake here.
-        let number = if value.is_instance_of::<PyBool>() { None } else { value.extract::<f64>().ok() };
+        let number = if value.is_instance_of::<PyBool>() {
+            None
+        } else {
+            value.extract::<f64>().ok()
+        };
         let number = number.filter(|number| number.is_finite() && accept(*number));
         if number.is_none() {
             self.wrong(name, expected);
@@ -69,13 +90,21 @@ impl<'a, 'py> Given<'a, 'py> {
 
     /// A number of zero or more.
     pub(crate) fn non_negative(&mut self, name: &str) -> Option<f64> {
-        self.accepted(name, |value| value >= 0.0, "a number of 0 or more, in SI units")
+        self.accepted(
+            name,
+            |value| value >= 0.0,
+            "a number of 0 or more, in SI units",
+        )
     }
 
     /// A whole number from `least`.
     pub(crate) fn whole(&mut self, name: &str, least: u64) -> Option<u64> {
         let value = self.value(name)?;
-        let whole = if value.is_instance_of::<PyBool>() { None } else { value.extract::<u64>().ok() };
+        let whole = if value.is_instance_of::<PyBool>() {
+            None
+        } else {
+            value.extract::<u64>().ok()
+        };
         let whole = whole.filter(|whole| *whole >= least);
         if whole.is_none() {
             self.wrong(name, &format!("a whole number, at least {least}"));
@@ -84,7 +113,8 @@ impl<'a, 'py> Given<'a, 'py> {
     }
 
     pub(crate) fn count(&mut self, name: &str) -> Option<usize> {
-        self.whole(name, 1).and_then(|count| usize::try_from(count).ok())
+        self.whole(name, 1)
+            .and_then(|count| usize::try_from(count).ok())
     }
 
     pub(crate) fn flag(&mut self, name: &str) -> bool {
@@ -119,7 +149,9 @@ impl<'a, 'py> Given<'a, 'py> {
     }
 
     pub(crate) fn paths(&mut self, name: &str) -> Vec<PathBuf> {
-        let Some(value) = self.value(name) else { return Vec::new() };
+        let Some(value) = self.value(name) else {
+            return Vec::new();
+        };
         let paths = value.extract::<Vec<PathBuf>>().ok();
         if paths.is_none() {
             self.wrong(name, "a list of paths");
@@ -138,9 +170,16 @@ impl<'a, 'py> Given<'a, 'py> {
     /// How the cells of a list are read.
     pub(crate) fn cells(&mut self) -> CellsRequest {
         let texts = self.texts("edits", "D7=900 mm");
-        let read = |text: &String| self.problems.keep(Edit::parse(text).map_err(|problem| problem.named("edits")));
+        let read = |text: &String| {
+            self.problems
+                .keep(Edit::parse(text).map_err(|problem| problem.named("edits")))
+        };
         let edits = texts.iter().filter_map(read).collect();
-        CellsRequest { sheet: self.text("sheet"), columns: self.path("columns"), edits }
+        CellsRequest {
+            sheet: self.text("sheet"),
+            columns: self.path("columns"),
+            edits,
+        }
     }
 
     /// Numbers of an array, as the Python layer passes them: bytes of doubles.
@@ -167,9 +206,14 @@ impl<'a, 'py> Given<'a, 'py> {
     pub(crate) fn range(&mut self, name: &str) -> Option<(f64, f64)> {
         let value = self.value(name)?;
         let one = value.extract::<f64>().ok().map(|one| (one, one));
-        let range = one.or_else(|| two(&value)).filter(|(low, high)| *low > 0.0 && low <= high && high.is_finite());
+        let range = one
+            .or_else(|| two(&value))
+            .filter(|(low, high)| *low > 0.0 && low <= high && high.is_finite());
         if range.is_none() {
-            self.wrong(name, "a number above 0, or the smaller and the larger end of a range");
+            self.wrong(
+                name,
+                "a number above 0, or the smaller and the larger end of a range",
+            );
         }
         range
     }
@@ -177,18 +221,26 @@ impl<'a, 'py> Given<'a, 'py> {
     /// A choice by its name.
     pub(crate) fn choice<T: Copy>(&mut self, name: &str, choices: Choices<T>) -> Option<T> {
         let text = self.text(name)?;
-        let found = choices.iter().find(|(_, word, _)| *word == text).map(|(value, ..)| *value);
+        let found = choices
+            .iter()
+            .find(|(_, word, _)| *word == text)
+            .map(|(value, ..)| *value);
         if found.is_none() {
             let names: Vec<&str> = choices.iter().map(|(_, word, _)| *word).collect();
             let message = format!("{name} \"{text}\" is not known");
-            self.problems.push(Problem::value(message, format!("give one of {}", names.join(", "))));
+            self.problems.push(Problem::value(
+                message,
+                format!("give one of {}", names.join(", ")),
+            ));
         }
         found
     }
 
     /// The texts of the dictionary called `name`, by the keys that requests know.
     pub(crate) fn words(&mut self, name: &str) -> Words {
-        let Some(value) = self.value(name) else { return Words::default() };
+        let Some(value) = self.value(name) else {
+            return Words::default();
+        };
         let Ok(entries) = value.cast_into::<PyDict>() else {
             self.wrong(name, "a dictionary");
             return Words::default();
@@ -198,20 +250,25 @@ impl<'a, 'py> Given<'a, 'py> {
             let argument = argument.extract::<String>().unwrap_or_default();
             let Some((key, unit)) = argument_key(&argument) else {
                 let hint = "this is a defect of the Python layer; please report it";
-                self.problems.push(Problem::value(format!("{argument} is not an argument"), hint));
+                self.problems.push(Problem::value(
+                    format!("{argument} is not an argument"),
+                    hint,
+                ));
                 continue;
             };
             match texts(&value, unit) {
                 // Layers are values of their own, and others are one list.
-                Some(texts) if key == "series_stiffness" => {
-                    texts.into_iter().for_each(|text| words.add(key, text, None))
-                }
+                Some(texts) if key == "series_stiffness" => texts
+                    .into_iter()
+                    .for_each(|text| words.add(key, text, None)),
                 Some(texts) if texts.is_empty() => {}
                 Some(texts) => words.add(key, texts.join(", "), None),
                 None => {
                     let shown = words_of(&value);
-                    let problem =
-                        Problem::value(format!("{argument} must be a finite number, not {shown}"), "give one");
+                    let problem = Problem::value(
+                        format!("{argument} must be a finite number, not {shown}"),
+                        "give one",
+                    );
                     self.problems.push(problem);
                 }
             }
@@ -222,18 +279,27 @@ impl<'a, 'py> Given<'a, 'py> {
     /// The words of a cushion, with those of its file or of the pad of a drop test.
     pub(crate) fn cushion_words(&mut self) -> Words {
         let words = self.words("cushion");
-        let file = match (words.get("cushion").map(PathBuf::from), self.text("pad_toml")) {
+        let file = match (
+            words.get("cushion").map(PathBuf::from),
+            self.text("pad_toml"),
+        ) {
             (Some(path), _) => self.keep(read_cushion_file(&path)).map(|(file, _)| file),
             (None, Some(toml)) => self.keep(cushion::pad_words(&toml, Path::new("cushion.toml"))),
             (None, None) => return words,
         };
         let joined = file.map(|file| with_file(&words, file));
-        joined.and_then(|joined| self.keep(joined)).unwrap_or_default()
+        joined
+            .and_then(|joined| self.keep(joined))
+            .unwrap_or_default()
     }
 
     /// The cushion under one edge; `None` if no argument describes it, or one is wrong.
     pub(crate) fn edge(&mut self, words: &Words, mass_kg: Option<f64>) -> Option<EdgeCushion> {
-        if words.is_empty() { None } else { self.keep(cushion::resolve(words, mass_kg)) }
+        if words.is_empty() {
+            None
+        } else {
+            self.keep(cushion::resolve(words, mass_kg))
+        }
     }
 
     /// Fails if there was any problem.
@@ -248,7 +314,11 @@ fn texts(value: &Bound<'_, PyAny>, unit: &str) -> Option<Vec<String>> {
         return Some(vec![text.to_string_lossy().into_owned()]);
     }
     if let Ok(flag) = value.cast::<PyBool>() {
-        return Some(if flag.is_true() { vec!["true".to_owned()] } else { Vec::new() });
+        return Some(if flag.is_true() {
+            vec!["true".to_owned()]
+        } else {
+            Vec::new()
+        });
     }
     if let Ok(list) = value.cast::<PyList>() {
         let each: Option<Vec<Vec<String>>> = list.iter().map(|one| texts(&one, unit)).collect();
@@ -257,7 +327,10 @@ fn texts(value: &Bound<'_, PyAny>, unit: &str) -> Option<Vec<String>> {
     if let Ok(whole) = value.extract::<i64>() {
         return Some(vec![format!("{whole}{unit}")]);
     }
-    let number = value.extract::<f64>().ok().filter(|number| number.is_finite())?;
+    let number = value
+        .extract::<f64>()
+        .ok()
+        .filter(|number| number.is_finite())?;
     Some(vec![format!("{number}{unit}")])
 }
 
@@ -269,14 +342,19 @@ fn two(value: &Bound<'_, PyAny>) -> Option<(f64, f64)> {
 
 /// A value of Python in a message.
 fn words_of(value: &Bound<'_, PyAny>) -> String {
-    let text = value.repr().map_or_else(|_| "this value".to_owned(), |text| text.to_string_lossy().into_owned());
+    let text = value.repr().map_or_else(
+        |_| "this value".to_owned(),
+        |text| text.to_string_lossy().into_owned(),
+    );
     freestand_input::quantity::shorten(&text)
 }
 
 /// Numbers of an array of doubles in the byte order of the machine.
 pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
     let (each, _) = bytes.as_chunks::<8>();
-    each.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect()
+    each.iter()
+        .map(|bytes| f64::from_ne_bytes(*bytes))
+        .collect()
 }
 
 /// The bytes of doubles.
@@ -303,8 +381,12 @@ fn object<'py>(py: Python<'py>, value: &Value<'_>) -> PyResult<Bound<'py, PyAny>
         Value::Missing => py.None().into_bound(py),
         Value::Text(text) => PyString::new(py, text).into_any(),
         // As in a document, where a number that is not finite is null.
-        Value::Number(number) | Value::NumberOr(Some(number), _) if !number.is_finite() => py.None().into_bound(py),
-        Value::Number(number) | Value::NumberOr(Some(number), _) => number.into_pyobject(py)?.into_any(),
+        Value::Number(number) | Value::NumberOr(Some(number), _) if !number.is_finite() => {
+            py.None().into_bound(py)
+        }
+        Value::Number(number) | Value::NumberOr(Some(number), _) => {
+            number.into_pyobject(py)?.into_any()
+        }
         Value::NumberOr(None, word) => PyString::new(py, word).into_any(),
         Value::Count(count) => count.into_pyobject(py)?.into_any(),
         Value::Flag(flag) => PyBool::new(py, *flag).to_owned().into_any(),

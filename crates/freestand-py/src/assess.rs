@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand_assess::inventory::{Floors, Mapping, ReadOptions, check_report, inspect_inventory, marked_copy};
+use freestand_assess::inventory::{
+    Floors, Mapping, ReadOptions, check_report, inspect_inventory, marked_copy,
+};
 use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, floors_of, inventory_of};
 use freestand_assess::library::Libraries;
 use freestand_assess::output::object_rows;
@@ -14,7 +16,9 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{OutputFolder, write_file};
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::outputs::{expected_names, write_outputs};
-use freestand_study::resolve::{Overrides, builtin, builtin_toml, load, motion_paths, resolve_with};
+use freestand_study::resolve::{
+    Overrides, builtin, builtin_toml, load, motion_paths, resolve_with,
+};
 use freestand_study::run::{Stage, Step, run as run_study};
 use freestand_study::study::Study;
 use pyo3::prelude::*;
@@ -53,7 +57,11 @@ impl Told {
         if let Ok(mut last) = self.0.lock() {
             *last = Some((step.stage.map_or("", Stage::name), step.done, step.total));
         }
-        if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     /// Calls the function with the last step, unless it knows it already.
@@ -68,7 +76,11 @@ impl Told {
 
 /// Overrides of a study: seed and hazard.
 fn overrides(given: &mut Given<'_, '_>) -> Overrides {
-    Overrides { seed: given.whole("seed", 0), hazard: given.words("hazard"), ..Overrides::default() }
+    Overrides {
+        seed: given.whole("seed", 0),
+        hazard: given.words("hazard"),
+        ..Overrides::default()
+    }
 }
 
 /// A number of storeys that an override can hold; a larger one is refused where the list is read.
@@ -112,12 +124,17 @@ pub(crate) fn assess(
     let told = Told::default();
     let work = |stop: &AtomicBool| {
         let inventory = inventory_of(&study, inventory.as_deref(), &request)?;
-        let report = assess_into(&study, &inventory, &out, &job, &|step| told.step(step, stop))?;
+        let report = assess_into(&study, &inventory, &out, &job, &|step| {
+            told.step(step, stop)
+        })?;
         let mut text = rows_head(SCHEMA)?;
         let mut separator = "";
         object_rows(&out, &inventory, |row| {
             let row = serde_json::to_string(row).map_err(|error| {
-                Problem::new(freestand_input::ProblemKind::Computation, format!("a row is not JSON: {error}"))
+                Problem::new(
+                    freestand_input::ProblemKind::Computation,
+                    format!("a row is not JSON: {error}"),
+                )
             })?;
             text.push_str(separator);
             text.push_str(&row);
@@ -132,7 +149,11 @@ pub(crate) fn assess(
 
 /// How a list is understood: the document of `inventory check`.
 #[pyfunction]
-pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
+pub(crate) fn check_inventory(
+    py: Python<'_>,
+    path: PathBuf,
+    values: &Bound<'_, PyDict>,
+) -> PyResult<String> {
     let mut given = Given::new(values);
     let marked = given.path("marked_copy");
     let cells = given.cells();
@@ -144,7 +165,10 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
     let floors = if has_study {
         floors_of(&study_of(values, &Overrides::default())?, storeys)
     } else {
-        Floors { storeys, ..Floors::default() }
+        Floors {
+            storeys,
+            ..Floors::default()
+        }
     };
     let work = || {
         let libraries = Libraries::with_files(library.as_deref(), cushions.as_deref())?;
@@ -166,10 +190,18 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
             Ok(reading)
         })
     };
-    let reading = py.detach(work).map_err(|problems: Problems| raised_all(problems))?;
-    let marked = marked.as_ref().map(|place| place.to_string_lossy().into_owned());
+    let reading = py
+        .detach(work)
+        .map_err(|problems: Problems| raised_all(problems))?;
+    let marked = marked
+        .as_ref()
+        .map(|place| place.to_string_lossy().into_owned());
     let report = check_report(&reading, marked, KeyStyle::Argument);
-    told("freestand.inventory/1", &report, &reading.inventory.warnings)
+    told(
+        "freestand.inventory/1",
+        &report,
+        &reading.inventory.warnings,
+    )
 }
 
 /// A whole study, written into a folder: the document of the command.
@@ -201,10 +233,14 @@ pub(crate) fn run(
         }
         let mut body = write_outputs(folder, &study, &result)?.body;
         if let serde_json::Value::Object(keys) = &mut body {
-            keys.insert("out".to_owned(), serde_json::Value::from(out.display().to_string()));
+            keys.insert(
+                "out".to_owned(),
+                serde_json::Value::from(out.display().to_string()),
+            );
         }
         Ok::<_, Problems>((body, result.warnings))
     };
-    let (body, warnings) = watched_with(py, threads, work, |_| told_step.tell(progress))?.map_err(of_study)?;
+    let (body, warnings) =
+        watched_with(py, threads, work, |_| told_step.tell(progress))?.map_err(of_study)?;
     told(schema, &body, &warnings)
 }

@@ -32,7 +32,10 @@ impl Body {
         given.positive("width_m");
         let inertia = given.positive("inertia_kg_m2");
         if inertia.is_some() && mass_kg.is_none() {
-            given.push(Problem::value("inertia_kg_m2 needs the mass of the object", "give mass_kg too"));
+            given.push(Problem::value(
+                "inertia_kg_m2 needs the mass of the object",
+                "give mass_kg too",
+            ));
         }
         let shape = Shape {
             base_width_m: given.positive("base_width_m"),
@@ -43,16 +46,26 @@ impl Body {
         let impossible = |error: freestand::block::BlockError| {
             Problem::value(error.to_string(), "check the dimensions of the object")
         };
-        let block = height.zip(thickness).map(|(height, thickness)| shape.block(height, thickness).map_err(impossible));
+        let block = height
+            .zip(thickness)
+            .map(|(height, thickness)| shape.block(height, thickness).map_err(impossible));
         let block = block.and_then(|block| given.keep(block));
         let cushion = given.cushion_words();
         let edge = given.edge(&cushion, mass_kg);
         given.finish()?;
         let Some(block) = block else {
             let hint = "give height_m and thickness_m";
-            return Err(crate::errors::raised(Problem::value("the size of the object is missing", hint)));
+            return Err(crate::errors::raised(Problem::value(
+                "the size of the object is missing",
+                hint,
+            )));
         };
-        Ok(Self { block, mass_kg, cushion, edge })
+        Ok(Self {
+            block,
+            mass_kg,
+            cushion,
+            edge,
+        })
     }
 
     #[getter]

@@ -16,10 +16,22 @@ type Parts = (String, Option<String>, Option<usize>, Option<String>);
 
 /// Keys as arguments of Python, except in a problem with a file, which shows those of the file.
 fn parts(problem: &Problem) -> Parts {
-    let style = if problem.path.is_some() { KeyStyle::File } else { KeyStyle::Argument };
+    let style = if problem.path.is_some() {
+        KeyStyle::File
+    } else {
+        KeyStyle::Argument
+    };
     let shown = |text: &String| style.shown(text);
-    let path = problem.path.as_ref().map(|path| path.to_string_lossy().into_owned());
-    (shown(&problem.message), path, problem.line, problem.hint.as_ref().map(shown))
+    let path = problem
+        .path
+        .as_ref()
+        .map(|path| path.to_string_lossy().into_owned());
+    (
+        shown(&problem.message),
+        path,
+        problem.line,
+        problem.hint.as_ref().map(shown),
+    )
 }
 
 /// The exception of one problem.
@@ -34,8 +46,12 @@ pub(crate) fn raised_all(problems: impl Into<Problems>) -> PyErr {
         return Interrupted::new_err("the calculation was stopped before its end");
     }
     let all: Vec<Parts> = problems.problems.iter().map(parts).collect();
-    let (kind, in_file) =
-        problems.problems.first().map_or((ProblemKind::Value, false), |first| (first.kind, first.path.is_some()));
+    let (kind, in_file) = problems
+        .problems
+        .first()
+        .map_or((ProblemKind::Value, false), |first| {
+            (first.kind, first.path.is_some())
+        });
     match kind {
         ProblemKind::Io | ProblemKind::Format => ReadError::new_err((all,)),
         ProblemKind::Value | ProblemKind::Missing if in_file => ReadError::new_err((all,)),
@@ -51,7 +67,10 @@ pub(crate) fn raised_by(names: &[(&str, &str)], problems: impl Into<Problems>) -
     let mut problems: Problems = problems.into();
     for problem in &mut problems.problems {
         problem.message = with_arguments(names, &problem.message);
-        problem.hint = problem.hint.as_deref().map(|hint| with_arguments(names, hint));
+        problem.hint = problem
+            .hint
+            .as_deref()
+            .map(|hint| with_arguments(names, hint));
     }
     raised_all(problems)
 }
@@ -61,8 +80,13 @@ pub(crate) fn raised_by(names: &[(&str, &str)], problems: impl Into<Problems>) -
 fn with_arguments(names: &[(&str, &str)], text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for (at, part) in text.split('`').enumerate() {
-        let (key, value) = part.split_once(" = ").map_or((part, None), |(key, value)| (key, Some(value)));
-        let argument = names.iter().find(|(known, _)| *known == key).map(|(_, argument)| *argument);
+        let (key, value) = part
+            .split_once(" = ")
+            .map_or((part, None), |(key, value)| (key, Some(value)));
+        let argument = names
+            .iter()
+            .find(|(known, _)| *known == key)
+            .map(|(_, argument)| *argument);
         match argument.filter(|_| at % 2 == 1) {
             Some(argument) => {
                 shown.push_str(argument);

@@ -27,7 +27,9 @@ mod _freestand {
     #[pymodule_export]
     use crate::objects::{check_object, restrain, restrain_list};
     #[pymodule_export]
-    use crate::requests::{code_spectrum, drop_test, floor, shock, shock_spectrum, static_test, synth, validate};
+    use crate::requests::{
+        code_spectrum, drop_test, floor, shock, shock_spectrum, static_test, synth, validate,
+    };
     #[pymodule_export]
     use crate::risk::{fragility, lognormal, risk};
     #[pymodule_export]

@@ -47,7 +47,14 @@ pub(crate) fn unread(name: String, motion: Motion, processing: Vec<String>) -> R
         across: None,
         vertical: None,
     };
-    Record { read: ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" } }
+    Record {
+        read: ReadMotion {
+            motion,
+            notes: Vec::new(),
+            start_note: None,
+            unit: "m/s2",
+        },
+    }
 }
 
 impl Record {
@@ -77,7 +84,12 @@ impl Record {
         processing: Option<Vec<String>>,
     ) -> PyResult<Self> {
         let motion = Motion::new(dt_s, doubles(accel_m_s2));
-        let motion = motion.map_err(|error| raised(Problem::value(error.to_string(), "check accel_m_s2 and dt_s")))?;
+        let motion = motion.map_err(|error| {
+            raised(Problem::value(
+                error.to_string(),
+                "check accel_m_s2 and dt_s",
+            ))
+        })?;
         let mut record = unread(name, motion, processing.unwrap_or_default());
         let given = |note| Note::new(NoteKind::Given, note);
         record.read.notes = notes.into_iter().flatten().map(given).collect();
@@ -126,13 +138,25 @@ impl Record {
     fn spectrum(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {
         let mut given = Given::new(values);
         let periods_s = given.numbers("periods_s").unwrap_or_else(usual_periods_s);
-        let damping_ratios = given.numbers("damping_ratio").unwrap_or_else(|| vec![DAMPING_RATIO]);
-        if let Some(wrong) = damping_ratios.iter().find(|ratio| !(0.0..1.0).contains(*ratio)) {
-            given.push(Problem::value(format!("damping_ratio is {wrong}"), "give a ratio from 0 to below 1"));
+        let damping_ratios = given
+            .numbers("damping_ratio")
+            .unwrap_or_else(|| vec![DAMPING_RATIO]);
+        if let Some(wrong) = damping_ratios
+            .iter()
+            .find(|ratio| !(0.0..1.0).contains(*ratio))
+        {
+            given.push(Problem::value(
+                format!("damping_ratio is {wrong}"),
+                "give a ratio from 0 to below 1",
+            ));
         }
         let upsample = given.count("upsample").unwrap_or(1);
         given.finish()?;
-        let request = SpectrumRequest { damping_ratios, periods_s, upsample };
+        let request = SpectrumRequest {
+            damping_ratios,
+            periods_s,
+            upsample,
+        };
         let report = watched(py, None, |_| spectrum(&self.read, &request))?.map_err(raised)?;
         told("freestand.motion-spectrum/1", &report, &report.warnings)
     }
@@ -142,7 +166,10 @@ impl Record {
         let words = given.words("words");
         let mut reader = WordReader::new(&words);
         let processing = Processing::read(&mut reader, Path::new(""));
-        reader.problems.into_iter().for_each(|problem| given.push(problem));
+        reader
+            .problems
+            .into_iter()
+            .for_each(|problem| given.push(problem));
         given.finish()?;
         let component = Component {
             name: self.read.motion.name.clone(),
@@ -156,7 +183,9 @@ impl Record {
             motion: self.motion().clone(),
             line_of_first_value: 1,
         };
-        let processed = py.detach(|| process(&component, &processing)).map_err(raised)?;
+        let processed = py
+            .detach(|| process(&component, &processing))
+            .map_err(raised)?;
         let mut record = self.with(processed.motion, processed.steps);
         record.read.notes.extend(processed.notes);
         record.read.motion.scale_ratio *= processed.scale_ratio;
@@ -165,20 +194,27 @@ impl Record {
 
     fn scaled(&self, factor: f64) -> PyResult<Self> {
         let scaled = self.motion().scaled(factor);
-        let scaled = scaled.map_err(|error| raised(Problem::value(error.to_string(), "give a finite factor")))?;
+        let scaled = scaled
+            .map_err(|error| raised(Problem::value(error.to_string(), "give a finite factor")))?;
         let mut record = self.with(scaled, vec![format!("scaled by {factor}")]);
         record.read.motion.scale_ratio *= factor;
         Ok(record)
     }
 
     fn write(&self, path: PathBuf) -> PyResult<()> {
-        let is = |ending: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending));
+        let is = |ending: &str| {
+            path.extension()
+                .is_some_and(|found| found.eq_ignore_ascii_case(ending))
+        };
         let text = match (is("csv"), is("at2")) {
             (true, _) => write_csv(self.motion()),
             (_, true) => write_at2(self.motion(), &self.read.motion.name),
             _ => {
                 let message = format!("{} is neither .csv nor .at2", path.display());
-                return Err(raised(Problem::value(message, "name the file with one of these endings")));
+                return Err(raised(Problem::value(
+                    message,
+                    "name the file with one of these endings",
+                )));
             }
         };
         write_file(&path, text.as_bytes(), &[]).map_err(raised)
@@ -187,13 +223,23 @@ impl Record {
 
 /// The motions of files.
 #[pyfunction]
-pub(crate) fn read_motions(py: Python<'_>, paths: Vec<PathBuf>, values: &Bound<'_, PyDict>) -> PyResult<Vec<Record>> {
+pub(crate) fn read_motions(
+    py: Python<'_>,
+    paths: Vec<PathBuf>,
+    values: &Bound<'_, PyDict>,
+) -> PyResult<Vec<Record>> {
     let mut given = Given::new(values);
     let words = given.words("words");
     let mut reader = WordReader::new(&words);
-    let files =
-        MotionFiles { paths, vertical: Upward::Itself("component"), ..MotionFiles::read(&mut reader, Path::new("")) };
-    reader.problems.into_iter().for_each(|problem| given.push(problem));
+    let files = MotionFiles {
+        paths,
+        vertical: Upward::Itself("component"),
+        ..MotionFiles::read(&mut reader, Path::new(""))
+    };
+    reader
+        .problems
+        .into_iter()
+        .for_each(|problem| given.push(problem));
     given.finish()?;
     let read = watched(py, None, |_| read_all(&files))?.map_err(raised_all)?;
     Ok(read.into_iter().map(|read| Record { read }).collect())

@@ -7,11 +7,12 @@ use std::sync::atomic::Ordering;
 use freestand::G0_M_S2;
 use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood, one_object,
+    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood,
+    one_object,
 };
 use freestand_assess::restrain::{
-    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest, RestrainRequest,
-    restrain as restrained, restrain_list as restrained_list,
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest,
+    RestrainRequest, restrain as restrained, restrain_list as restrained_list,
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
@@ -41,12 +42,19 @@ const ARGUMENTS: &[(&str, &str)] = &[
 
 /// Exactly one earthquake is named.
 fn check_one(given: &mut Given<'_, '_>, named: &[(&'static str, bool)]) {
-    let names: Vec<&str> = named.iter().filter(|(_, is_named)| *is_named).map(|(name, _)| *name).collect();
+    let names: Vec<&str> = named
+        .iter()
+        .filter(|(_, is_named)| *is_named)
+        .map(|(name, _)| *name)
+        .collect();
     match names.as_slice() {
         [_] => {}
         [] => {
             let all: Vec<&str> = named.iter().map(|(name, _)| *name).collect();
-            given.push(Problem::value("no earthquake is named", format!("give one of {}", all.join(", "))));
+            given.push(Problem::value(
+                "no earthquake is named",
+                format!("give one of {}", all.join(", ")),
+            ));
         }
         several => {
             let message = format!("{} name different earthquakes", several.join(" and "));
@@ -59,10 +67,19 @@ fn check_one(given: &mut Given<'_, '_>, named: &[(&'static str, bool)]) {
 fn surroundings(given: &mut Given<'_, '_>) -> Surroundings {
     let [height_m, thickness_m, mass_kg] =
         ["upper_height_m", "upper_thickness_m", "upper_mass_kg"].map(|name| given.positive(name));
-    let upper = height_m.zip(thickness_m).map(|(height_m, thickness_m)| UpperBody { height_m, thickness_m, mass_kg });
+    let upper = height_m
+        .zip(thickness_m)
+        .map(|(height_m, thickness_m)| UpperBody {
+            height_m,
+            thickness_m,
+            mass_kg,
+        });
     if upper.is_none() && (height_m.is_some() || thickness_m.is_some() || mass_kg.is_some()) {
         let message = "what stands on the object lacks its height or its thickness";
-        given.push(Problem::value(message, "give upper_height_m and upper_thickness_m, or leave out all three"));
+        given.push(Problem::value(
+            message,
+            "give upper_height_m and upper_thickness_m, or leave out all three",
+        ));
     }
     Surroundings {
         wall_gap_m: given.non_negative("wall_gap_m"),
@@ -89,7 +106,10 @@ pub(crate) fn check_object(
     let hazard: Words = given.words("hazard");
     let has_place = hazard.get("place").is_some();
     let file = given.path("study").map(StudySource::File);
-    let (peak_g, study) = (given.positive("pga_g"), file.or(given.text("study_text").map(StudySource::Text)));
+    let (peak_g, study) = (
+        given.positive("pga_g"),
+        file.or(given.text("study_text").map(StudySource::Text)),
+    );
     let named = [
         ("place", has_place && study.is_none()),
         ("pga_g", peak_g.is_some()),
@@ -104,18 +124,30 @@ pub(crate) fn check_object(
     }
     let scales = given.numbers("scales");
     if scales.is_some() && motions.is_empty() {
-        given.push(Problem::value("scales applies to motions of the floor", "give motions, or leave scales out"));
+        given.push(Problem::value(
+            "scales applies to motions of the floor",
+            "give motions, or leave scales out",
+        ));
     }
     let rests_on = given.text("cushion").map(RestsOn::Entry);
     let rests_on = rests_on.or(given.positive("stiffness_n_m").map(RestsOn::Stiffness));
     let duration_s = given.positive("tolerance_duration_s");
     let tolerance = given.positive("tolerance_g");
-    let tolerance = tolerance.map(|of_g| Withstood { peak_m_s2: of_g * G0_M_S2, duration_s });
+    let tolerance = tolerance.map(|of_g| Withstood {
+        peak_m_s2: of_g * G0_M_S2,
+        duration_s,
+    });
     let (height, thickness) = (given.positive("height_m"), given.positive("thickness_m"));
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
     let shape = given.text("shape");
-    if let Some(other) = shape.as_deref().filter(|shape| !["box", "cylinder"].contains(shape)) {
-        given.push(Problem::value(format!("shape \"{other}\" is not known"), "give \"box\" or \"cylinder\""));
+    if let Some(other) = shape
+        .as_deref()
+        .filter(|shape| !["box", "cylinder"].contains(shape))
+    {
+        given.push(Problem::value(
+            format!("shape \"{other}\" is not known"),
+            "give \"box\" or \"cylinder\"",
+        ));
     }
     let mass_kg = given.positive("mass_kg");
     let friction_ratio = given.range("friction");
@@ -130,13 +162,20 @@ pub(crate) fn check_object(
         (None, Some(ratio)) => FloorPlace::Share(ratio),
         (None, None) => FloorPlace::Ground,
     };
-    let storeys = given.whole("storeys", 1).map(|storeys| u16::try_from(storeys).unwrap_or(u16::MAX));
+    let storeys = given
+        .whole("storeys", 1)
+        .map(|storeys| u16::try_from(storeys).unwrap_or(u16::MAX));
     let storey_height_m = given.positive("storey_height_m");
-    let worlds = given.whole("worlds", 1).map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX));
+    let worlds = given
+        .whole("worlds", 1)
+        .map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX));
     let seed = given.whole("seed", 0);
     given.finish()?;
     let Some((height_m, thickness_m)) = height.zip(thickness) else {
-        return Err(raised(Problem::value("the size of the object is missing", "give height_m and thickness_m")));
+        return Err(raised(Problem::value(
+            "the size of the object is missing",
+            "give height_m and thickness_m",
+        )));
     };
     let earthquake = match (study, peak_g) {
         (Some(source), _) => Earthquake::Study { source, hazard },
@@ -161,12 +200,18 @@ pub(crate) fn check_object(
             surroundings,
         },
         earthquake,
-        floor: Floor { place, storeys, storey_height_m },
+        floor: Floor {
+            place,
+            storeys,
+            storey_height_m,
+        },
         worlds,
         seed,
         units: UnitSystem::Si,
     };
-    let report = watched(py, threads, |stop| one_object(&request, &|| stop.load(Ordering::Relaxed)))?;
+    let report = watched(py, threads, |stop| {
+        one_object(&request, &|| stop.load(Ordering::Relaxed))
+    })?;
     let report = report.map_err(|problems| raised_by(ARGUMENTS, problems))?;
     told(SCHEMA, &report.facts, &report.warnings)
 }
@@ -205,17 +250,31 @@ impl<'py> Shaken<'py> {
             strength_ratio: given.positive("strength_ratio"),
             building_ductility_ratio: given.positive("building_ductility_ratio"),
         };
-        Ok(Self { values: values.clone(), hazard, acceleration_g, floor, factors })
+        Ok(Self {
+            values: values.clone(),
+            hazard,
+            acceleration_g,
+            floor,
+            factors,
+        })
     }
 
     /// The hazard; what is wrong with the values was told before.
     fn hazard(&self) -> PyResult<RestrainHazard> {
         if has_study(&self.values)? {
-            let overrides = Overrides { hazard: self.hazard.clone(), ..Overrides::default() };
-            return Ok(RestrainHazard::Study(Arc::new(study_of(&self.values, &overrides)?)));
+            let overrides = Overrides {
+                hazard: self.hazard.clone(),
+                ..Overrides::default()
+            };
+            return Ok(RestrainHazard::Study(Arc::new(study_of(
+                &self.values,
+                &overrides,
+            )?)));
         }
         let code = || RestrainHazard::Code(self.hazard.clone());
-        Ok(self.acceleration_g.map_or_else(code, RestrainHazard::FloorAcceleration))
+        Ok(self
+            .acceleration_g
+            .map_or_else(code, RestrainHazard::FloorAcceleration))
     }
 }
 
@@ -228,16 +287,27 @@ fn has_study(values: &Bound<'_, PyDict>) -> PyResult<bool> {
 pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
     let mut given = Given::new(values);
     let shaken = Shaken::read(&mut given, values)?;
-    let (mass, height, thickness) =
-        (given.positive("mass_kg"), given.positive("height_m"), given.positive("thickness_m"));
+    let (mass, height, thickness) = (
+        given.positive("mass_kg"),
+        given.positive("height_m"),
+        given.positive("thickness_m"),
+    );
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
-    let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
+    let anchors_per_edge = given
+        .count("anchors_per_edge")
+        .unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
     let is_compared = given.flag("compare");
-    let (component, anchor_inset_m) = (given.text("component"), given.non_negative("anchor_inset_m"));
+    let (component, anchor_inset_m) = (
+        given.text("component"),
+        given.non_negative("anchor_inset_m"),
+    );
     given.finish()?;
     let (Some(mass_kg), Some(height_m), Some(thickness_m)) = (mass, height, thickness) else {
         let hint = "give mass_kg, height_m and thickness_m";
-        return Err(raised(Problem::value("the mass or the size of the object is missing", hint)));
+        return Err(raised(Problem::value(
+            "the mass or the size of the object is missing",
+            hint,
+        )));
     };
     let request = RestrainRequest {
         mass_kg,
@@ -256,16 +326,25 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
     };
     let report = watched(py, None, |_| restrained(request))?.map_err(raised_all)?;
     let document = report.facts.clone().key("sheet", None::<String>);
-    Ok((told("freestand.restrain/1", &document, &report.warnings)?, report.sheet))
+    Ok((
+        told("freestand.restrain/1", &document, &report.warnings)?,
+        report.sheet,
+    ))
 }
 
 /// The forces that the restraints of all objects of a list have to carry.
 #[pyfunction]
-pub(crate) fn restrain_list(py: Python<'_>, list: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
+pub(crate) fn restrain_list(
+    py: Python<'_>,
+    list: PathBuf,
+    values: &Bound<'_, PyDict>,
+) -> PyResult<String> {
     let mut given = Given::new(values);
     let shaken = Shaken::read(&mut given, values)?;
     let cells = given.cells();
-    let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
+    let anchors_per_edge = given
+        .count("anchors_per_edge")
+        .unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
     let anchor_inset_m = given.non_negative("anchor_inset_m");
     given.finish()?;
     let request = RestrainListRequest {

@@ -16,12 +16,16 @@ use freestand_records::formats::{ReadOptions, parse_sensitivity};
 use freestand_records::notes::grouped;
 use freestand_study::building;
 use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
-use freestand_study::laboratory::drop_test::{DropRequest, LAWS, cushion_toml, drop_tests, loop_table};
+use freestand_study::laboratory::drop_test::{
+    DropRequest, LAWS, cushion_toml, drop_tests, loop_table,
+};
 use freestand_study::laboratory::static_curve::{StaticRequest, static_tests};
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::matched::{SynthRequest, synth as made};
-use freestand_study::shock::{Energy, MODELS, SCENARIOS, ShockRequest, boundary_tests, shock as evaluated};
+use freestand_study::shock::{
+    Energy, MODELS, SCENARIOS, ShockRequest, boundary_tests, shock as evaluated,
+};
 use freestand_study::shock_spectrum::{
     DEFAULT_FREQUENCIES, KINDS, PEAKS, ShockSpectrumRequest, recorded_shock_spectra,
 };
@@ -45,21 +49,33 @@ pub(crate) fn shock(body: &Body, values: &Bound<'_, PyDict>) -> PyResult<String>
         given.non_negative("cg_rise_m").map(Energy::CgRise),
         given.non_negative("uplift_m").map(Energy::Uplift),
         given.number("rotation_rad").map(Energy::Rotation),
-        given.number("angular_velocity_rad_s").map(Energy::AngularVelocity),
+        given
+            .number("angular_velocity_rad_s")
+            .map(Energy::AngularVelocity),
     ];
     if energies.iter().flatten().count() > 1 {
-        let message = "cg_rise_m, uplift_m, rotation_rad and angular_velocity_rad_s exclude each other";
+        let message =
+            "cg_rise_m, uplift_m, rotation_rad and angular_velocity_rad_s exclude each other";
         given.push(Problem::value(message, "keep one of them"));
     }
-    let tests = given.path("damage_boundary").map(|path| boundary_tests(&path));
+    let tests = given
+        .path("damage_boundary")
+        .map(|path| boundary_tests(&path));
     let tests = tests.and_then(|tests| given.keep(tests));
     let Some(mass_kg) = body.mass_kg else {
-        return Err(raised(Problem::value("the shock needs the mass of the object", "give the block mass_kg")));
+        return Err(raised(Problem::value(
+            "the shock needs the mass of the object",
+            "give the block mass_kg",
+        )));
     };
     let acceleration = |of_g: Option<f64>| of_g.map(|of_g| of_g * G0_M_S2);
     let bare = ShockRequest::new(body.block, mass_kg);
     let request = ShockRequest {
-        cushion: if own.is_empty() { body.cushion.clone() } else { own },
+        cushion: if own.is_empty() {
+            body.cushion.clone()
+        } else {
+            own
+        },
         contact_stiffness_n_m: given.positive("contact_stiffness_n_m"),
         drop_acceleration_m_s2: acceleration(given.positive("drop_acceleration_g")),
         energy: energies.into_iter().flatten().next(),
@@ -89,7 +105,10 @@ fn one_of(given: &mut Given<'_, '_>, name: &str, known: &[&str]) -> Option<Strin
     let text = given.text(name)?;
     if !known.contains(&text.as_str()) {
         let hint = format!("give one of {}", known.join(", "));
-        given.push(Problem::value(format!("{name} \"{text}\" is not known"), hint));
+        given.push(Problem::value(
+            format!("{name} \"{text}\" is not known"),
+            hint,
+        ));
     }
     Some(text)
 }
@@ -101,14 +120,20 @@ type Pad = (String, Option<String>, Vec<String>);
 #[pyfunction]
 pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Pad> {
     let mut given = Given::new(values);
-    let unit = given.text("unit").map(|unit| freestand_records::formats::parse_unit(&unit));
-    let sensitivity = given.text("sensitivity").map(|text| parse_sensitivity(&text));
+    let unit = given
+        .text("unit")
+        .map(|unit| freestand_records::formats::parse_unit(&unit));
+    let sensitivity = given
+        .text("sensitivity")
+        .map(|text| parse_sensitivity(&text));
     let request = DropRequest {
         files: given.paths("files"),
         mass_kg: given.positive("mass_kg"),
         height_m: given.positive("height_m"),
         impact_velocity_m_s: given.positive("impact_velocity_m_s"),
-        velocity_error_ratio: given.positive("velocity_error_ratio").unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
+        velocity_error_ratio: given
+            .positive("velocity_error_ratio")
+            .unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
         gravity_m_s2: given.non_negative("gravity_m_s2").unwrap_or(G0_M_S2),
         filter_corner_hz: given.positive("corner_hz"),
         law: given.choice("law", LAWS),
@@ -132,8 +157,16 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
     }
     given.finish()?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
-    let text = told("freestand.cushion-drop/1", &report.facts(), &report.warnings)?;
-    let loops = report.tests.iter().map(|test| loop_table(&test.test).to_string()).collect();
+    let text = told(
+        "freestand.cushion-drop/1",
+        &report.facts(),
+        &report.warnings,
+    )?;
+    let loops = report
+        .tests
+        .iter()
+        .map(|test| loop_table(&test.test).to_string())
+        .collect();
     Ok((text, cushion_toml(&report.pooled), loops))
 }
 
@@ -146,37 +179,66 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
         files: given.paths("files"),
         load_n: given.positive("load_n"),
         machine_stiffness_n_m: given.positive("machine_stiffness_n_m"),
-        toe: given.optional_flag("cut_toe").map(|cuts| if cuts { Toe::Slack } else { Toe::Keep }),
+        toe: given
+            .optional_flag("cut_toe")
+            .map(|cuts| if cuts { Toe::Slack } else { Toe::Keep }),
         inverted: given.flag("inverted"),
-        sensitivities: sensitivities.iter().filter_map(|text| given.keep(parse_sensitivity(text))).collect(),
+        sensitivities: sensitivities
+            .iter()
+            .filter_map(|text| given.keep(parse_sensitivity(text)))
+            .collect(),
         impactor: one_of(&mut given, "impactor", &IMPACTORS),
         boundary: one_of(&mut given, "boundary", &BOUNDARIES),
         dynamic_stiffness_n_m: given.positive("dynamic_stiffness_n_m"),
     };
     given.finish()?;
     let report = watched(py, None, |_| static_tests(&request))?.map_err(raised_all)?;
-    told("freestand.cushion-static/1", &report.facts(), &report.warnings)
+    told(
+        "freestand.cushion-static/1",
+        &report.facts(),
+        &report.warnings,
+    )
 }
 
 /// The shock response spectrum of a motion.
 #[pyfunction]
-pub(crate) fn shock_spectrum(py: Python<'_>, record: &Record, values: &Bound<'_, PyDict>) -> PyResult<String> {
+pub(crate) fn shock_spectrum(
+    py: Python<'_>,
+    record: &Record,
+    values: &Bound<'_, PyDict>,
+) -> PyResult<String> {
     let mut given = Given::new(values);
     let (damping, q) = (given.non_negative("damping_ratio"), given.positive("q"));
     if damping.is_some() && q.is_some() {
-        given.push(Problem::value("damping_ratio and q exclude each other", "keep one of them"));
+        given.push(Problem::value(
+            "damping_ratio and q exclude each other",
+            "keep one of them",
+        ));
     }
-    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(ShockSpectrumOptions::default().damping_ratio);
+    let damping_ratio = damping
+        .or(q.map(|q| 0.5 / q))
+        .unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
         let message = format!("a damping ratio of {damping_ratio} is not below 1");
-        given.push(Problem::value(message, "give a damping_ratio below 1, or a q above 0.5"));
+        given.push(Problem::value(
+            message,
+            "give a damping_ratio below 1, or a q above 0.5",
+        ));
     }
     let frequencies_hz = match given.numbers("frequencies_hz") {
         Some(frequencies_hz) => frequencies_hz,
-        None => given.keep(parse_grid(DEFAULT_FREQUENCIES, Dimension::Frequency)).unwrap_or_default(),
+        None => given
+            .keep(parse_grid(DEFAULT_FREQUENCIES, Dimension::Frequency))
+            .unwrap_or_default(),
     };
-    if let Some(wrong) = frequencies_hz.iter().find(|frequency| !(frequency.is_finite() && **frequency > 0.0)) {
-        given.push(Problem::value(format!("frequencies_hz holds {wrong}"), "give frequencies above 0"));
+    if let Some(wrong) = frequencies_hz
+        .iter()
+        .find(|frequency| !(frequency.is_finite() && **frequency > 0.0))
+    {
+        given.push(Problem::value(
+            format!("frequencies_hz holds {wrong}"),
+            "give frequencies above 0",
+        ));
     }
     let request = ShockSpectrumRequest {
         kind: given.choice("kind", KINDS).unwrap_or_default(),
@@ -188,7 +250,13 @@ pub(crate) fn shock_spectrum(py: Python<'_>, record: &Record, values: &Bound<'_,
     given.finish()?;
     let motions = [record.read.clone()];
     let report = watched(py, None, |stop| {
-        let go_on = || if stop.load(Ordering::Relaxed) { Err(Problem::stopped()) } else { Ok(()) };
+        let go_on = || {
+            if stop.load(Ordering::Relaxed) {
+                Err(Problem::stopped())
+            } else {
+                Ok(())
+            }
+        };
         recorded_shock_spectra(&motions, &request, go_on)
     })?
     .map_err(raised)?;
@@ -201,11 +269,16 @@ pub(crate) fn code_spectrum(values: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut given = Given::new(values);
     let words = given.words("words");
     let periods_s = given.numbers("periods_s");
-    let building = (given.positive("building_height_m"), given.positive("building_period_s"));
+    let building = (
+        given.positive("building_height_m"),
+        given.positive("building_period_s"),
+    );
     let parts = given.flag("parts");
     let target = given.keep(Target::resolve(&words, Path::new("")));
     given.finish()?;
-    let Some(target) = target else { return Err(raised_all(Problems::default())) };
+    let Some(target) = target else {
+        return Err(raised_all(Problems::default()));
+    };
     let report = shown(&target, periods_s, parts.then_some(building)).map_err(raised_all)?;
     told("freestand.code-spectrum/1", &report, &target.warnings)
 }
@@ -231,20 +304,42 @@ pub(crate) fn synth(
     let count = given.whole("count", 1).unwrap_or(DEFAULT_MOTIONS);
     if count > freestand_study::resolve::MAX_MOTIONS {
         let hint = format!("give at most {}", freestand_study::resolve::MAX_MOTIONS);
-        given.push(Problem::value(format!("a count of {count} motions is too large"), hint));
+        given.push(Problem::value(
+            format!("a count of {count} motions is too large"),
+            hint,
+        ));
     }
     let seed = given.whole("seed", 0).unwrap_or(DEFAULT_SEED);
     if let Some(target) = &target {
         given.keep(target.check_matched_band());
     }
-    let pga_g = target.as_ref().filter(|_| is_peak_matched).map(Target::peak_g);
+    let pga_g = target
+        .as_ref()
+        .filter(|_| is_peak_matched)
+        .map(Target::peak_g);
     let pga_g = pga_g.and_then(|pga_g| given.keep(pga_g));
     given.finish()?;
-    let Some(target) = target else { return Err(raised_all(Problems::default())) };
-    let request = SynthRequest { target, count, seed, options, pga_g };
+    let Some(target) = target else {
+        return Err(raised_all(Problems::default()));
+    };
+    let request = SynthRequest {
+        target,
+        count,
+        seed,
+        options,
+        pga_g,
+    };
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
-    let text = told("freestand.motion-synth/1", &report.facts(), &report.warnings())?;
-    let motions = report.motions.into_iter().map(|one| unread(one.name, one.motion, Vec::new())).collect();
+    let text = told(
+        "freestand.motion-synth/1",
+        &report.facts(),
+        &report.warnings(),
+    )?;
+    let motions = report
+        .motions
+        .into_iter()
+        .map(|one| unread(one.name, one.motion, Vec::new()))
+        .collect();
     Ok((text, motions))
 }
 
@@ -258,8 +353,16 @@ pub(crate) fn floor(
 ) -> PyResult<(String, Vec<Vec<Record>>)> {
     let mut given = Given::new(values);
     let (words, target) = (given.words("building"), given.words("target"));
-    let building = given.keep(building::resolve(&words, Path::new(""), period_code(&target)));
-    let target = if target.is_empty() { None } else { given.keep(Target::resolve(&target, Path::new(""))) };
+    let building = given.keep(building::resolve(
+        &words,
+        Path::new(""),
+        period_code(&target),
+    ));
+    let target = if target.is_empty() {
+        None
+    } else {
+        given.keep(Target::resolve(&target, Path::new("")))
+    };
     let every = given.flag("every_floor");
     let levels = match given.numbers("levels") {
         Some(levels) => Some(levels),
@@ -268,14 +371,26 @@ pub(crate) fn floor(
     let levels = levels.unwrap_or_default();
     if let Some(wrong) = levels.iter().find(|level| !(0.0..=1.0).contains(*level)) {
         let message = format!("levels holds {wrong}, which is not a share of the height");
-        given.push(Problem::value(message, "give levels from 0 (the ground) to 1 (the roof)"));
+        given.push(Problem::value(
+            message,
+            "give levels from 0 (the ground) to 1 (the roof)",
+        ));
     }
     let tail_s = given.non_negative("tail_s").unwrap_or(0.0);
-    let upsample = given.count("upsample").and_then(NonZeroUsize::new).map_or(1, NonZeroUsize::get);
+    let upsample = given
+        .count("upsample")
+        .and_then(NonZeroUsize::new)
+        .map_or(1, NonZeroUsize::get);
     given.finish()?;
-    let Some(building) = building else { return Err(raised_all(Problems::default())) };
+    let Some(building) = building else {
+        return Err(raised_all(Problems::default()));
+    };
     let request = FloorRequest {
-        levels_ratio: if every { every_floor(&building.along, building.storeys) } else { levels },
+        levels_ratio: if every {
+            every_floor(&building.along, building.storeys)
+        } else {
+            levels
+        },
         is_storeys: every,
         tail_s,
         upsample,
@@ -300,17 +415,28 @@ pub(crate) fn floor(
             reports.push(done.report);
         }
         let of_building = request.building.warnings.iter().cloned();
-        let warnings: Vec<String> = of_building.chain(grouped(notes.iter().map(|(name, note)| (name, note)))).collect();
+        let warnings: Vec<String> = of_building
+            .chain(grouped(notes.iter().map(|(name, note)| (name, note))))
+            .collect();
         Ok::<_, Problem>((reports, motions, warnings))
     };
     let (reports, motions, mut warnings) = watched(py, threads, |_| work())?.map_err(raised)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));
     let report = FloorReport::new(&request, reports, None).ok_or_else(|| {
-        raised(Problem::new(ProblemKind::Missing, "there is no motion").hint("give at least one motion"))
+        raised(
+            Problem::new(ProblemKind::Missing, "there is no motion")
+                .hint("give at least one motion"),
+        )
     })?;
     let text = told("freestand.floor/1", &report, &warnings)?;
     let record = |(name, motion): (String, Motion)| unread(name, motion, Vec::new());
-    Ok((text, motions.into_iter().map(|floors| floors.into_iter().map(record).collect()).collect()))
+    Ok((
+        text,
+        motions
+            .into_iter()
+            .map(|floors| floors.into_iter().map(record).collect())
+            .collect(),
+    ))
 }
 
 /// The checks of the models.

@@ -9,11 +9,16 @@ use freestand::sliding::Clearance;
 use freestand_input::problem::Problem;
 use freestand_output::facts::{Facts, Value};
 use freestand_study::compliant::{
-    self as on_cushions, CompliantRequest, Release, accuracy, rock_on_cushions, start, with_tangential_stiffness,
+    self as on_cushions, CompliantRequest, Release, accuracy, rock_on_cushions, start,
+    with_tangential_stiffness,
 };
 use freestand_study::restitution::checked;
-use freestand_study::rock::{ACCURACIES, HISTORY, MODELS, RockRequest, history_row, rock as calculated, until};
-use freestand_study::sliding::{self, Contact, SlideRequest, StopShock, Surface, SurfaceGiven, slide as slid};
+use freestand_study::rock::{
+    ACCURACIES, HISTORY, MODELS, RockRequest, history_row, rock as calculated, until,
+};
+use freestand_study::sliding::{
+    self, Contact, SlideRequest, StopShock, Surface, SurfaceGiven, slide as slid,
+};
 use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -25,21 +30,47 @@ use crate::motion::Record;
 use crate::work::abandoned_on_signal;
 
 /// Facts, warnings, impacts, impacts on walls, names and columns of the history.
-type Answer<'py> =
-    (Bound<'py, PyDict>, Vec<String>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Option<(String, Bound<'py, PyBytes>)>);
+type Answer<'py> = (
+    Bound<'py, PyDict>,
+    Vec<String>,
+    Bound<'py, PyBytes>,
+    Bound<'py, PyBytes>,
+    Option<(String, Bound<'py, PyBytes>)>,
+);
 
 /// Numbers of an impact, in this order, in the arrays of the Python layer.
-const IMPACT: [&str; 4] = ["time_s", "omega_before_rad_s", "omega_after_rad_s", "edge_acceleration_impact_velocity_g"];
+const IMPACT: [&str; 4] = [
+    "time_s",
+    "omega_before_rad_s",
+    "omega_after_rad_s",
+    "edge_acceleration_impact_velocity_g",
+];
 
 /// Numbers of an impact on a wall; before them stands 1 for the right wall and −1 for the left.
-const WALL_IMPACT: [&str; 5] = ["time_s", "omega_before_rad_s", "omega_after_rad_s", "speed_m_s", "acceleration_g"];
+const WALL_IMPACT: [&str; 5] = [
+    "time_s",
+    "omega_before_rad_s",
+    "omega_after_rad_s",
+    "speed_m_s",
+    "acceleration_g",
+];
 
 /// A list of facts as rows of numbers.
 fn rows<const N: usize>(facts: &Facts<'_>, list: &str, names: [&str; N], side: bool) -> Vec<u8> {
-    let Some(Value::List(rows)) = facts.get(list) else { return Vec::new() };
+    let Some(Value::List(rows)) = facts.get(list) else {
+        return Vec::new();
+    };
     let row = |value: &Value<'_>| {
-        let Value::Facts(row) = value else { return Vec::new() };
-        let side = side.then(|| if row.text("side") == Some("right") { 1.0 } else { -1.0 });
+        let Value::Facts(row) = value else {
+            return Vec::new();
+        };
+        let side = side.then(|| {
+            if row.text("side") == Some("right") {
+                1.0
+            } else {
+                -1.0
+            }
+        });
         let numbers = names.map(|name| row.number(name).unwrap_or(f64::NAN));
         bytes(side.into_iter().chain(numbers))
     };
@@ -49,7 +80,10 @@ fn rows<const N: usize>(facts: &Facts<'_>, list: &str, names: [&str; N], side: b
 /// The names of the columns of a history, and the columns, one after the other.
 fn columns(head: &str, rows: &[impl AsRef<[f64]>]) -> (String, Vec<u8>) {
     let width = head.split(',').count();
-    let column = |column: usize| rows.iter().map(move |row| row.as_ref().get(column).copied().unwrap_or(f64::NAN));
+    let column = |column: usize| {
+        rows.iter()
+            .map(move |row| row.as_ref().get(column).copied().unwrap_or(f64::NAN))
+    };
     (head.to_owned(), bytes((0..width).flat_map(column)))
 }
 
@@ -61,16 +95,34 @@ fn answer<'py>(
 ) -> PyResult<Answer<'py>> {
     // Those of a rigid base are numbers alone, and many.
     let is_rigid = facts.get("wall_impacts").is_some();
-    let impacts = if is_rigid { rows(facts, "impacts", IMPACT, false) } else { Vec::new() };
+    let impacts = if is_rigid {
+        rows(facts, "impacts", IMPACT, false)
+    } else {
+        Vec::new()
+    };
     let impacts = PyBytes::new(py, &impacts);
     let walls = PyBytes::new(py, &rows(facts, "wall_impacts", WALL_IMPACT, true));
-    let known = dictionary(py, facts, |name| is_rigid && matches!(name, "impacts" | "wall_impacts"))?;
-    Ok((known, warnings, impacts, walls, history.map(|(head, history)| (head, PyBytes::new(py, &history)))))
+    let known = dictionary(py, facts, |name| {
+        is_rigid && matches!(name, "impacts" | "wall_impacts")
+    })?;
+    Ok((
+        known,
+        warnings,
+        impacts,
+        walls,
+        history.map(|(head, history)| (head, PyBytes::new(py, &history))),
+    ))
 }
 
 /// The restitution, checked against the objects, which are made only if a restitution is given.
-pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: impl FnOnce() -> Vec<Block>) -> Restitution {
-    let (value, factor) = (given.number("restitution"), given.number("restitution_factor"));
+pub(crate) fn restitution(
+    given: &mut Given<'_, '_>,
+    blocks: impl FnOnce() -> Vec<Block>,
+) -> Restitution {
+    let (value, factor) = (
+        given.number("restitution"),
+        given.number("restitution_factor"),
+    );
     if value.is_some() && factor.is_some() {
         let message = "restitution and restitution_factor exclude each other";
         given.push(Problem::value(message, "keep one of them"));
@@ -80,7 +132,9 @@ pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: impl FnOnce() -> Ve
         (None, Some(factor)) => Restitution::Factor(factor),
         (None, None) => return Restitution::Housner,
     };
-    given.keep(checked(restitution, &blocks())).unwrap_or_default()
+    given
+        .keep(checked(restitution, &blocks()))
+        .unwrap_or_default()
 }
 
 /// The walls beside an object, and what the shock on them needs.
@@ -97,15 +151,30 @@ pub(crate) fn walls(
     };
     let stiffness_n_m = given.positive("wall_stiffness_n_m");
     let has_gap = of.left_gap_m.or(of.right_gap_m).is_some();
-    if stiffness_n_m.is_some() && !has_gap && of.height_m.is_none() && of.restitution_ratio.is_none() {
+    if stiffness_n_m.is_some()
+        && !has_gap
+        && of.height_m.is_none()
+        && of.restitution_ratio.is_none()
+    {
         given.push(needs_a_gap());
     }
     if stiffness_n_m.is_some() && mass_kg.is_none() {
         let message = "the stiffness of the walls is used for the shock, which also needs the mass of the object";
-        given.push(Problem::value(message, "give mass_kg, or leave the stiffness of the walls out"));
+        given.push(Problem::value(
+            message,
+            "give mass_kg, or leave the stiffness of the walls out",
+        ));
     }
-    let walls = block.and_then(|block| given.keep(of.walls(block))).unwrap_or_default();
-    (walls, WallStiffness { mass_kg, stiffness_n_m })
+    let walls = block
+        .and_then(|block| given.keep(of.walls(block)))
+        .unwrap_or_default();
+    (
+        walls,
+        WallStiffness {
+            mass_kg,
+            stiffness_n_m,
+        },
+    )
 }
 
 /// What is under an object that slides or stands on casters.
@@ -167,9 +236,16 @@ impl Shaken<'_> {
         py: Python<'_>,
         work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
     ) -> PyResult<T> {
-        let samples = self.motion.into_iter().chain(self.vertical).map(|record| record.motion().accel_m_s2().len());
-        let done =
-            if samples.max().unwrap_or(0) > MANY_SAMPLES { abandoned_on_signal(py, work)? } else { py.detach(work) };
+        let samples = self
+            .motion
+            .into_iter()
+            .chain(self.vertical)
+            .map(|record| record.motion().accel_m_s2().len());
+        let done = if samples.max().unwrap_or(0) > MANY_SAMPLES {
+            abandoned_on_signal(py, work)?
+        } else {
+            py.detach(work)
+        };
         done.map_err(raised)
     }
 }
@@ -185,7 +261,12 @@ pub(crate) fn rock<'py>(
     values: &Bound<'py, PyDict>,
     history: bool,
 ) -> PyResult<Option<Answer<'py>>> {
-    let shaken = Shaken { body, motion, vertical, history };
+    let shaken = Shaken {
+        body,
+        motion,
+        vertical,
+        history,
+    };
     let mut given = Given::new(values);
     if given.flag("sliding") {
         return slide(py, shaken, given);
@@ -194,7 +275,10 @@ pub(crate) fn rock<'py>(
         None | Some("rigid") => false,
         Some("compliant") => true,
         Some(other) => {
-            given.push(Problem::value(format!("base \"{other}\" is not known"), "give one of rigid, compliant"));
+            given.push(Problem::value(
+                format!("base \"{other}\" is not known"),
+                "give one of rigid, compliant",
+            ));
             false
         }
     };
@@ -202,12 +286,19 @@ pub(crate) fn rock<'py>(
     follow(py, shaken, given).map(Some)
 }
 
-fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Answer<'py>> {
+fn rigid<'py>(
+    py: Python<'py>,
+    shaken: Shaken<'_>,
+    mut given: Given<'_, 'py>,
+) -> PyResult<Answer<'py>> {
     let Shaken { body, history, .. } = shaken;
     let block = body.block;
     if body.edge.is_some() && body.mass_kg.is_none() {
         let message = "the cushion is used for the shock, which also needs the mass of the object";
-        given.push(Problem::value(message, "give mass_kg, or leave the cushion out"));
+        given.push(Problem::value(
+            message,
+            "give mass_kg, or leave the cushion out",
+        ));
     }
     let model = given.choice("model", MODELS).unwrap_or_default();
     let (walls, wall) = walls(&mut given, Some(&block), body.mass_kg);
@@ -227,7 +318,10 @@ fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
         walls,
     };
     let friction = given.positive("friction");
-    if shaken.is_still() && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
+    if shaken.is_still()
+        && options.initial_rotation_rad == 0.0
+        && options.initial_omega_rad_s == 0.0
+    {
         given.push(nothing_moves());
     }
     given.finish()?;
@@ -241,17 +335,39 @@ fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
         friction,
     };
     let report = shaken.follow(py, move || calculated(&request, history))?;
-    let rows: Vec<[f64; 5]> = report.history.iter().map(|point| history_row(&block, point)).collect();
-    answer(py, &report.facts, report.warnings, history.then(|| columns(HISTORY, &rows)))
+    let rows: Vec<[f64; 5]> = report
+        .history
+        .iter()
+        .map(|point| history_row(&block, point))
+        .collect();
+    answer(
+        py,
+        &report.facts,
+        report.warnings,
+        history.then(|| columns(HISTORY, &rows)),
+    )
 }
 
-fn compliant<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Answer<'py>> {
+fn compliant<'py>(
+    py: Python<'py>,
+    shaken: Shaken<'_>,
+    mut given: Given<'_, 'py>,
+) -> PyResult<Answer<'py>> {
     let Shaken { body, history, .. } = shaken;
-    let of_rigid_base = ["restitution", "restitution_factor", "left_m", "right_m", "wall_height_m"];
+    let of_rigid_base = [
+        "restitution",
+        "restitution_factor",
+        "left_m",
+        "right_m",
+        "wall_height_m",
+    ];
     for name in of_rigid_base {
         if given.number(name).is_some() {
             let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
-            given.push(Problem::value(format!("{name} applies only to a rigid base"), hint));
+            given.push(Problem::value(
+                format!("{name} applies only to a rigid base"),
+                hint,
+            ));
         }
     }
     let tangential = given.positive("tangential_stiffness_n_m");
@@ -265,24 +381,41 @@ fn compliant<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>
     let at = given.point("at_m");
     let contacts = given.count("contacts");
     let accuracy = accuracy(given.choice("accuracy", ACCURACIES).unwrap_or_default());
-    let start = given.keep(start(&body.block, release, omega)).unwrap_or(Start::Rest);
+    let start = given
+        .keep(start(&body.block, release, omega))
+        .unwrap_or(Start::Rest);
     let cushion = body.mass_kg.zip(body.edge.clone());
     if cushion.is_none() {
-        let hint = "give the block mass_kg and the stiffness_n_m of the whole cushion under one edge";
-        given.push(Problem::value("a compliant base needs a mass and a stiffness", hint));
+        let hint =
+            "give the block mass_kg and the stiffness_n_m of the whole cushion under one edge";
+        given.push(Problem::value(
+            "a compliant base needs a mass and a stiffness",
+            hint,
+        ));
     }
     if shaken.is_still() && start == Start::Rest {
         given.push(nothing_moves());
     }
     given.finish()?;
-    let Some((mass_kg, edge)) = cushion else { return Err(raised(nothing_moves())) };
-    let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let Some((mass_kg, edge)) = cushion else {
+        return Err(raised(nothing_moves()));
+    };
+    let mut base = CompliantBase {
+        friction_ratio,
+        ..CompliantBase::new(mass_kg, edge.cushion)
+    };
     base.contacts = contacts.unwrap_or(base.contacts);
     base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
     if let Some(stiffness_n_m) = tangential {
         base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
     }
-    let options = CompliantOptions { gravity_m_s2, accuracy, start, duration_s, points_m: at.into_iter().collect() };
+    let options = CompliantOptions {
+        gravity_m_s2,
+        accuracy,
+        start,
+        duration_s,
+        points_m: at.into_iter().collect(),
+    };
     let request = CompliantRequest {
         block: body.block,
         base,
@@ -292,20 +425,38 @@ fn compliant<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>
         vertical: shaken.upward(),
         options,
     };
-    let report = abandoned_on_signal(py, move || rock_on_cushions(&request, history))?.map_err(raised)?;
-    let rows: Vec<_> = report.history.iter().map(on_cushions::history_row).collect();
+    let report =
+        abandoned_on_signal(py, move || rock_on_cushions(&request, history))?.map_err(raised)?;
+    let rows: Vec<_> = report
+        .history
+        .iter()
+        .map(on_cushions::history_row)
+        .collect();
     let head = on_cushions::history_head(&report.history);
-    answer(py, &report.facts, report.warnings, history.then(|| columns(&head, &rows)))
+    answer(
+        py,
+        &report.facts,
+        report.warnings,
+        history.then(|| columns(&head, &rows)),
+    )
 }
 
 /// The travel of an object that slides or rolls; `None` if it is on braked casters that hold.
-fn slide<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Option<Answer<'py>>> {
+fn slide<'py>(
+    py: Python<'py>,
+    shaken: Shaken<'_>,
+    mut given: Given<'_, 'py>,
+) -> PyResult<Option<Answer<'py>>> {
     let Shaken { body, history, .. } = shaken;
     let surface = surface(&mut given);
     let carried = surface.and_then(|surface| given.keep(surface.carries(&body.block)));
     let stop = surface.and_then(|surface| {
         let stiffness_n_m = given.positive("stop_stiffness_n_m");
-        given.keep(StopShock::new(stiffness_n_m, body.mass_kg, &surface.clearance))?
+        given.keep(StopShock::new(
+            stiffness_n_m,
+            body.mass_kg,
+            &surface.clearance,
+        ))?
     });
     let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
     let until = until(given.positive("duration_s"));
@@ -313,7 +464,9 @@ fn slide<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
         given.push(Problem::value("nothing moves the object", "give a motion"));
     }
     given.finish()?;
-    let (Some(surface), Some(true)) = (surface, carried) else { return Ok(None) };
+    let (Some(surface), Some(true)) = (surface, carried) else {
+        return Ok(None);
+    };
     let request = SlideRequest {
         block: body.block,
         surface,
@@ -325,5 +478,11 @@ fn slide<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
     };
     let report = shaken.follow(py, move || slid(&request, history))?;
     let rows: Vec<_> = report.history.iter().map(sliding::history_row).collect();
-    answer(py, &report.facts, report.warnings, history.then(|| columns(sliding::HISTORY, &rows))).map(Some)
+    answer(
+        py,
+        &report.facts,
+        report.warnings,
+        history.then(|| columns(sliding::HISTORY, &rows)),
+    )
+    .map(Some)
 }

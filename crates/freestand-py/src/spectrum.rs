@@ -9,7 +9,8 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::{Facts, Value};
 use freestand_study::rock::{ACCURACIES, MODELS, problem, until};
 use freestand_study::spectrum::{
-    Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects, spectrum as calculated,
+    Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects,
+    spectrum as calculated,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -31,16 +32,22 @@ enum Column {
     Number(Vec<f64>),
     Count(Vec<i64>),
     Flag(Vec<u8>),
-    Text { codes: Vec<i32>, texts: Vec<String>, code_of: HashMap<String, i32> },
+    Text {
+        codes: Vec<i32>,
+        texts: Vec<String>,
+        code_of: HashMap<String, i32>,
+    },
 }
 
 impl Column {
     /// An empty column: the kinds of all values are known from their names.
     fn of(name: &str) -> Self {
         match name {
-            "motion" | "outcome" | "reason" => {
-                Self::Text { codes: Vec::new(), texts: Vec::new(), code_of: HashMap::new() }
-            }
+            "motion" | "outcome" | "reason" => Self::Text {
+                codes: Vec::new(),
+                texts: Vec::new(),
+                code_of: HashMap::new(),
+            },
             "impact_count" => Self::Count(Vec::new()),
             "sensitive" => Self::Flag(Vec::new()),
             _ => Self::Number(Vec::new()),
@@ -51,17 +58,31 @@ impl Column {
         match (self, value) {
             (Self::Number(values), Value::Number(value)) => values.push(*value),
             (Self::Number(values), _) => values.push(f64::NAN),
-            (Self::Count(values), Value::Count(count)) => values.push(i64::try_from(*count).unwrap_or(i64::MAX)),
+            (Self::Count(values), Value::Count(count)) => {
+                values.push(i64::try_from(*count).unwrap_or(i64::MAX))
+            }
             (Self::Count(values), _) => values.push(-1),
             (Self::Flag(values), Value::Flag(flag)) => values.push(u8::from(*flag)),
             (Self::Flag(values), _) => values.push(u8::MAX),
-            (Self::Text { codes, texts, code_of }, Value::Text(text)) => {
+            (
+                Self::Text {
+                    codes,
+                    texts,
+                    code_of,
+                },
+                Value::Text(text),
+            ) => {
                 // Neighbours are often equal, and a comparison is cheaper than a search.
                 let last = codes.last().copied();
                 let is_last = |last: &i32| {
-                    usize::try_from(*last).ok().and_then(|last| texts.get(last)).is_some_and(|known| known == text)
+                    usize::try_from(*last)
+                        .ok()
+                        .and_then(|last| texts.get(last))
+                        .is_some_and(|known| known == text)
                 };
-                let code = last.filter(is_last).unwrap_or_else(|| code(texts, code_of, text));
+                let code = last
+                    .filter(is_last)
+                    .unwrap_or_else(|| code(texts, code_of, text));
                 codes.push(code);
             }
             (Self::Text { codes, .. }, _) => codes.push(-1),
@@ -74,9 +95,28 @@ impl Column {
             (Self::Number(all), Self::Number(more)) => all.extend(more),
             (Self::Count(all), Self::Count(more)) => all.extend(more),
             (Self::Flag(all), Self::Flag(more)) => all.extend(more),
-            (Self::Text { codes, texts, code_of }, Self::Text { codes: more, texts: words, .. }) => {
-                let known: Vec<i32> = words.iter().map(|word| code(texts, code_of, word)).collect();
-                let renamed = |one: i32| usize::try_from(one).ok().and_then(|one| known.get(one)).copied();
+            (
+                Self::Text {
+                    codes,
+                    texts,
+                    code_of,
+                },
+                Self::Text {
+                    codes: more,
+                    texts: words,
+                    ..
+                },
+            ) => {
+                let known: Vec<i32> = words
+                    .iter()
+                    .map(|word| code(texts, code_of, word))
+                    .collect();
+                let renamed = |one: i32| {
+                    usize::try_from(one)
+                        .ok()
+                        .and_then(|one| known.get(one))
+                        .copied()
+                };
                 codes.extend(more.into_iter().map(|one| renamed(one).unwrap_or(-1)));
             }
             _ => {}
@@ -86,10 +126,20 @@ impl Column {
     /// Its kind, its bytes and its texts.
     fn finish(self, py: Python<'_>) -> PyResult<(&'static str, Bound<'_, PyBytes>, Vec<String>)> {
         let (kind, data, texts) = match self {
-            Self::Number(values) => ("number", bytes_of(py, &values, f64::to_ne_bytes)?, Vec::new()),
-            Self::Count(values) => ("count", bytes_of(py, &values, i64::to_ne_bytes)?, Vec::new()),
+            Self::Number(values) => (
+                "number",
+                bytes_of(py, &values, f64::to_ne_bytes)?,
+                Vec::new(),
+            ),
+            Self::Count(values) => (
+                "count",
+                bytes_of(py, &values, i64::to_ne_bytes)?,
+                Vec::new(),
+            ),
             Self::Flag(values) => ("flag", PyBytes::new(py, &values), Vec::new()),
-            Self::Text { codes, texts, .. } => ("text", bytes_of(py, &codes, i32::to_ne_bytes)?, texts),
+            Self::Text { codes, texts, .. } => {
+                ("text", bytes_of(py, &codes, i32::to_ne_bytes)?, texts)
+            }
         };
         Ok((kind, data, texts))
     }
@@ -103,7 +153,9 @@ fn bytes_of<'py, T: Copy, const N: usize>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     PyBytes::new_with(py, values.len() * N, |place| {
         let (each, _) = place.as_chunks_mut::<N>();
-        each.iter_mut().zip(values).for_each(|(place, value)| *place = bytes(*value));
+        each.iter_mut()
+            .zip(values)
+            .for_each(|(place, value)| *place = bytes(*value));
         Ok(())
     })
 }
@@ -127,9 +179,15 @@ fn columns(rows: &mut dyn Iterator<Item = Facts<'_>>) -> Columns {
     let mut columns: Columns = Vec::new();
     for row in rows {
         if columns.is_empty() {
-            columns = row.named().map(|(name, _)| (name, Column::of(name))).collect();
+            columns = row
+                .named()
+                .map(|(name, _)| (name, Column::of(name)))
+                .collect();
         }
-        columns.iter_mut().zip(row.named()).for_each(|((_, column), (_, value))| column.push(value));
+        columns
+            .iter_mut()
+            .zip(row.named())
+            .for_each(|((_, column), (_, value))| column.push(value));
     }
     columns
 }
@@ -140,7 +198,9 @@ fn append(all: &mut Columns, chunk: &SpectrumChunk<'_>) {
         if all.is_empty() {
             *all = piece;
         } else {
-            all.iter_mut().zip(piece).for_each(|((_, column), (_, more))| column.append(more));
+            all.iter_mut()
+                .zip(piece)
+                .for_each(|((_, column), (_, more))| column.append(more));
         }
     }
 }
@@ -166,20 +226,33 @@ pub(crate) fn spectrum<'py>(
     let words = given.cushion_words();
     let edge = given.edge(&words, mass_kg);
     let model = given.choice("model", MODELS).unwrap_or_default();
-    let first = heights_m.first().zip(thicknesses_m.first()).and_then(|(&h, &t)| Block::uniform(h, t).ok());
+    let first = heights_m
+        .first()
+        .zip(thicknesses_m.first())
+        .and_then(|(&h, &t)| Block::uniform(h, t).ok());
     let (walls, wall) = walls(&mut given, first.as_ref(), mass_kg);
     if mass_kg.is_some() != (!words.is_empty() || wall.stiffness_n_m.is_some()) {
         let message = "the shock needs both the mass and the cushion of the objects";
-        given.push(Problem::value(message, "give mass_kg and stiffness_n_m (or another cushion), or neither"));
+        given.push(Problem::value(
+            message,
+            "give mass_kg and stiffness_n_m (or another cushion), or neither",
+        ));
     }
     if !walls.is_none() && model == RockingModel::Linearised {
         let message = "the linearised equation of motion has no walls";
         given.push(Problem::value(message, "leave model out, or the walls"));
     }
-    let grid =
-        if given.flag("pairs") { Grid::pairs(heights_m, thicknesses_m) } else { Grid::new(heights_m, thicknesses_m) };
+    let grid = if given.flag("pairs") {
+        Grid::pairs(heights_m, thicknesses_m)
+    } else {
+        Grid::new(heights_m, thicknesses_m)
+    };
     let grid = given.keep(grid);
-    let blocks = || grid.iter().flat_map(|grid| grid.blocks(0..grid.objects())).collect::<Vec<Block>>();
+    let blocks = || {
+        grid.iter()
+            .flat_map(|grid| grid.blocks(0..grid.objects()))
+            .collect::<Vec<Block>>()
+    };
     let options = RockingOptions {
         model,
         restitution: restitution(&mut given, blocks),
@@ -189,30 +262,66 @@ pub(crate) fn spectrum<'py>(
         ..RockingOptions::default()
     };
     let sensitivity = given.flag("sensitivity");
-    let surface = if given.flag("sliding") { surface(&mut given) } else { None };
+    let surface = if given.flag("sliding") {
+        surface(&mut given)
+    } else {
+        None
+    };
     if surface.is_some() && (mass_kg.is_some() || sensitivity || !options.walls.is_none()) {
         let message = "the shock, the sensitivity and walls are those of objects that rock, and these slide or roll";
-        given.push(Problem::value(message, "leave mass_kg, the cushion, sensitivity and walls out"));
+        given.push(Problem::value(
+            message,
+            "leave mass_kg, the cushion, sensitivity and walls out",
+        ));
     }
     given.finish()?;
-    let Some(grid) = grid else { return Err(raised_all(Problems::default())) };
-    let request = SpectrumRequest { grid, options, cushion: mass_kg.zip(edge), wall, sensitivity, surface };
+    let Some(grid) = grid else {
+        return Err(raised_all(Problems::default()));
+    };
+    let request = SpectrumRequest {
+        grid,
+        options,
+        cushion: mass_kg.zip(edge),
+        wall,
+        sensitivity,
+        surface,
+    };
     let of_rocking = [
-        ("restitution", matches!(request.options.restitution, Restitution::Value(_))),
-        ("restitution_factor", matches!(request.options.restitution, Restitution::Factor(_))),
+        (
+            "restitution",
+            matches!(request.options.restitution, Restitution::Value(_)),
+        ),
+        (
+            "restitution_factor",
+            matches!(request.options.restitution, Restitution::Factor(_)),
+        ),
         ("model", request.options.model == RockingModel::Linearised),
     ];
-    if let Some((name, _)) = of_rocking.into_iter().find(|(_, is_given)| *is_given && request.none_rocks()) {
+    if let Some((name, _)) = of_rocking
+        .into_iter()
+        .find(|(_, is_given)| *is_given && request.none_rocks())
+    {
         let message = format!("{name} has no effect: every object slides or rolls, and none rocks");
         return Err(raised(Problem::value(message, "leave it out")));
     }
-    let taken = |(name, horizontal, vertical): &(String, PyRef<'py, Record>, Option<PyRef<'py, Record>>)| {
+    let taken = |(name, horizontal, vertical): &(
+        String,
+        PyRef<'py, Record>,
+        Option<PyRef<'py, Record>>,
+    )| {
         let vertical = vertical.as_ref().map(|record| record.motion().clone());
-        SpectrumMotion { name: name.clone(), horizontal: horizontal.motion().clone(), vertical }
+        SpectrumMotion {
+            name: name.clone(),
+            horizontal: horizontal.motion().clone(),
+            vertical,
+        }
     };
     let motions: Vec<SpectrumMotion> = motions.iter().map(taken).collect();
     for motion in &motions {
-        let base = Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() };
+        let base = Base {
+            horizontal: Some(&motion.horizontal),
+            vertical: motion.vertical.as_ref(),
+        };
         base.check().map_err(|error| raised_all(problem(error)))?;
     }
     let work = |stop: &AtomicBool| {
@@ -228,7 +337,11 @@ pub(crate) fn spectrum<'py>(
             if let Some(tally) = tallies.get_mut(chunk.motion) {
                 chunk.add_to(tally);
             }
-            if stop.load(Ordering::Relaxed) { Err(Problem::stopped()) } else { Ok(()) }
+            if stop.load(Ordering::Relaxed) {
+                Err(Problem::stopped())
+            } else {
+                Ok(())
+            }
         })?;
         Ok::<_, Problem>((all, request.warnings(&tallies), timing))
     };

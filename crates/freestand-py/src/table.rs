@@ -6,8 +6,8 @@ use std::sync::Arc;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::Int32Type;
 use arrow_array::{
-    Array, ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatch,
-    RecordBatchIterator, StringArray,
+    Array, ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int32Array, Int64Array,
+    RecordBatch, RecordBatchIterator, StringArray,
 };
 use arrow_buffer::{BooleanBuffer, Buffer, NullBuffer, ScalarBuffer};
 use arrow_schema::{ArrowError, Field, Schema};
@@ -25,10 +25,16 @@ type Column = (String, String, PyBackedBytes, Vec<String>);
 /// The columns as one record batch. Kinds and what is missing in them: `number`, doubles, NaN;
 /// `count`, 64-bit, negative; `flag`, bytes, 255; `text`, 32-bit indices of texts, negative.
 #[pyfunction]
-pub(crate) fn arrow_stream<'py>(py: Python<'py>, columns: Vec<Column>) -> PyResult<Bound<'py, PyCapsule>> {
+pub(crate) fn arrow_stream<'py>(
+    py: Python<'py>,
+    columns: Vec<Column>,
+) -> PyResult<Bound<'py, PyCapsule>> {
     let defect = |error: ArrowError| {
         let message = format!("the table cannot be passed on: {error}");
-        raised(Problem::new(ProblemKind::Computation, message).hint("this is a defect of freestand; please report it"))
+        raised(
+            Problem::new(ProblemKind::Computation, message)
+                .hint("this is a defect of freestand; please report it"),
+        )
     };
     let (mut fields, mut arrays) = (Vec::new(), Vec::new());
     for (name, kind, data, texts) in columns {
@@ -46,7 +52,8 @@ fn array(kind: &str, data: PyBackedBytes, texts: Vec<String>) -> Result<ArrayRef
     let length = data.len();
     let buffer = Buffer::from(Bytes::from_owner(data));
     // A validity map only where something is missing.
-    let nulls = |map: BooleanBuffer| Some(NullBuffer::new(map)).filter(|nulls| nulls.null_count() > 0);
+    let nulls =
+        |map: BooleanBuffer| Some(NullBuffer::new(map)).filter(|nulls| nulls.null_count() > 0);
     let array: ArrayRef = match kind {
         "number" => {
             let values = ScalarBuffer::<f64>::new(buffer, 0, length / 8);
@@ -67,9 +74,16 @@ fn array(kind: &str, data: PyBackedBytes, texts: Vec<String>) -> Result<ArrayRef
             let values = ScalarBuffer::<i32>::new(buffer, 0, length / 4);
             let map = values.iter().map(|value| *value >= 0).collect();
             let indices = Int32Array::try_new(values, nulls(map))?;
-            Arc::new(DictionaryArray::<Int32Type>::try_new(indices, Arc::new(StringArray::from(texts)))?)
+            Arc::new(DictionaryArray::<Int32Type>::try_new(
+                indices,
+                Arc::new(StringArray::from(texts)),
+            )?)
         }
-        other => return Err(ArrowError::InvalidArgumentError(format!("{other} is not a kind of column"))),
+        other => {
+            return Err(ArrowError::InvalidArgumentError(format!(
+                "{other} is not a kind of column"
+            )));
+        }
     };
     Ok(array)
 }

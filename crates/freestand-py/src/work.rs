@@ -32,7 +32,10 @@ fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     if let Some(pool) = pools.get(&(std::process::id(), count)) {
         return Ok(Arc::clone(pool));
     }
-    let made = ThreadPoolBuilder::new().num_threads(count).thread_name(|index| format!("freestand-{index}")).build();
+    let made = ThreadPoolBuilder::new()
+        .num_threads(count)
+        .thread_name(|index| format!("freestand-{index}"))
+        .build();
     let no_threads = |error: rayon::ThreadPoolBuildError| {
         let message = format!("{count} threads cannot be started: {error}");
         raised(Problem::new(ProblemKind::Computation, message).hint("give a smaller `threads`"))
@@ -112,10 +115,17 @@ pub(crate) fn abandoned_on_signal<T: Send + 'static>(
     });
     let ended = Mutex::new(ended);
     loop {
-        let look = || ended.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(LOOK);
+        let look = || {
+            ended
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .recv_timeout(LOOK)
+        };
         match py.detach(look) {
             Ok(result) => return Ok(result),
-            Err(RecvTimeoutError::Timeout) => py.check_signals().map_err(|error| interrupted(py, error))?,
+            Err(RecvTimeoutError::Timeout) => {
+                py.check_signals().map_err(|error| interrupted(py, error))?
+            }
             Err(RecvTimeoutError::Disconnected) => return Err(defect()),
         }
     }

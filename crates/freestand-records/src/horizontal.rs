@@ -23,7 +23,9 @@ impl HorizontalMotion {
     /// # Errors
     /// Samples that overflow.
     pub fn in_direction(&self, direction_deg: f64) -> Result<Cow<'_, Motion>, MotionError> {
-        let Some(across) = &self.across else { return Ok(Cow::Borrowed(&self.along)) };
+        let Some(across) = &self.across else {
+            return Ok(Cow::Borrowed(&self.along));
+        };
         if direction_deg == 0.0 {
             return Ok(Cow::Borrowed(&self.along));
         }
@@ -31,7 +33,12 @@ impl HorizontalMotion {
             return Ok(Cow::Borrowed(across));
         }
         let (sin, cos) = direction_deg.to_radians().sin_cos();
-        let samples = self.along.accel_m_s2().iter().zip(across.accel_m_s2()).map(|(a, b)| a * cos + b * sin);
+        let samples = self
+            .along
+            .accel_m_s2()
+            .iter()
+            .zip(across.accel_m_s2())
+            .map(|(a, b)| a * cos + b * sin);
         Motion::new(self.along.dt_s(), samples.collect()).map(Cow::Owned)
     }
 
@@ -67,7 +74,13 @@ impl HorizontalMotion {
 /// The length of the longest vector: squares are compared, because a root for each sample takes long.
 fn longest<'a>(vectors: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
     let square = |(a, b): (f64, f64)| a * a + b * b;
-    let longer = |most, next| if square(next) > square(most) { next } else { most };
+    let longer = |most, next| {
+        if square(next) > square(most) {
+            next
+        } else {
+            most
+        }
+    };
     let (a, b) = vectors.map(|(a, b)| (*a, *b)).fold((0.0, 0.0), longer);
     a.hypot(b)
 }

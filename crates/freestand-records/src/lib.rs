@@ -21,6 +21,9 @@ mod tests {
     /// The unit of inputs and the constant of the equations are written in two crates.
     #[test]
     fn one_g_is_the_same_everywhere() {
-        assert_eq!(parse("1 g", Dimension::Acceleration).ok(), Some(freestand::G0_M_S2));
+        assert_eq!(
+            parse("1 g", Dimension::Acceleration).ok(),
+            Some(freestand::G0_M_S2)
+        );
     }
 }

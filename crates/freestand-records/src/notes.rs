@@ -21,17 +21,28 @@ pub struct Note {
 impl Note {
     /// A note about a file.
     pub fn new(kind: NoteKind, words: impl Into<String>) -> Self {
-        Self { kind, about: None, words: printable(&words.into()), amount: None }
+        Self {
+            kind,
+            about: None,
+            words: printable(&words.into()),
+            amount: None,
+        }
     }
 
     /// A note about a component.
     pub fn of(component: &str, kind: NoteKind, words: impl Into<String>) -> Self {
-        Self { about: Some(printable(&shorten(component))), ..Self::new(kind, words) }
+        Self {
+            about: Some(printable(&shorten(component))),
+            ..Self::new(kind, words)
+        }
     }
 
     /// A note about a line of a file.
     pub(crate) fn at(line: usize, kind: NoteKind, words: impl Into<String>) -> Self {
-        Self { about: Some(format!("line {line}")), ..Self::new(kind, words) }
+        Self {
+            about: Some(format!("line {line}")),
+            ..Self::new(kind, words)
+        }
     }
 
     /// The same about a component, unless it is about a part already.
@@ -44,7 +55,10 @@ impl Note {
     /// How much it is about: of several records the largest is stated.
     #[must_use]
     pub fn amount(self, amount: f64, unit: &'static str) -> Self {
-        Self { amount: Some((amount.abs(), unit)), ..self }
+        Self {
+            amount: Some((amount.abs(), unit)),
+            ..self
+        }
     }
 }
 
@@ -59,7 +73,9 @@ impl fmt::Display for Note {
 
 /// A text of a file without control characters, by which a terminal would be told to do something.
 pub(crate) fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+    text.chars()
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect()
 }
 
 /// Declares the kinds, each with what is said of several records: `{}` stands for their number and names.
@@ -152,7 +168,10 @@ pub fn grouped<'a, N: AsRef<str>>(notes: impl IntoIterator<Item = (N, &'a Note)>
             None => kinds.push((note.kind, vec![(name, note)])),
         }
     }
-    kinds.iter().flat_map(|(kind, all)| sentences(*kind, all)).collect()
+    kinds
+        .iter()
+        .flat_map(|(kind, all)| sentences(*kind, all))
+        .collect()
 }
 
 /// The sentences about notes of one kind.
@@ -166,10 +185,15 @@ fn sentences<N: AsRef<str>>(kind: NoteKind, all: &[(N, &Note)]) -> Vec<String> {
     if names.len() == 1 {
         return all.iter().map(said).collect();
     }
-    let most = all.iter().filter_map(|(_, note)| note.amount).max_by(|a, b| a.0.total_cmp(&b.0));
+    let most = all
+        .iter()
+        .filter_map(|(_, note)| note.amount)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
     let (count, names) = (counted(names.len(), "record"), some(&names, NAMED));
     let records = match (most, all) {
-        (Some((amount, unit)), _) => format!("{count} (up to {} {unit}): {names}", number(amount, 2)),
+        (Some((amount, unit)), _) => {
+            format!("{count} (up to {} {unit}): {names}", number(amount, 2))
+        }
         (None, [first, ..]) => format!("{count}: {names} (for example {})", said(first)),
         (None, []) => return Vec::new(),
     };
@@ -196,12 +220,20 @@ mod tests {
     #[test]
     fn one_kind_of_many_records_is_one_sentence_with_the_most_and_few_names() {
         let names: Vec<String> = (1..=44).map(|number| format!("R{number}")).collect();
-        let mean =
-            |number: usize| Note::new(NoteKind::MeanRemoved, "mean removed").amount(-0.001 * number as f64, "m/s2");
-        let note = |index: usize| if index == 7 { Note::new(NoteKind::Identical, "equal") } else { mean(index + 1) };
+        let mean = |number: usize| {
+            Note::new(NoteKind::MeanRemoved, "mean removed").amount(-0.001 * number as f64, "m/s2")
+        };
+        let note = |index: usize| {
+            if index == 7 {
+                Note::new(NoteKind::Identical, "equal")
+            } else {
+                mean(index + 1)
+            }
+        };
         let notes: Vec<Note> = (0..names.len()).map(note).collect();
         let said = grouped(names.iter().map(String::as_str).zip(&notes));
-        let means = "the mean was removed from 43 records (up to 0.044 m/s2): R1, R2, R3 and 40 more";
+        let means =
+            "the mean was removed from 43 records (up to 0.044 m/s2): R1, R2, R3 and 40 more";
         assert_eq!(said, [means, "R8: equal"]);
     }
 
@@ -211,12 +243,21 @@ mod tests {
         let of = |component| Note::of(component, NoteKind::Borehole, "recorded in a borehole");
         let (north, east) = (of("NS"), of("EW"));
         let alone = grouped([("A", &north), ("A", &east)]);
-        assert_eq!(alone, ["A: NS: recorded in a borehole", "A: EW: recorded in a borehole"]);
+        assert_eq!(
+            alone,
+            [
+                "A: NS: recorded in a borehole",
+                "A: EW: recorded in a borehole"
+            ]
+        );
         let both = grouped([("A", &north), ("A", &east), ("B", &east)]);
         let words = "the bottom of a borehole, not the surface, was recorded in 2 records: A, B (for example A: NS: \
                      recorded in a borehole)";
         assert_eq!(both, [words]);
         // Wherever its notes stand.
-        assert_eq!(grouped([("A", &north), ("B", &east), ("A", &east)]), [words]);
+        assert_eq!(
+            grouped([("A", &north), ("B", &east), ("A", &east)]),
+            [words]
+        );
     }
 }

@@ -40,7 +40,12 @@ pub fn write_csv(motion: &Motion) -> String {
 pub fn write_pair_csv(along: &Motion, across: &Motion) -> String {
     let mut out = String::with_capacity(48 * (along.accel_m_s2().len() + 1));
     out.push_str("time_s,along_m_s2,across_m_s2\n");
-    for (i, (first, second)) in along.accel_m_s2().iter().zip(across.accel_m_s2()).enumerate() {
+    for (i, (first, second)) in along
+        .accel_m_s2()
+        .iter()
+        .zip(across.accel_m_s2())
+        .enumerate()
+    {
         push_shortest(&mut out, i as f64 * along.dt_s());
         out.push(',');
         push_shortest(&mut out, *first);
@@ -58,8 +63,17 @@ pub fn write_pair_csv(along: &Motion, across: &Motion) -> String {
 /// keep every bit.
 pub fn write_at2(motion: &Motion, title: &str) -> String {
     // The title is one line of ASCII: Fortran readers count lines and bytes.
-    let title: String =
-        title.chars().map(|c| if c.is_ascii() && !c.is_ascii_control() { c } else { ' ' }).take(200).collect();
+    let title: String = title
+        .chars()
+        .map(|c| {
+            if c.is_ascii() && !c.is_ascii_control() {
+                c
+            } else {
+                ' '
+            }
+        })
+        .take(200)
+        .collect();
     let accel_m_s2 = motion.accel_m_s2();
     let mut out = String::with_capacity(17 * accel_m_s2.len() + 512);
     out.push_str("PEER STRONG MOTION FORMAT AT2, WRITTEN BY FREESTAND\n");
@@ -81,7 +95,9 @@ pub fn write_at2(motion: &Motion, title: &str) -> String {
 fn push_e15_7(out: &mut String, value: f64) {
     let text = format!("{value:.7e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let (sign, digits) = exponent.strip_prefix('-').map_or(('+', exponent), |digits| ('-', digits));
+    let (sign, digits) = exponent
+        .strip_prefix('-')
+        .map_or(('+', exponent), |digits| ('-', digits));
     let _ = write!(out, "{:>16}", format!("{mantissa}E{sign}{digits:0>2}"));
 }
 
@@ -91,8 +107,18 @@ mod tests {
 
     #[test]
     fn at2_looks_as_peer_writes_it() {
-        let motion =
-            Motion::new(0.005, vec![0.0, G0_M_S2, -0.5 * G0_M_S2, 1e-110 * G0_M_S2, -1e-9 * G0_M_S2, 1.0]).unwrap();
+        let motion = Motion::new(
+            0.005,
+            vec![
+                0.0,
+                G0_M_S2,
+                -0.5 * G0_M_S2,
+                1e-110 * G0_M_S2,
+                -1e-9 * G0_M_S2,
+                1.0,
+            ],
+        )
+        .unwrap();
         let text = write_at2(&motion, "A, 1/1/2000,\nB, 90\u{e9}");
         let expected = "PEER STRONG MOTION FORMAT AT2, WRITTEN BY FREESTAND\nA, 1/1/2000, B, 90\n\
             ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=      6, DT= 0.005 SEC\n   \

@@ -44,7 +44,9 @@ impl Pivot {
     /// Written as a product of sines, which loses no digits at small rotations.
     pub fn cg_rise_m(&self, rotation_rad: f64) -> f64 {
         let theta = rotation_rad.abs();
-        2.0 * self.half_diagonal_m * (self.slenderness_angle_rad - 0.5 * theta).sin() * (0.5 * theta).sin()
+        2.0 * self.half_diagonal_m
+            * (self.slenderness_angle_rad - 0.5 * theta).sin()
+            * (0.5 * theta).sin()
     }
 
     /// The largest rise on the way to a peak rotation: R(1 − cos α) once |θ| has passed α \[m\].
@@ -89,7 +91,9 @@ pub enum BlockError {
         value_m: f64,
     },
     /// A base wider than the object, or a centre of gravity above the object or outside its base.
-    #[error("the {name} is {value_m} m, beyond the limit of {limit_m} m set by the size of the object")]
+    #[error(
+        "the {name} is {value_m} m, beyond the limit of {limit_m} m set by the size of the object"
+    )]
     OutOfObject {
         /// Name of the length.
         name: &'static str,
@@ -113,7 +117,11 @@ pub enum BlockError {
 }
 
 fn length(name: &'static str, value_m: f64) -> Result<f64, BlockError> {
-    if value_m > 0.0 && value_m.is_finite() { Ok(value_m) } else { Err(BlockError::Length { name, value_m }) }
+    if value_m > 0.0 && value_m.is_finite() {
+        Ok(value_m)
+    } else {
+        Err(BlockError::Length { name, value_m })
+    }
 }
 
 impl Block {
@@ -132,7 +140,10 @@ impl Block {
     /// # Ok::<(), freestand_rocking::block::BlockError>(())
     /// ```
     pub fn uniform(height_m: f64, thickness_m: f64) -> Result<Self, BlockError> {
-        let (h, t) = (length("height", height_m)?, length("thickness", thickness_m)?);
+        let (h, t) = (
+            length("height", height_m)?,
+            length("thickness", thickness_m)?,
+        );
         Ok(Self {
             height_m: h,
             thickness_m: t,
@@ -215,7 +226,11 @@ impl Block {
         if self.cg_offset_m.abs() < limit_m {
             Ok(self)
         } else {
-            Err(BlockError::OutOfObject { name: "offset of the centre of gravity", value_m: self.cg_offset_m, limit_m })
+            Err(BlockError::OutOfObject {
+                name: "offset of the centre of gravity",
+                value_m: self.cg_offset_m,
+                limit_m,
+            })
         }
     }
 
@@ -227,7 +242,10 @@ impl Block {
     pub fn with_inertia_per_mass(mut self, inertia_per_mass_m2: f64) -> Result<Self, BlockError> {
         let least = self.pivot().half_diagonal_m.powi(2);
         if !(inertia_per_mass_m2 > least && inertia_per_mass_m2.is_finite()) {
-            return Err(BlockError::Inertia { given: inertia_per_mass_m2, least });
+            return Err(BlockError::Inertia {
+                given: inertia_per_mass_m2,
+                least,
+            });
         }
         self.gyration_radius_m = (inertia_per_mass_m2 - least).sqrt();
         Ok(self)
@@ -236,7 +254,10 @@ impl Block {
     /// The block as its mirror image: left and right exchanged.
     #[must_use]
     pub fn mirrored(self) -> Self {
-        Self { cg_offset_m: -self.cg_offset_m, ..self }
+        Self {
+            cg_offset_m: -self.cg_offset_m,
+            ..self
+        }
     }
 
     /// h \[m\].
@@ -329,14 +350,27 @@ mod tests {
         assert!((edge.half_diagonal_m - r).abs() < 1e-14);
         assert!((edge.inertia_per_mass_m2 - 4.0 / 3.0 * r * r).abs() < 1e-14);
         assert!((edge.frequency_parameter_rad_s(9.81) - (0.75 * 9.81 / r).sqrt()).abs() < 1e-14);
-        assert!((block.landing_ratio() - (1.0 - 1.5 * edge.slenderness_angle_rad.sin().powi(2))).abs() < 1e-14);
+        assert!(
+            (block.landing_ratio() - (1.0 - 1.5 * edge.slenderness_angle_rad.sin().powi(2))).abs()
+                < 1e-14
+        );
         assert_eq!(block.pivot(), block.right_pivot());
     }
 
     #[test]
     fn landing_ratio_changes_sign_at_the_squat_slenderness() {
-        assert!(Block::uniform(SQUAT_SLENDERNESS * 1.000001, 1.0).unwrap().landing_ratio() > 0.0);
-        assert!(Block::uniform(SQUAT_SLENDERNESS * 0.999999, 1.0).unwrap().landing_ratio() < 0.0);
+        assert!(
+            Block::uniform(SQUAT_SLENDERNESS * 1.000001, 1.0)
+                .unwrap()
+                .landing_ratio()
+                > 0.0
+        );
+        assert!(
+            Block::uniform(SQUAT_SLENDERNESS * 0.999999, 1.0)
+                .unwrap()
+                .landing_ratio()
+                < 0.0
+        );
     }
 
     /// General block, r = 1 − 2mR² sin²α/I₀: narrow base, high centre of gravity, doubled central
@@ -344,10 +378,16 @@ mod tests {
     /// I₀/m = (h² + t²)/12 + (B/2)² + (h/2)², and Housner's ratio with the arms of the wider base.
     #[test]
     fn outriggers_move_the_edges_and_nothing_else() {
-        let wide = Block::uniform(2.0, 0.5).unwrap().with_outriggers(1.0).unwrap();
+        let wide = Block::uniform(2.0, 0.5)
+            .unwrap()
+            .with_outriggers(1.0)
+            .unwrap();
         let inertia = (4.0 + 0.25) / 12.0 + 0.25 + 1.0;
         let pivot = wide.pivot();
-        assert!((pivot.inertia_per_mass_m2 - inertia).abs() < 1e-15, "{pivot:?}");
+        assert!(
+            (pivot.inertia_per_mass_m2 - inertia).abs() < 1e-15,
+            "{pivot:?}"
+        );
         assert!((pivot.half_diagonal_m - 1.25_f64.sqrt()).abs() < 1e-15);
         assert!((wide.landing_ratio() - (1.0 - 0.5 / inertia)).abs() < 1e-15);
         assert_eq!((wide.thickness_m(), wide.base_width_m()), (0.5, 1.0));
@@ -355,7 +395,12 @@ mod tests {
 
     #[test]
     fn general_block_without_offset_follows_the_general_formula() {
-        let block = Block::uniform(2.0, 0.8).unwrap().with_base_width(0.6).unwrap().with_cg_height(1.2).unwrap();
+        let block = Block::uniform(2.0, 0.8)
+            .unwrap()
+            .with_base_width(0.6)
+            .unwrap()
+            .with_cg_height(1.2)
+            .unwrap();
         let least = block.pivot().half_diagonal_m.powi(2);
         let block = block.with_inertia_per_mass(1.5 * least).unwrap();
         let edge = block.pivot();
@@ -366,8 +411,14 @@ mod tests {
 
     #[test]
     fn an_offset_makes_the_two_edges_differ_and_mirrors() {
-        let right = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(0.1).unwrap();
-        let left = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(-0.1).unwrap();
+        let right = Block::uniform(2.0, 0.8)
+            .unwrap()
+            .with_cg_offset(0.1)
+            .unwrap();
+        let left = Block::uniform(2.0, 0.8)
+            .unwrap()
+            .with_cg_offset(-0.1)
+            .unwrap();
         assert!(right.pivot().slenderness_angle_rad > right.right_pivot().slenderness_angle_rad);
         assert_eq!(right.pivot(), left.right_pivot());
         assert_eq!(right.mirrored(), left);
@@ -381,22 +432,38 @@ mod tests {
         for share in [0.0, 1e-9, 1e-4, 0.1, 0.5, 0.9, 0.99] {
             let theta = share * edge.slenderness_angle_rad;
             let back = edge.rotation_at_rise_rad(edge.cg_rise_m(theta)).unwrap();
-            assert!((back - theta).abs() <= 1e-13 + 1e-12 * theta, "{share}: {back} {theta}");
+            assert!(
+                (back - theta).abs() <= 1e-13 + 1e-12 * theta,
+                "{share}: {back} {theta}"
+            );
         }
         let at_balance = edge.rotation_at_rise_rad(edge.balance_rise_m()).unwrap();
         assert!((at_balance - edge.slenderness_angle_rad).abs() < 1e-7);
-        assert_eq!(edge.rotation_at_rise_rad(1.001 * edge.balance_rise_m()), None);
+        assert_eq!(
+            edge.rotation_at_rise_rad(1.001 * edge.balance_rise_m()),
+            None
+        );
         assert_eq!(edge.rotation_at_rise_rad(-1e-9), None);
     }
 
     #[test]
     fn impossible_dimensions_are_refused() {
-        for (h, t) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
-            assert!(matches!(Block::uniform(h, t), Err(BlockError::Length { .. })));
+        for (h, t) in [
+            (0.0, 1.0),
+            (1.0, -1.0),
+            (f64::NAN, 1.0),
+            (1.0, f64::INFINITY),
+        ] {
+            assert!(matches!(
+                Block::uniform(h, t),
+                Err(BlockError::Length { .. })
+            ));
         }
         let block = Block::uniform(2.0, 1.0).unwrap();
         assert!(block.with_base_width(1.1).is_err());
-        assert!(block.with_base_width(f64::INFINITY).is_err() && block.with_outriggers(-1.0).is_err());
+        assert!(
+            block.with_base_width(f64::INFINITY).is_err() && block.with_outriggers(-1.0).is_err()
+        );
         assert!(block.with_cg_height(2.1).is_err());
         assert!(block.with_cg_offset(0.5).is_err());
         assert!(block.with_cg_offset(f64::NAN).is_err());

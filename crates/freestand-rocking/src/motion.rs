@@ -66,10 +66,15 @@ impl Motion {
             return Err(MotionError::TimeStep { dt_s });
         }
         if accel_m_s2.len() < 2 {
-            return Err(MotionError::TooShort { samples: accel_m_s2.len() });
+            return Err(MotionError::TooShort {
+                samples: accel_m_s2.len(),
+            });
         }
         if let Some(index) = accel_m_s2.iter().position(|a| !a.is_finite()) {
-            return Err(MotionError::NotFinite { index, value: accel_m_s2[index] });
+            return Err(MotionError::NotFinite {
+                index,
+                value: accel_m_s2[index],
+            });
         }
         Ok(Self { dt_s, accel_m_s2 })
     }
@@ -91,7 +96,9 @@ impl Motion {
 
     /// Largest absolute sample (PGA of a ground motion, PFA of a floor motion) \[m/s²\].
     pub fn peak_m_s2(&self) -> f64 {
-        self.accel_m_s2.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
+        self.accel_m_s2
+            .iter()
+            .fold(0.0, |peak: f64, a| peak.max(a.abs()))
     }
 
     /// Mean of the samples, `Σ aₖ/n`: the zero line of a record that swings evenly about
@@ -123,7 +130,10 @@ impl Motion {
     /// # Errors
     /// A factor that makes a sample infinite or NaN.
     pub fn scaled(&self, factor: f64) -> Result<Self, MotionError> {
-        Self::new(self.dt_s, self.accel_m_s2.iter().map(|a| a * factor).collect())
+        Self::new(
+            self.dt_s,
+            self.accel_m_s2.iter().map(|a| a * factor).collect(),
+        )
     }
 
     /// The same motion with `factor` samples in place of each, linear between the old ones, as a
@@ -142,7 +152,10 @@ impl Motion {
             }
         }
         accel_m_s2.extend(self.accel_m_s2.last());
-        Self { dt_s: self.dt_s / factor as f64, accel_m_s2 }
+        Self {
+            dt_s: self.dt_s / factor as f64,
+            accel_m_s2,
+        }
     }
 
     /// The motion followed by zeros for at least `tail_s` ≥ 0 seconds.
@@ -159,7 +172,10 @@ impl Motion {
         let mut accel_m_s2 = Vec::with_capacity(self.accel_m_s2.len() + extra);
         accel_m_s2.extend_from_slice(&self.accel_m_s2);
         accel_m_s2.resize(self.accel_m_s2.len() + extra, 0.0);
-        Ok(Self { dt_s: self.dt_s, accel_m_s2 })
+        Ok(Self {
+            dt_s: self.dt_s,
+            accel_m_s2,
+        })
     }
 }
 
@@ -176,7 +192,10 @@ mod tests {
     fn the_mean_is_that_of_all_samples_and_scales_with_them() {
         let motion = Motion::new(0.01, vec![0.5, -3.0, 0.25, 4.25]).unwrap();
         // 2/4: binary fractions, so that no sum is rounded.
-        assert_eq!((motion.mean_m_s2(), motion.scaled(-2.0).unwrap().mean_m_s2()), (0.5, -1.0));
+        assert_eq!(
+            (motion.mean_m_s2(), motion.scaled(-2.0).unwrap().mean_m_s2()),
+            (0.5, -1.0)
+        );
         assert_eq!(motion.with_zero_tail(0.04).unwrap().mean_m_s2(), 0.25);
     }
 }

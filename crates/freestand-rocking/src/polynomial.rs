@@ -32,7 +32,9 @@ pub(crate) fn value(a: &[f64], x: f64) -> f64 {
 
 /// p(x) and p′(x).
 pub(crate) fn value_and_slope(a: &[f64], x: f64) -> (f64, f64) {
-    a.iter().rev().fold((0.0, 0.0), |(p, dp), &a| (p * x + a, dp * x + p))
+    a.iter()
+        .rev()
+        .fold((0.0, 0.0), |(p, dp), &a| (p * x + a, dp * x + p))
 }
 
 /// The first x in (0, 1] at which p changes sign; an exact zero at x = 1 counts.
@@ -110,7 +112,8 @@ fn isolate(
         *left = right[0];
     }
     let mid = 0.5 * (lo + hi);
-    isolate(a, &left, n, lo, mid, depth + 1, found) && isolate(a, &right, n, mid, hi, depth + 1, found)
+    isolate(a, &left, n, lo, mid, depth + 1, found)
+        && isolate(a, &right, n, mid, hi, depth + 1, found)
 }
 
 /// The only root in [lo, hi], by Newton's method inside a shrinking bracket.

@@ -183,13 +183,18 @@ impl<S: Simd> Math<S> {
     #[inline(always)]
     pub fn select(self, mask: Masks<S>, yes: Numbers<S>, no: Numbers<S>) -> Numbers<S> {
         let bits = |a| self.0.transmute_u64s_f64s(a);
-        each!(i, self.0.transmute_f64s_u64s(self.0.select_u64s(mask[i], bits(yes[i]), bits(no[i]))))
+        each!(
+            i,
+            self.0
+                .transmute_f64s_u64s(self.0.select_u64s(mask[i], bits(yes[i]), bits(no[i])))
+        )
     }
 
     /// Whether the mask is true anywhere.
     #[inline(always)]
     pub fn any(self, mask: Masks<S>) -> bool {
-        mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
+        mask.iter()
+            .any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
     /// sin y and cos y for 0 ≤ |y| ≤ π/2, accurate to 9e-16: interpolation of sin y/y and cos y in
@@ -254,7 +259,9 @@ mod tests {
             for y in [y, -y, 1e-8 * y] {
                 let ([sin, _], [cos, _]) = m.sin_cos([y; 2]);
                 // Relative to the sine: that of a small angle keeps its digits.
-                worst = worst.max((sin / y.sin() - 1.0).abs()).max((cos - y.cos()).abs());
+                worst = worst
+                    .max((sin / y.sin() - 1.0).abs())
+                    .max((cos - y.cos()).abs());
             }
         }
         // Rounding of the last digits; the largest error found is 8.9e-16.

@@ -19,7 +19,10 @@ pub struct Walls {
 
 impl Walls {
     /// No walls: a free-standing object.
-    pub const NONE: Self = Self { left: None, right: None };
+    pub const NONE: Self = Self {
+        left: None,
+        right: None,
+    };
 
     /// Whether there is neither wall.
     pub fn is_none(&self) -> bool {
@@ -29,7 +32,10 @@ impl Walls {
     /// Left and right exchanged.
     #[must_use]
     pub fn mirrored(self) -> Self {
-        Self { left: self.right, right: self.left }
+        Self {
+            left: self.right,
+            right: self.left,
+        }
     }
 
     /// Where `block` touches the right and the left wall; `None` on a side without a wall within
@@ -39,8 +45,12 @@ impl Walls {
     /// A gap, a height or a restitution outside its range.
     pub fn contacts(&self, block: &Block) -> Result<[Option<Contact>; 2], WallError> {
         // Without a wall no pivot is calculated: in a grid that would cost more than the walls.
-        let right = self.right.map_or(Ok(None), |wall| wall.contact(block, block.right_pivot()))?;
-        let left = self.left.map_or(Ok(None), |wall| wall.contact(block, block.pivot()))?;
+        let right = self
+            .right
+            .map_or(Ok(None), |wall| wall.contact(block, block.right_pivot()))?;
+        let left = self
+            .left
+            .map_or(Ok(None), |wall| wall.contact(block, block.pivot()))?;
         Ok([right, left])
     }
 }
@@ -106,7 +116,11 @@ pub enum WallError {
 impl Wall {
     /// A wall taller than the object, with [`DEFAULT_WALL_RESTITUTION_RATIO`].
     pub fn at(gap_m: f64) -> Self {
-        Self { gap_m, height_m: None, restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO }
+        Self {
+            gap_m,
+            height_m: None,
+            restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO,
+        }
     }
 
     /// Where a block that turns about `pivot` touches this wall; `None` out of reach.
@@ -131,7 +145,11 @@ impl Wall {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn contact(&self, block: &Block, pivot: Pivot) -> Result<Option<Contact>, WallError> {
-        let Self { gap_m: gap, height_m, restitution_ratio } = *self;
+        let Self {
+            gap_m: gap,
+            height_m,
+            restitution_ratio,
+        } = *self;
         if !(gap >= 0.0 && gap.is_finite()) {
             return Err(WallError::Gap { gap_m: gap });
         }
@@ -139,7 +157,9 @@ impl Wall {
             return Err(WallError::Height { height_m });
         }
         if !(0.0..1.0).contains(&restitution_ratio) {
-            return Err(WallError::Restitution { value: restitution_ratio });
+            return Err(WallError::Restitution {
+                value: restitution_ratio,
+            });
         }
         let h = block.height_m();
         let set_in = 0.5 * (block.thickness_m() - block.base_width_m());
@@ -159,7 +179,13 @@ impl Wall {
                 // Measured along the face.
                 let lever_m = low * cos + (gap + set_in) * sin;
                 let lever_about_cg_m = lever_m - block.cg_height_m();
-                Contact { angle_rad, lever_m, lever_about_cg_m, force_angle_rad: angle_rad, restitution_ratio }
+                Contact {
+                    angle_rad,
+                    lever_m,
+                    lever_about_cg_m,
+                    force_angle_rad: angle_rad,
+                    restitution_ratio,
+                }
             }
             None => {
                 let cg_m = pivot.half_diagonal_m * (pivot.slenderness_angle_rad - tall_rad).cos();
@@ -201,19 +227,40 @@ mod tests {
     #[test]
     fn the_corner_is_on_the_wall_and_the_edge_of_a_low_obstacle_on_the_face() {
         for base in [0.6, 0.5, 0.2] {
-            let block = Block::uniform(1.8, 0.6).unwrap().with_base_width(base).unwrap();
+            let block = Block::uniform(1.8, 0.6)
+                .unwrap()
+                .with_base_width(base)
+                .unwrap();
             let o = 0.5 * (0.6 - base);
             for gap in [1e-12, 1e-3, 0.05, 0.4, 1.2] {
                 let tall = contact(Wall::at(gap), &block);
                 let (sin, cos) = tall.angle_rad.sin_cos();
-                assert!((1.8 * sin - o * (1.0 - cos) - gap).abs() < 1e-15, "{base} {gap}: {tall:?}");
+                assert!(
+                    (1.8 * sin - o * (1.0 - cos) - gap).abs() < 1e-15,
+                    "{base} {gap}: {tall:?}"
+                );
                 // The corner that tops out first is the one that is on its way up.
-                assert!(tall.angle_rad < f64::atan2(1.8, o) && (tall.lever_m - (1.8 * cos - o * sin)).abs() < 1e-15);
+                assert!(
+                    tall.angle_rad < f64::atan2(1.8, o)
+                        && (tall.lever_m - (1.8 * cos - o * sin)).abs() < 1e-15
+                );
                 for height in [0.1, 0.7] {
-                    let low = contact(Wall { height_m: Some(height), ..Wall::at(gap) }, &block);
+                    let low = contact(
+                        Wall {
+                            height_m: Some(height),
+                            ..Wall::at(gap)
+                        },
+                        &block,
+                    );
                     let (sin, cos) = low.angle_rad.sin_cos();
-                    assert!((height * sin - (gap + o) * cos + o).abs() < 1e-15, "{base} {gap} {height}: {low:?}");
-                    assert!(low.angle_rad >= tall.angle_rad && low.angle_rad < std::f64::consts::FRAC_PI_2);
+                    assert!(
+                        (height * sin - (gap + o) * cos + o).abs() < 1e-15,
+                        "{base} {gap} {height}: {low:?}"
+                    );
+                    assert!(
+                        low.angle_rad >= tall.angle_rad
+                            && low.angle_rad < std::f64::consts::FRAC_PI_2
+                    );
                 }
             }
         }
@@ -226,9 +273,21 @@ mod tests {
         let block = Block::uniform(1.8, 0.6).unwrap();
         for gap in [1e-9, 1e-4, 0.3, 1.79] {
             let tall = contact(Wall::at(gap), &block);
-            assert!((tall.angle_rad / (gap / 1.8f64).asin() - 1.0).abs() < 1e-14, "{gap}");
-            let low = contact(Wall { height_m: Some(0.02), ..Wall::at(gap) }, &block);
-            assert!((low.angle_rad / (gap / 0.02f64).atan() - 1.0).abs() < 1e-14 || gap == 1.79, "{gap}");
+            assert!(
+                (tall.angle_rad / (gap / 1.8f64).asin() - 1.0).abs() < 1e-14,
+                "{gap}"
+            );
+            let low = contact(
+                Wall {
+                    height_m: Some(0.02),
+                    ..Wall::at(gap)
+                },
+                &block,
+            );
+            assert!(
+                (low.angle_rad / (gap / 0.02f64).atan() - 1.0).abs() < 1e-14 || gap == 1.79,
+                "{gap}"
+            );
         }
     }
 
@@ -239,29 +298,63 @@ mod tests {
         let block = Block::uniform(2.0, 0.002).unwrap();
         let at = contact(Wall::at(0.0), &block);
         assert!((at.effective_mass_ratio(&block) - 0.25).abs() < 1e-5);
-        let share = at.effective_mass_ratio(&block) * at.lever_m.powi(2) / block.pivot().inertia_per_mass_m2;
+        let share = at.effective_mass_ratio(&block) * at.lever_m.powi(2)
+            / block.pivot().inertia_per_mass_m2;
         assert!((share - 0.75).abs() < 1e-5);
     }
 
     #[test]
     fn a_wall_out_of_reach_is_none_and_an_impossible_one_is_refused() {
-        let block = Block::uniform(1.8, 0.6).unwrap().with_base_width(0.4).unwrap();
+        let block = Block::uniform(1.8, 0.6)
+            .unwrap()
+            .with_base_width(0.4)
+            .unwrap();
         let pivot = block.pivot();
         // The corner goes no further out than √(h² + o²) − o.
         let reach = 1.8f64.hypot(0.1) - 0.1;
-        assert!(Wall::at(reach * (1.0 - 1e-9)).contact(&block, pivot).unwrap().is_some());
-        assert_eq!(Wall::at(reach * (1.0 + 1e-9)).contact(&block, pivot), Ok(None));
-        assert_eq!(Wall { height_m: Some(0.1), ..Wall::at(1.8) }.contact(&block, pivot), Ok(None));
+        assert!(
+            Wall::at(reach * (1.0 - 1e-9))
+                .contact(&block, pivot)
+                .unwrap()
+                .is_some()
+        );
+        assert_eq!(
+            Wall::at(reach * (1.0 + 1e-9)).contact(&block, pivot),
+            Ok(None)
+        );
+        assert_eq!(
+            Wall {
+                height_m: Some(0.1),
+                ..Wall::at(1.8)
+            }
+            .contact(&block, pivot),
+            Ok(None)
+        );
         for gap_m in [-1e-9, f64::NAN, f64::INFINITY] {
-            assert!(matches!(Wall::at(gap_m).contact(&block, pivot), Err(WallError::Gap { .. })));
+            assert!(matches!(
+                Wall::at(gap_m).contact(&block, pivot),
+                Err(WallError::Gap { .. })
+            ));
         }
         for value in [-0.1, 1.0, f64::NAN] {
-            let wall = Wall { restitution_ratio: value, ..Wall::at(0.1) };
-            assert!(matches!(wall.contact(&block, pivot), Err(WallError::Restitution { .. })));
+            let wall = Wall {
+                restitution_ratio: value,
+                ..Wall::at(0.1)
+            };
+            assert!(matches!(
+                wall.contact(&block, pivot),
+                Err(WallError::Restitution { .. })
+            ));
         }
         for height in [0.0, -1.0, f64::NAN] {
-            let wall = Wall { height_m: Some(height), ..Wall::at(0.1) };
-            assert!(matches!(wall.contact(&block, pivot), Err(WallError::Height { .. })));
+            let wall = Wall {
+                height_m: Some(height),
+                ..Wall::at(0.1)
+            };
+            assert!(matches!(
+                wall.contact(&block, pivot),
+                Err(WallError::Height { .. })
+            ));
         }
     }
 }

@@ -9,7 +9,9 @@ use std::error::Error;
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{CompliantBase, CompliantOptions, CompliantRocking, Start, rock_compliant};
+use freestand::compliant::{
+    CompliantBase, CompliantOptions, CompliantRocking, Start, rock_compliant,
+};
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Base;
@@ -22,13 +24,22 @@ const EDGE_N_M: f64 = 4.38e6;
 const RISE_SHARE: f64 = 0.42;
 
 /// A release, followed until the block has swung to the other side.
-fn release(block: &Block, base: &CompliantBase, rise_m: f64) -> Result<CompliantRocking, Box<dyn Error>> {
+fn release(
+    block: &Block,
+    base: &CompliantBase,
+    rise_m: f64,
+) -> Result<CompliantRocking, Box<dyn Error>> {
     let pivot = block.right_pivot();
-    let rotation_rad = pivot.rotation_at_rise_rad(rise_m).ok_or("beyond the balance point")?;
-    let quarter_s =
-        (1.0 / (1.0 - rotation_rad / pivot.slenderness_angle_rad)).acosh() / pivot.frequency_parameter_rad_s(G0_M_S2);
+    let rotation_rad = pivot
+        .rotation_at_rise_rad(rise_m)
+        .ok_or("beyond the balance point")?;
+    let quarter_s = (1.0 / (1.0 - rotation_rad / pivot.slenderness_angle_rad)).acosh()
+        / pivot.frequency_parameter_rad_s(G0_M_S2);
     let options = CompliantOptions {
-        start: Start::Tilted { rotation_rad, omega_rad_s: 0.0 },
+        start: Start::Tilted {
+            rotation_rad,
+            omega_rad_s: 0.0,
+        },
         duration_s: Some(2.2 * quarter_s),
         ..CompliantOptions::default()
     };
@@ -37,8 +48,15 @@ fn release(block: &Block, base: &CompliantBase, rise_m: f64) -> Result<Compliant
 
 /// First landing, and the largest until the block has swung to the other side \[g\].
 fn shocks(run: &CompliantRocking) -> (f64, f64) {
-    let first = run.touches.first().map_or(0.0, |touch| touch.peak_acceleration_m_s2);
-    let largest = run.touches.iter().map(|touch| touch.peak_acceleration_m_s2).fold(0.0, f64::max);
+    let first = run
+        .touches
+        .first()
+        .map_or(0.0, |touch| touch.peak_acceleration_m_s2);
+    let largest = run
+        .touches
+        .iter()
+        .map(|touch| touch.peak_acceleration_m_s2)
+        .fold(0.0, f64::max);
     (first / G0_M_S2, largest / G0_M_S2)
 }
 
@@ -54,7 +72,8 @@ fn study() -> Result<(), Box<dyn Error>> {
             let stiffness_n_m = scale * EDGE_N_M;
             let spring = Cushion::linear(stiffness_n_m)?;
             let [eq5, eq8] = [ImpactModel::Paper, ImpactModel::Halted].map(|model| {
-                let impact = Landing::rocking(&block, model).impact(MASS_KG, &spring, rise_m, G0_M_S2);
+                let impact =
+                    Landing::rocking(&block, model).impact(MASS_KG, &spring, rise_m, G0_M_S2);
                 impact.edge_acceleration_m_s2 / G0_M_S2
             });
             for tangential_stiffness_ratio in [0.5, 1.0, 10.0] {
@@ -63,13 +82,17 @@ fn study() -> Result<(), Box<dyn Error>> {
                         let base = CompliantBase {
                             tangential_stiffness_ratio,
                             friction_ratio,
-                            ..CompliantBase::new(MASS_KG, damped(MASS_KG, stiffness_n_m, damping_ratio)?)
+                            ..CompliantBase::new(
+                                MASS_KG,
+                                damped(MASS_KG, stiffness_n_m, damping_ratio)?,
+                            )
                         };
                         let run = release(&block, &base, rise_m)?;
                         let (first, largest) = shocks(&run);
                         // The tilt is to the right, the swing after the landing to the left.
                         let after = run.swings.iter().find(|swing| swing.rotation_rad < 0.0);
-                        let rise_after_m = after.map_or(0.0, |swing| block.pivot().cg_rise_m(swing.rotation_rad));
+                        let rise_after_m =
+                            after.map_or(0.0, |swing| block.pivot().cg_rise_m(swing.rotation_rad));
                         let restitution = (rise_after_m / rise_m).sqrt();
                         println!(
                             "{slenderness:.4},{stiffness_n_m},{tangential_stiffness_ratio},{damping_ratio},{},{rise_m:.6},{first:.4},\
@@ -92,7 +115,9 @@ fn study() -> Result<(), Box<dyn Error>> {
 
 /// The paper's releases at three dampings: first landing and largest of the first swing, in units of 9.80665 m/s².
 fn table_one() -> Result<(), Box<dyn Error>> {
-    println!("\ncg_rise_mm,damping_ratio,tangential_ratio,first_g,largest_g,equation_5_g,contact_ms");
+    println!(
+        "\ncg_rise_mm,damping_ratio,tangential_ratio,first_g,largest_g,equation_5_g,contact_ms"
+    );
     let block = Block::uniform(HEIGHT_M, 0.6)?;
     for rise_mm in [16.0, 27.0, 32.0] {
         for damping_ratio in [0.0, 0.02, 0.05, 0.1, 0.15] {

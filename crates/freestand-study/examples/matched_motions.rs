@@ -20,13 +20,25 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("|---|---|---|---|---|---|---|---|---|");
     for site in SiteClass::ALL {
         let code = As1170_4::new(Edition::default(), site, 0.08, 500)?;
-        row(&format!("AS 1170.4 {}", site.name()), seed, |t| code.sa_g(t))?;
+        row(&format!("AS 1170.4 {}", site.name()), seed, |t| {
+            code.sa_g(t)
+        })?;
     }
-    let grounds = [GroundType::A, GroundType::B, GroundType::C, GroundType::D, GroundType::E];
+    let grounds = [
+        GroundType::A,
+        GroundType::B,
+        GroundType::C,
+        GroundType::D,
+        GroundType::E,
+    ];
     for (number, spectrum_type) in [(1, SpectrumType::Type1), (2, SpectrumType::Type2)] {
         for ground in grounds {
             let code = Eurocode8::new(spectrum_type, ground, 0.1, 1.0)?;
-            row(&format!("Eurocode 8 type {number}, {ground:?}"), seed, |t| code.sa_g(t))?;
+            row(
+                &format!("Eurocode 8 type {number}, {ground:?}"),
+                seed,
+                |t| code.sa_g(t),
+            )?;
         }
     }
     Ok(())
@@ -37,7 +49,8 @@ fn row(name: &str, seed: u64, target: impl Fn(f64) -> f64 + Sync) -> Result<(), 
         .into_par_iter()
         .map(|index| synthesize(&target, seed, index, &SynthesisOptions::default()))
         .collect::<Result<_, _>>()?;
-    let mean = |value: fn(&MatchedMotion) -> f64| all.iter().map(value).sum::<f64>() / MOTIONS as f64;
+    let mean =
+        |value: fn(&MatchedMotion) -> f64| all.iter().map(value).sum::<f64>() / MOTIONS as f64;
     let largest = |value: fn(&MatchedMotion) -> f64| all.iter().map(value).fold(0.0, f64::max);
     println!(
         "| {name} | {:.1} % ({:.1} %) | {:.0} % | {:.3} g | {:.3} g | {:.3} m/s | {:.1} s | {:.0e} | {:.0e} |",
@@ -56,7 +69,10 @@ fn row(name: &str, seed: u64, target: impl Fn(f64) -> f64 + Sync) -> Result<(), 
 
 /// Final velocity and displacement over their peaks.
 fn end_ratios(motion: &Motion) -> (f64, f64) {
-    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
+    let Integrals {
+        velocity_m_s: velocity,
+        displacement_m: displacement,
+    } = integrals(motion);
     let ratio = |values: &[f64]| {
         let peak = values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
         values.last().map_or(0.0, |last| last.abs() / peak)

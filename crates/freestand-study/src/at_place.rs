@@ -59,10 +59,21 @@ pub fn motions_at(
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<FloorMotions, Problems> {
     if !(0.0..=1.0).contains(&place.level_ratio) {
-        let message = format!("`level_ratio`: {} is not a share of the height", place.level_ratio);
-        return Err(Problem::value(message, "give 0 for the ground, 1 for the roof, or a value between them").into());
+        let message = format!(
+            "`level_ratio`: {} is not a share of the height",
+            place.level_ratio
+        );
+        return Err(Problem::value(
+            message,
+            "give 0 for the ground, 1 for the roof, or a value between them",
+        )
+        .into());
     }
-    let overrides = Overrides { seed: place.seed, hazard: place.hazard.clone(), ..Overrides::default() };
+    let overrides = Overrides {
+        seed: place.seed,
+        hazard: place.hazard.clone(),
+        ..Overrides::default()
+    };
     let study = resolve_with(&text(place), None, Path::new(""), &overrides)?;
     let ground = last.of(&study.ground, &go_on)?;
     let mut motions = Vec::with_capacity(ground.len());
@@ -72,17 +83,29 @@ pub fn motions_at(
             Some(building) => floors_under(one, building, &[place.level_ratio])?,
             None => vec![one.motion.clone()],
         };
-        let named = |motion| SpectrumMotion { name: one.name.clone(), horizontal: motion, vertical: None };
+        let named = |motion| SpectrumMotion {
+            name: one.name.clone(),
+            horizontal: motion,
+            vertical: None,
+        };
         motions.extend(floors.into_iter().map(|floor| named(floor.along)));
     }
-    Ok(FloorMotions { motions, processing: processing(&study, place), warnings: study.warnings })
+    Ok(FloorMotions {
+        motions,
+        processing: processing(&study, place),
+        warnings: study.warnings,
+    })
 }
 
 /// The tables of a study, as far as they are given.
 fn text(place: &AtPlace) -> String {
     let count = place.count.map(|count| format!("count = {count}\n"));
-    let storeys = place.storeys.map(|storeys| format!("storeys = {storeys}\n"));
-    let height = place.storey_height_m.map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
+    let storeys = place
+        .storeys
+        .map(|storeys| format!("storeys = {storeys}\n"));
+    let height = place
+        .storey_height_m
+        .map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
     format!(
         "[ground]\n{}[building]\n{}{}levels = [{{ name = \"floor\", level_ratio = {:?} }}]\n",
         count.unwrap_or_default(),
@@ -93,11 +116,16 @@ fn text(place: &AtPlace) -> String {
 }
 
 fn processing(study: &Study, place: &AtPlace) -> Vec<String> {
-    let ground = study.ground.code_spectrum().map(|target| format!("matched to {}", target.one_line()));
-    let floor = study
-        .building
-        .as_ref()
-        .map(|building| format!("carried to {} of the height of {} storeys", place.level_ratio, building.storeys));
+    let ground = study
+        .ground
+        .code_spectrum()
+        .map(|target| format!("matched to {}", target.one_line()));
+    let floor = study.building.as_ref().map(|building| {
+        format!(
+            "carried to {} of the height of {} storeys",
+            place.level_ratio, building.storeys
+        )
+    });
     ground.into_iter().chain(floor).collect()
 }
 
@@ -109,12 +137,17 @@ impl LastGround {
         go_on: &(impl Fn() -> Result<(), Problems> + Sync),
     ) -> Result<Arc<Vec<GroundMotion>>, Problems> {
         // The lock is not held while motions are made: whoever asks for another ground need not wait.
-        let found = self.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let found = self
+            .0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
         if let Some((_, motions)) = found.filter(|(of, _)| of == ground) {
             return Ok(motions);
         }
         let motions = Arc::new(ground_motions(ground, go_on)?);
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some((ground.clone(), Arc::clone(&motions)));
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) =
+            Some((ground.clone(), Arc::clone(&motions)));
         Ok(motions)
     }
 }
@@ -131,29 +164,58 @@ mod tests {
         let mut study = resolve("[ground]\ncount = 2\n", None, Path::new("")).unwrap();
         study.objects.blocks.truncate(1);
         let result = run(&study, &no_progress).unwrap();
-        let roof = result.levels.iter().find(|level| level.level.level_ratio == Some(1.0)).unwrap();
-        let hazard = Words::from_iter([("place", "Melbourne".to_owned()), ("site", "De".to_owned())]);
+        let roof = result
+            .levels
+            .iter()
+            .find(|level| level.level.level_ratio == Some(1.0))
+            .unwrap();
+        let hazard =
+            Words::from_iter([("place", "Melbourne".to_owned()), ("site", "De".to_owned())]);
         let last = LastGround::default();
-        let place = AtPlace { hazard, count: Some(2), level_ratio: 1.0, ..AtPlace::default() };
+        let place = AtPlace {
+            hazard,
+            count: Some(2),
+            level_ratio: 1.0,
+            ..AtPlace::default()
+        };
         let made = motions_at(&place, &last, || Ok(())).unwrap();
         assert_eq!(made.motions.len(), roof.floors.len());
         for (made, floor) in made.motions.iter().zip(&roof.floors) {
             assert_eq!(made.horizontal, floor.along, "{}", made.name);
         }
         // Another floor, and back: what is remembered changes nothing.
-        let lower = AtPlace { level_ratio: 0.5, ..place.clone() };
+        let lower = AtPlace {
+            level_ratio: 0.5,
+            ..place.clone()
+        };
         let middle = motions_at(&lower, &last, || Ok(())).unwrap();
         assert!(middle.motions[0].horizontal.peak_m_s2() < made.motions[0].horizontal.peak_m_s2());
-        assert_eq!(motions_at(&place, &last, || Ok(())).unwrap().motions, made.motions);
+        assert_eq!(
+            motions_at(&place, &last, || Ok(())).unwrap().motions,
+            made.motions
+        );
     }
 
     #[test]
     fn what_is_wrong_is_said() {
         let hazard = Words::from_iter([("place", "Atlantis".to_owned())]);
-        let problems = motions_at(&AtPlace { hazard, ..AtPlace::default() }, &LastGround::default(), || Ok(()));
+        let problems = motions_at(
+            &AtPlace {
+                hazard,
+                ..AtPlace::default()
+            },
+            &LastGround::default(),
+            || Ok(()),
+        );
         assert!(problems.unwrap_err().to_string().contains("Atlantis"));
-        let outside = AtPlace { level_ratio: 1.5, ..AtPlace::default() };
+        let outside = AtPlace {
+            level_ratio: 1.5,
+            ..AtPlace::default()
+        };
         let problems = motions_at(&outside, &LastGround::default(), || Ok(())).unwrap_err();
-        assert!(problems.to_string().contains("`level_ratio`: 1.5"), "{problems}");
+        assert!(
+            problems.to_string().contains("`level_ratio`: 1.5"),
+            "{problems}"
+        );
     }
 }

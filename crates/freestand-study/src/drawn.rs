@@ -72,7 +72,10 @@ pub struct DrawnWall {
 
 impl From<Wall> for DrawnWall {
     fn from(wall: Wall) -> Self {
-        Self { gap_m: wall.gap_m, height_m: wall.height_m }
+        Self {
+            gap_m: wall.gap_m,
+            height_m: wall.height_m,
+        }
     }
 }
 
@@ -93,13 +96,28 @@ pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
         time_s: one.time_s,
         edge_acceleration_g: one.edge_acceleration_g,
         // Turning about the right edge (θ > 0), it comes back with ω < 0 and the left edge lands.
-        edge: if one.omega_before_rad_s < 0.0 { Side::Left.name() } else { Side::Right.name() },
+        edge: if one.omega_before_rad_s < 0.0 {
+            Side::Left.name()
+        } else {
+            Side::Right.name()
+        },
     });
-    let points = rising(report.history.iter().map(|point| (point.time_s, point.theta_rad)));
+    let points = rising(
+        report
+            .history
+            .iter()
+            .map(|point| (point.time_s, point.theta_rad)),
+    );
     DrawnHistory {
         wall_left: report.walls.left.map(DrawnWall::from),
         wall_right: report.walls.right.map(DrawnWall::from),
-        ..of_points(&report.block, points, impacts.collect(), floor, (report.outcome.name(), "rigid"))
+        ..of_points(
+            &report.block,
+            points,
+            impacts.collect(),
+            floor,
+            (report.outcome.name(), "rigid"),
+        )
     }
 }
 
@@ -138,7 +156,13 @@ pub fn drawn_on_pads(
         },
     });
     let outcome = (rocking.outcome.name(), "compliant");
-    Ok(of_points(block, rising(points.into_iter()), impacts.collect(), motion.horizontal, outcome))
+    Ok(of_points(
+        block,
+        rising(points.into_iter()),
+        impacts.collect(),
+        motion.horizontal,
+        outcome,
+    ))
 }
 
 /// Both, from points with rising times.
@@ -159,15 +183,26 @@ fn of_points(
         }
         is_one
     };
-    let (time_s, theta_rad) = thinned(&points, THINNING_RATIO * TOLERANCE_RAD, is_kept).into_iter().unzip();
+    let (time_s, theta_rad) = thinned(&points, THINNING_RATIO * TOLERANCE_RAD, is_kept)
+        .into_iter()
+        .unzip();
     let samples = floor.map(|motion| {
         let of = |(i, accel): (usize, &f64)| (i as f64 * motion.dt_s(), *accel);
-        motion.accel_m_s2().iter().enumerate().map(of).collect::<Vec<_>>()
+        motion
+            .accel_m_s2()
+            .iter()
+            .enumerate()
+            .map(of)
+            .collect::<Vec<_>>()
     });
     let samples = samples.unwrap_or_default();
-    let peak_m_s2 = samples.iter().fold(0.0f64, |most, (_, accel)| most.max(accel.abs()));
+    let peak_m_s2 = samples
+        .iter()
+        .fold(0.0f64, |most, (_, accel)| most.max(accel.abs()));
     let (base_time_s, base_accel_m_s2) =
-        thinned(&samples, ACCELERATION_RATIO * peak_m_s2, |_| false).into_iter().unzip();
+        thinned(&samples, ACCELERATION_RATIO * peak_m_s2, |_| false)
+            .into_iter()
+            .unzip();
     DrawnHistory {
         time_s,
         theta_rad,
@@ -218,8 +253,14 @@ fn rising(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
 /// The fewest of these points that one pass finds, so that the straight lines between them are within
 /// the tolerance of all; those at times that `is_kept` names are among them. It is asked in the order of
 /// time.
-fn thinned(points: &[(f64, f64)], tolerance: f64, mut is_kept: impl FnMut(f64) -> bool) -> Vec<(f64, f64)> {
-    let Some((&first, rest)) = points.split_first() else { return Vec::new() };
+fn thinned(
+    points: &[(f64, f64)],
+    tolerance: f64,
+    mut is_kept: impl FnMut(f64) -> bool,
+) -> Vec<(f64, f64)> {
+    let Some((&first, rest)) = points.split_first() else {
+        return Vec::new();
+    };
     let mut found = vec![first];
     let (mut anchor, mut last) = (first, first);
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -250,22 +291,32 @@ mod tests {
     use super::*;
 
     fn at(line: &[(f64, f64)], time: f64) -> f64 {
-        let next = line.partition_point(|point| point.0 < time).clamp(1, line.len() - 1);
+        let next = line
+            .partition_point(|point| point.0 < time)
+            .clamp(1, line.len() - 1);
         let ((t0, y0), (t1, y1)) = (line[next - 1], line[next]);
         y0 + (y1 - y0) * (time - t0) / (t1 - t0)
     }
 
     #[test]
     fn thinning_keeps_the_curve_and_the_impacts() {
-        let points: Vec<(f64, f64)> =
-            (0..4000).map(|i| f64::from(i) * 0.005).map(|t| (t, (3.0 * t).sin().abs() * (-0.2 * t).exp())).collect();
+        let points: Vec<(f64, f64)> = (0..4000)
+            .map(|i| f64::from(i) * 0.005)
+            .map(|t| (t, (3.0 * t).sin().abs() * (-0.2 * t).exp()))
+            .collect();
         let kept = [points[700].0, points[701].0, points[3333].0];
         let thin = thinned(&points, 1e-3, |time| kept.contains(&time));
         assert!(thin.len() < points.len() / 8, "{}", thin.len());
-        let worst = points.iter().map(|(t, y)| (at(&thin, *t) - y).abs()).fold(0.0, f64::max);
+        let worst = points
+            .iter()
+            .map(|(t, y)| (at(&thin, *t) - y).abs())
+            .fold(0.0, f64::max);
         // The lines pass through samples, so the bound holds at every sample, but for rounding.
         assert!(worst <= 1e-3 * (1.0 + 1e-9), "{worst}");
-        assert!(kept.iter().all(|time| thin.iter().any(|point| point.0 == *time)));
+        assert!(
+            kept.iter()
+                .all(|time| thin.iter().any(|point| point.0 == *time))
+        );
         assert!(thin.windows(2).all(|two| two[0].0 < two[1].0));
         assert_eq!((thin.first(), thin.last()), (points.first(), points.last()));
     }
@@ -275,9 +326,15 @@ mod tests {
         assert!(thinned(&[], 1.0, |_| false).is_empty());
         assert_eq!(thinned(&[(0.0, 1.0)], 1.0, |_| false), [(0.0, 1.0)]);
         assert_eq!(
-            with_times(vec![(0.0, 0.0), (2.0, 4.0)], [0.0, 1.0, 1.0, 2.0, 3.0].into_iter()),
+            with_times(
+                vec![(0.0, 0.0), (2.0, 4.0)],
+                [0.0, 1.0, 1.0, 2.0, 3.0].into_iter()
+            ),
             [(0.0, 0.0), (1.0, 2.0), (2.0, 4.0)]
         );
-        assert_eq!(rising([(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)].into_iter()), [(0.0, 1.0), (1.0, 3.0)]);
+        assert_eq!(
+            rising([(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)].into_iter()),
+            [(0.0, 1.0), (1.0, 3.0)]
+        );
     }
 }

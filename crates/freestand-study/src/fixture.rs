@@ -18,12 +18,13 @@ use freestand::{G0_M_S2, impact::Landing};
 
 use crate::cushion::{self, EdgeCushion};
 use crate::result::{
-    ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
+    ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum,
+    StudyResult,
 };
 use crate::statistics::object_statistics;
 use crate::study::{
-    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround, TitleBlock,
-    VerticalTarget,
+    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study,
+    SyntheticGround, TitleBlock, VerticalTarget,
 };
 use crate::target::CodeParts;
 use crate::target::Target;
@@ -77,8 +78,16 @@ pub(crate) fn study() -> Study {
         floors: Vec::new(),
         first_floor: None,
         levels: vec![
-            Level { name: "mid-height".into(), level_ratio: Some(0.5), motions: Vec::new() },
-            Level { name: "roof".into(), level_ratio: Some(1.0), motions: Vec::new() },
+            Level {
+                name: "mid-height".into(),
+                level_ratio: Some(0.5),
+                motions: Vec::new(),
+            },
+            Level {
+                name: "roof".into(),
+                level_ratio: Some(1.0),
+                motions: Vec::new(),
+            },
         ],
         objects: Objects {
             heights_m,
@@ -99,7 +108,12 @@ pub(crate) fn study() -> Study {
             report: true,
             cards: false,
             title: TitleBlock::default(),
-            history: Some(HistoryChoice { level: "roof".into(), motion: None, height_m: 1.5, thickness_m: 0.3 }),
+            history: Some(HistoryChoice {
+                level: "roof".into(),
+                motion: None,
+                height_m: 1.5,
+                thickness_m: 0.3,
+            }),
         },
         warnings: vec!["the building is a uniform beam".into()],
     }
@@ -114,8 +128,14 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         sha256: "ab".repeat(32),
         description: "PEER AT2 & more".into(),
         scale_ratio: 1.25,
-        station_xml: vec![InputFile { path: "stations/<c>.xml".into(), sha256: "ef".repeat(32) }],
-        scale_target: Some(InputFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
+        station_xml: vec![InputFile {
+            path: "stations/<c>.xml".into(),
+            sha256: "ef".repeat(32),
+        }],
+        scale_target: Some(InputFile {
+            path: "targets/<b>.csv".into(),
+            sha256: "cd".repeat(32),
+        }),
         processing: vec!["multiplied by 1.25".to_owned()],
         matched: None,
         suite: None,
@@ -135,10 +155,16 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
 /// What came out of it.
 pub(crate) fn result(study: &Study) -> StudyResult {
     let ground: Vec<GroundMotion> = (0..10).map(|i| ground_motion(i, study)).collect();
-    let ratios: Vec<f64> = study.levels.iter().map(|l| l.level_ratio.unwrap()).collect();
+    let ratios: Vec<f64> = study
+        .levels
+        .iter()
+        .map(|l| l.level_ratio.unwrap())
+        .collect();
     let beam = &study.building.as_ref().unwrap().along;
-    let floors: Vec<Vec<Motion>> =
-        ground.iter().map(|g| floor_motions(&g.motion.along, beam, &ratios).unwrap()).collect();
+    let floors: Vec<Vec<Motion>> = ground
+        .iter()
+        .map(|g| floor_motions(&g.motion.along, beam, &ratios).unwrap())
+        .collect();
     let levels: Vec<LevelResult> = study
         .levels
         .iter()
@@ -151,15 +177,33 @@ pub(crate) fn result(study: &Study) -> StudyResult {
         ground,
         profile: Some(FloorProfile {
             levels_ratio: vec![0.0, 0.5, 1.0],
-            pfa_g: (0..10).map(|i| [0.1, 0.14, 0.3].map(|g| g * (0.8 + 0.05 * f64::from(i))).to_vec()).collect(),
-            pfv_m_s: (0..10).map(|i| [0.1, 0.2, 0.4].map(|v| v * (0.8 + 0.05 * f64::from(i))).to_vec()).collect(),
-            code: Some(CodeParts { clause: "a code’s line", accel_g: vec![0.088, 0.176, 0.264] }),
+            pfa_g: (0..10)
+                .map(|i| {
+                    [0.1, 0.14, 0.3]
+                        .map(|g| g * (0.8 + 0.05 * f64::from(i)))
+                        .to_vec()
+                })
+                .collect(),
+            pfv_m_s: (0..10)
+                .map(|i| {
+                    [0.1, 0.2, 0.4]
+                        .map(|v| v * (0.8 + 0.05 * f64::from(i)))
+                        .to_vec()
+                })
+                .collect(),
+            code: Some(CodeParts {
+                clause: "a code’s line",
+                accel_g: vec![0.088, 0.176, 0.264],
+            }),
         }),
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),
         sensitivity: None,
-        warnings: vec!["12 objects of 130 need more friction than 0.5 under some motion: they may slide".into()],
+        warnings: vec![
+            "12 objects of 130 need more friction than 0.5 under some motion: they may slide"
+                .into(),
+        ],
     }
 }
 
@@ -168,15 +212,29 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
     let dt_s = 0.01;
     let mut state = u64::from(index) * 7919 + 12345;
     let mut random = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    let waves: Vec<(f64, f64, f64)> =
-        (0..80).map(|k| (0.2 * 1.055f64.powi(k), 0.010 * (0.3 + 1.4 * random()), TAU * random())).collect();
+    let waves: Vec<(f64, f64, f64)> = (0..80)
+        .map(|k| {
+            (
+                0.2 * 1.055f64.powi(k),
+                0.010 * (0.3 + 1.4 * random()),
+                TAU * random(),
+            )
+        })
+        .collect();
     let accel = (0..3000).map(|i| {
         let t = f64::from(i) * dt_s;
         let envelope = (t / 4.0).min(1.0) * (-(t - 8.0).max(0.0) / 4.0).exp();
-        G0_M_S2 * envelope * waves.iter().map(|(f, a, phase)| a * (TAU * f * t + phase).sin()).sum::<f64>()
+        G0_M_S2
+            * envelope
+            * waves
+                .iter()
+                .map(|(f, a, phase)| a * (TAU * f * t + phase).sin())
+                .sum::<f64>()
     });
     let motion = Motion::new(dt_s, accel.collect()).unwrap();
     let spectrum = spectrum(&motion);
@@ -200,13 +258,21 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
 }
 
 fn one(along: Motion) -> HorizontalMotion {
-    HorizontalMotion { along, across: None }
+    HorizontalMotion {
+        along,
+        across: None,
+    }
 }
 
 fn spectrum(motion: &Motion) -> PseudoSpectrum {
-    let periods: Vec<f64> = (0..81).map(|i| 0.05 * 10f64.powf(f64::from(i) / 40.0)).collect();
+    let periods: Vec<f64> = (0..81)
+        .map(|i| 0.05 * 10f64.powf(f64::from(i) / 40.0))
+        .collect();
     let psa_m_s2 = response_spectrum(motion, 0.05, &periods).unwrap().psa_m_s2;
-    PseudoSpectrum { periods_s: periods, psa_m_s2 }
+    PseudoSpectrum {
+        periods_s: periods,
+        psa_m_s2,
+    }
 }
 
 fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResult {
@@ -220,17 +286,30 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
                 }
                 let uplift = rocked(block, floor.peak_m_s2() / G0_M_S2, m);
                 let shock = uplift.shock(MASS_KG, &spring().cushion, ImpactModel::Paper, G0_M_S2);
-                ObjectResponse::Done { uplift, shock, direction_deg: None }
+                ObjectResponse::Done {
+                    uplift,
+                    shock,
+                    direction_deg: None,
+                }
             };
             study.objects.blocks.iter().enumerate().map(one).collect()
         })
         .collect();
     let objects = study.objects.blocks.len();
-    let statistics = (0..objects).map(|i| object_statistics(responses.iter().map(|row| &row[i]))).collect();
+    let statistics = (0..objects)
+        .map(|i| object_statistics(responses.iter().map(|row| &row[i])))
+        .collect();
     let spectra = floors.iter().map(spectrum).collect();
     let floors: Vec<HorizontalMotion> = floors.into_iter().map(one).collect();
     let verticals = vec![None; floors.len()];
-    LevelResult { level: level.clone(), floors, verticals, spectra, responses, statistics }
+    LevelResult {
+        level: level.clone(),
+        floors,
+        verticals,
+        spectra,
+        responses,
+        statistics,
+    }
 }
 
 /// Rocking grows with what the peak has over the threshold and falls with the size.
@@ -252,7 +331,11 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     let landing = Landing::rocking(block, ImpactModel::Paper);
     let rocking = RockingSummary {
         outcome,
-        stop: if outcome == Outcome::Overturned { StopReason::Overturned } else { StopReason::Settled },
+        stop: if outcome == Outcome::Overturned {
+            StopReason::Overturned
+        } else {
+            StopReason::Settled
+        },
         peak_rotation_rad: peak,
         wall_impact_count: 0,
         impact_count: if outcome == Outcome::NoUplift { 0 } else { 17 },
@@ -267,13 +350,18 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
             SideExtremes::default(),
         ],
     };
-    UpliftCell { block: *block, rocking }
+    UpliftCell {
+        block: *block,
+        rocking,
+    }
 }
 
 fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
     let floor = &level.floors[0].along;
     let slenderness_angle_rad = 0.3f64.atan2(1.5);
-    let time_s: Vec<f64> = (0..floor.accel_m_s2().len()).map(|i| i as f64 * floor.dt_s()).collect();
+    let time_s: Vec<f64> = (0..floor.accel_m_s2().len())
+        .map(|i| i as f64 * floor.dt_s())
+        .collect();
     let swing = |t: f64| {
         let s = t - 6.0;
         if (0.0..14.0).contains(&s) {
@@ -284,8 +372,10 @@ fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
     };
     let theta_rad: Vec<f64> = time_s.iter().map(|&t| swing(t)).collect();
     let crosses = |i: &usize| theta_rad[*i] * theta_rad[*i + 1] < 0.0;
-    let impacts =
-        (0..time_s.len() - 1).filter(crosses).map(|i| (time_s[i], 2.6 * (-(time_s[i] - 6.0) / 5.0).exp())).collect();
+    let impacts = (0..time_s.len() - 1)
+        .filter(crosses)
+        .map(|i| (time_s[i], 2.6 * (-(time_s[i] - 6.0) / 5.0).exp()))
+        .collect();
     ExampleHistory {
         level: level.level.name.clone(),
         motion: motion.into(),

@@ -28,19 +28,32 @@ const SAME_EXPONENT: f64 = 1e-9;
 pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<String>), Problem> {
     let text = text.trim();
     let (plain, stated) = split_exponent(text)?;
-    let stiffness_n_m = parse_positive(&plain, Dimension::Stiffness, "the stiffness")
-        .map_err(|problem| if exponent == 1.0 { problem } else { problem.hint(example(exponent)) })?;
+    let stiffness_n_m =
+        parse_positive(&plain, Dimension::Stiffness, "the stiffness").map_err(|problem| {
+            if exponent == 1.0 {
+                problem
+            } else {
+                problem.hint(example(exponent))
+            }
+        })?;
     let is_one = (exponent - 1.0).abs() <= SAME_EXPONENT;
     match stated {
         Some(stated) if (stated - exponent).abs() > SAME_EXPONENT => {
-            let message = format!("\"{}\" has the exponent {stated}, but the law has {exponent}", shorten(text));
-            Err(Problem::value(message, "give the same exponent in both places"))
+            let message = format!(
+                "\"{}\" has the exponent {stated}, but the law has {exponent}",
+                shorten(text)
+            );
+            Err(Problem::value(
+                message,
+                "give the same exponent in both places",
+            ))
         }
         _ if is_one => Ok((stiffness_n_m, None)),
         _ => {
             // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ; without an exponent in the unit its
             // length is a millimetre.
-            let is_per_mm = stated.is_none() || plain.trim_end().to_ascii_lowercase().ends_with("/mm");
+            let is_per_mm =
+                stated.is_none() || plain.trim_end().to_ascii_lowercase().ends_with("/mm");
             let lengths_in_m: f64 = if is_per_mm { 1e3 } else { 1.0 };
             let coefficient_n_mn = stiffness_n_m * lengths_in_m.powf(exponent - 1.0);
             let note = stated.is_none().then(|| {
@@ -59,7 +72,9 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
 /// `N/mm^1.5` → `N/mm` and 1.5; `N/m²` → `N/m` and 2.
 fn split_exponent(text: &str) -> Result<(String, Option<f64>), Problem> {
     let text = text.replace('²', "^2").replace('³', "^3");
-    let Some((plain, power)) = text.split_once('^') else { return Ok((text, None)) };
+    let Some((plain, power)) = text.split_once('^') else {
+        return Ok((text, None));
+    };
     let power = power.trim().trim_start_matches('(').trim_end_matches(')');
     let value = match power.split_once('/') {
         Some((above, below)) => parse(above, Dimension::Ratio)? / parse(below, Dimension::Ratio)?,
@@ -94,11 +109,20 @@ mod tests {
             let (found, note) = contact_law_stiffness(text, exponent).unwrap();
             // Rounding of a power.
             assert!((found / expected - 1.0).abs() < 1e-14, "{text}: {found}");
-            assert_eq!(note.is_some(), exponent != 1.0 && !text.contains(['^', '²']), "{text}");
+            assert_eq!(
+                note.is_some(),
+                exponent != 1.0 && !text.contains(['^', '²']),
+                "{text}"
+            );
         }
-        for (text, exponent) in
-            [("632 N/mm^1.5", 1.0), ("632", 1.5), ("-3 N/mm", 1.0), ("3 N/mm^", 1.5), ("3 N/mm^x", 1.5), ("1 mm", 1.0)]
-        {
+        for (text, exponent) in [
+            ("632 N/mm^1.5", 1.0),
+            ("632", 1.5),
+            ("-3 N/mm", 1.0),
+            ("3 N/mm^", 1.5),
+            ("3 N/mm^x", 1.5),
+            ("1 mm", 1.0),
+        ] {
             assert!(contact_law_stiffness(text, exponent).is_err(), "{text}");
         }
     }

@@ -8,8 +8,8 @@ use serde_json::Value;
 use crate::figures::figures;
 use crate::report::{Provenance, provenance, report};
 use crate::rerun::{
-    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
-    with_value,
+    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed,
+    with_spectrum, with_value,
 };
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
@@ -42,7 +42,9 @@ pub struct Written {
 pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> = vec!["study.toml".to_owned(), "summary.json".to_owned()];
     let tables = ["urs", "srs", "statistics"].into_iter();
-    let tables = tables.chain(study.building.is_some().then_some("floor_profile")).chain(is_varied.then_some("vary"));
+    let tables = tables
+        .chain(study.building.is_some().then_some("floor_profile"))
+        .chain(is_varied.then_some("vary"));
     for name in tables {
         names.push(format!("{name}.csv"));
         names.extend(study.outputs.parquet.then(|| format!("{name}.parquet")));
@@ -53,9 +55,18 @@ pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
             names.push(ground_name(&motion));
         }
         names.extend(study.ground.has_vertical().then(|| vertical_name(&motion)));
-        names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
+        names.extend(
+            study
+                .levels
+                .iter()
+                .map(|level| floor_name(&motion, &level.name)),
+        );
     }
-    names.extend(building_tables(study).into_iter().map(|(_, _, name, _)| name));
+    names.extend(
+        building_tables(study)
+            .into_iter()
+            .map(|(_, _, name, _)| name),
+    );
     names
 }
 
@@ -78,7 +89,11 @@ fn floor_name(motion: &str, level: &str) -> String {
 ///
 /// # Errors
 /// A full disk, or a folder that has changed in the meantime; then nothing is written.
-pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) -> Result<Written, Problems> {
+pub fn write_outputs(
+    folder: OutputFolder,
+    study: &Study,
+    result: &StudyResult,
+) -> Result<Written, Problems> {
     let (tables, pages) = rayon::join(|| tables(study, result), || pages(study, result));
     let mut files = tables?;
     files.extend(pages?);
@@ -87,14 +102,22 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
     names.push("summary.json".to_owned());
     names.sort_unstable();
     let body = summary(study, result, &names);
-    files.push(("summary.json".to_owned(), document(SCHEMA, &body, &result.warnings)?.into_bytes()));
+    files.push((
+        "summary.json".to_owned(),
+        document(SCHEMA, &body, &result.warnings)?.into_bytes(),
+    ));
 
     files.sort_unstable_by(|a, b| a.0.cmp(&b.0));
     for (name, bytes) in &files {
         folder.write(name, bytes)?;
     }
     let Committed { folder, removed } = folder.commit()?;
-    Ok(Written { folder, files: names, removed, body })
+    Ok(Written {
+        folder,
+        files: names,
+        removed,
+        body,
+    })
 }
 
 type File = (String, Vec<u8>);
@@ -121,7 +144,11 @@ fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
     let tables = study.building.iter().flat_map(|building| &building.tables);
     tables
         .map(|(across, table)| {
-            let name = if *across { "building/across.csv" } else { "building/along.csv" };
+            let name = if *across {
+                "building/across.csv"
+            } else {
+                "building/along.csv"
+            };
             (*across, table.key, name.to_owned(), table.text.as_slice())
         })
         .collect()
@@ -136,30 +163,57 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         Some((_, words)) => with_cushion(&study.toml, words)?,
         None => study.toml.clone(),
     };
-    let tables: Vec<_> = building_tables(study).into_iter().map(|(across, key, name, _)| (across, key, name)).collect();
-    let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
+    let tables: Vec<_> = building_tables(study)
+        .into_iter()
+        .map(|(across, key, name, _)| (across, key, name))
+        .collect();
+    let toml = if tables.is_empty() {
+        toml
+    } else {
+        with_building_tables(&toml, &tables)?
+    };
     // Without the code of the ground, the period would be by another formula.
-    let code = study.building.as_ref().and_then(|building| building.period_code);
-    let toml = match (&study.ground, code.filter(|code| *code != PeriodCode::default())) {
-        (Ground::Recorded(_), Some(code)) => with_value(&toml, "building", "period_code", code.name(), &[])?,
+    let code = study
+        .building
+        .as_ref()
+        .and_then(|building| building.period_code);
+    let toml = match (
+        &study.ground,
+        code.filter(|code| *code != PeriodCode::default()),
+    ) {
+        (Ground::Recorded(_), Some(code)) => {
+            with_value(&toml, "building", "period_code", code.name(), &[])?
+        }
         _ => toml,
     };
     let names = study.ground.names(&study.levels);
     match &study.ground {
         Ground::Synthetic(synthetic) => {
             let seeded = with_seed(&toml, synthetic.seed)?;
-            if synthetic.target.table_csv.is_some() { with_spectrum(&seeded, TARGET_NAME) } else { Ok(seeded) }
+            if synthetic.target.table_csv.is_some() {
+                with_spectrum(&seeded, TARGET_NAME)
+            } else {
+                Ok(seeded)
+            }
         }
         Ground::Simulated(simulated) => with_seed(&toml, simulated.request.seed),
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
-            let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
+            let step_deg = study
+                .ground
+                .has_two_components(&study.levels)
+                .then(|| rotation_step_deg(study));
             let verticals: Vec<String> = names.iter().map(|name| vertical_name(name)).collect();
             let verticals = study.ground.has_vertical().then_some(verticals.as_slice());
             with_motions(&toml, &files, verticals, step_deg)
         }
         Ground::OnFloors => {
-            let files = |level: &Level| names.iter().map(|name| floor_name(name, &level.name)).collect();
+            let files = |level: &Level| {
+                names
+                    .iter()
+                    .map(|name| floor_name(name, &level.name))
+                    .collect()
+            };
             let levels: Vec<LevelFiles> = study
                 .levels
                 .iter()
@@ -169,7 +223,10 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
                     motions: files(level),
                 })
                 .collect();
-            let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
+            let step_deg = study
+                .ground
+                .has_two_components(&study.levels)
+                .then(|| rotation_step_deg(study));
             with_floor_motions(&toml, &levels, step_deg)
         }
     }
@@ -185,15 +242,26 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     let mut files: Vec<File> = vec![("study.toml".to_owned(), rerun_toml(study)?.into_bytes())];
     for (name, table) in results(study, result)? {
         if study.outputs.parquet {
-            let Provenance { seed, inputs, study_sha256, .. } = provenance(study);
-            let inputs = inputs.into_iter().map(|(name, sha256)| (name, Some(sha256)));
+            let Provenance {
+                seed,
+                inputs,
+                study_sha256,
+                ..
+            } = provenance(study);
+            let inputs = inputs
+                .into_iter()
+                .map(|(name, sha256)| (name, Some(sha256)));
             let mut facts = parquet::provenance(seed, inputs);
             facts.push(("freestand.study_sha256".to_owned(), study_sha256));
             files.push((format!("{name}.parquet"), table.parquet(SCHEMA, facts)?));
         }
         files.push((format!("{name}.csv"), table.into()));
     }
-    files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
+    files.extend(
+        building_tables(study)
+            .into_iter()
+            .map(|(_, _, name, text)| (name, text.to_vec())),
+    );
     if let Ground::Synthetic(synthetic) = &study.ground
         && let Some(csv) = &synthetic.target.table_csv
     {
@@ -206,12 +274,23 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
         .map(|(i, name)| {
             let floor = |level: &LevelResult| {
                 let floor = level.floors.get(i)?;
-                Some((floor_name(name, &level.level.name), floor.csv().into_bytes()))
+                Some((
+                    floor_name(name, &level.level.name),
+                    floor.csv().into_bytes(),
+                ))
             };
-            let ground = result.ground.get(i).map(|g| (ground_name(name), g.motion.csv().into_bytes()));
+            let ground = result
+                .ground
+                .get(i)
+                .map(|g| (ground_name(name), g.motion.csv().into_bytes()));
             let vertical = result.ground.get(i).and_then(|g| g.vertical.as_ref());
-            let vertical = vertical.map(|motion| (vertical_name(name), write_csv(motion).into_bytes()));
-            ground.into_iter().chain(vertical).chain(result.levels.iter().filter_map(floor)).collect()
+            let vertical =
+                vertical.map(|motion| (vertical_name(name), write_csv(motion).into_bytes()));
+            ground
+                .into_iter()
+                .chain(vertical)
+                .chain(result.levels.iter().filter_map(floor))
+                .collect()
         })
         .collect();
     files.extend(motions.into_iter().flatten());
@@ -247,7 +326,11 @@ mod tests {
     #[test]
     fn every_key_that_names_a_table_is_written_anew() {
         let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("m.csv"), "period [s],participation,3 m\n1,1,1\n").unwrap();
+        std::fs::write(
+            folder.path().join("m.csv"),
+            "period [s],participation,3 m\n1,1,1\n",
+        )
+        .unwrap();
         let toml = "[building]\nmode_table = \"m.csv\"\nacross = { mode_table = \"m.csv\" }\n";
         let study = resolve(toml, None, folder.path()).unwrap();
         let out = tempfile::tempdir().unwrap();
@@ -256,10 +339,22 @@ mod tests {
             std::fs::write(out.path().join(name), text).unwrap();
         }
         let again = resolve(&rerun_toml(&study).unwrap(), None, out.path()).unwrap();
-        let modes = |study: &Study| study.building.clone().map(|building| (building.along, building.across));
+        let modes = |study: &Study| {
+            study
+                .building
+                .clone()
+                .map(|building| (building.along, building.across))
+        };
         assert_eq!(modes(&again), modes(&study));
-        let inherits = resolve(&toml.replace("mode_table = \"m.csv\" }", "damping = 0.02 }"), None, folder.path());
+        let inherits = resolve(
+            &toml.replace("mode_table = \"m.csv\" }", "damping = 0.02 }"),
+            None,
+            folder.path(),
+        );
         let text = rerun_toml(&inherits.unwrap()).unwrap();
-        assert!(text.contains("mode_table = \"building/along.csv\"\nacross = { damping = 0.02 }"), "{text}");
+        assert!(
+            text.contains("mode_table = \"building/along.csv\"\nacross = { damping = 0.02 }"),
+            "{text}"
+        );
     }
 }

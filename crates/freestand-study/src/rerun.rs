@@ -21,7 +21,9 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let seed = i64::try_from(seed).map_err(|_| broken(format!("{seed} is too large for TOML")))?;
     let ground = study.entry("ground").or_insert_with(toml_edit::table);
-    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is not a table")) };
+    let Some(ground) = ground.as_table_like_mut() else {
+        return Err(broken("ground is not a table"));
+    };
     match ground.get_mut("seed").and_then(Item::as_value_mut) {
         Some(old) if old.as_integer() == Some(seed) => {}
         Some(old) => {
@@ -43,12 +45,19 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
 pub(crate) fn with_hazard(toml: &str, removed: &[&str], words: &Words) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let ground = study.entry("ground").or_insert_with(toml_edit::table);
-    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is not a table")) };
-    let is =
-        |name: &str, key: &str| name.strip_prefix(key).is_some_and(|unit| unit.is_empty() || unit.starts_with('_'));
+    let Some(ground) = ground.as_table_like_mut() else {
+        return Err(broken("ground is not a table"));
+    };
+    let is = |name: &str, key: &str| {
+        name.strip_prefix(key)
+            .is_some_and(|unit| unit.is_empty() || unit.starts_with('_'))
+    };
     let old: Vec<String> = ground.iter().map(|(name, _)| name.to_owned()).collect();
     // A key may end in its unit. `spectrum` also begins `spectrum_type`; both are removed together.
-    for name in old.iter().filter(|name| removed.iter().any(|key| is(name, key))) {
+    for name in old
+        .iter()
+        .filter(|name| removed.iter().any(|key| is(name, key)))
+    {
         ground.remove(name);
     }
     for (key, text) in words.entries() {
@@ -73,7 +82,9 @@ pub(crate) fn with_storeys(
 ) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let building = study.entry("building").or_insert_with(toml_edit::table);
-    let Some(building) = building.as_table_like_mut() else { return Err(broken("building is not a table")) };
+    let Some(building) = building.as_table_like_mut() else {
+        return Err(broken("building is not a table"));
+    };
     if is_renamed {
         building.remove("name");
     }
@@ -97,15 +108,29 @@ pub(crate) fn with_storeys(
 /// assert_eq!(text, "[building]\nperiod = \"2.5 s\"\n");
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
-pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &[&str]) -> Result<String, Problem> {
+pub fn with_value(
+    toml: &str,
+    table: &str,
+    key: &str,
+    text: &str,
+    in_place_of: &[&str],
+) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let entry = study.entry(table).or_insert_with(toml_edit::table);
-    let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is not a table"))) };
+    let Some(keys) = entry.as_table_like_mut() else {
+        return Err(broken(format!("{table} is not a table")));
+    };
     // `damping_percent` and the like state the unit in the key.
-    let is =
-        |name: &str, key: &str| name.strip_prefix(key).is_some_and(|unit| unit.is_empty() || unit.starts_with('_'));
+    let is = |name: &str, key: &str| {
+        name.strip_prefix(key)
+            .is_some_and(|unit| unit.is_empty() || unit.starts_with('_'))
+    };
     let goes = |name: &str| is(name, key) || in_place_of.iter().any(|other| is(name, other));
-    let old: Vec<String> = keys.iter().map(|(name, _)| name.to_owned()).filter(|name| goes(name)).collect();
+    let old: Vec<String> = keys
+        .iter()
+        .map(|(name, _)| name.to_owned())
+        .filter(|name| goes(name))
+        .collect();
     for name in &old {
         keys.remove(name);
     }
@@ -133,7 +158,8 @@ pub fn with_motions(
     let mut ground = Table::new();
     ground.insert("motions", value(one_a_line(files)));
     if let Some(mut key) = ground.key_mut("motions") {
-        key.leaf_decor_mut().set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
+        key.leaf_decor_mut()
+            .set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
     }
     if let Some(files) = verticals {
         ground.insert("vertical", value(one_a_line(files)));
@@ -239,14 +265,20 @@ pub fn with_cushion(toml: &str, words: &Words) -> Result<String, Problem> {
 ///
 /// # Errors
 /// A text that is not TOML, or without the keys.
-pub fn with_building_tables(toml: &str, tables: &[(bool, &str, String)]) -> Result<String, Problem> {
+pub fn with_building_tables(
+    toml: &str,
+    tables: &[(bool, &str, String)],
+) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     for (across, key, file) in tables {
         let mut axis = study.get_mut("building");
         if *across {
             axis = axis.and_then(|building| building.get_mut("across"));
         }
-        let Some(old) = axis.and_then(|axis| axis.get_mut(key)).and_then(Item::as_value_mut) else {
+        let Some(old) = axis
+            .and_then(|axis| axis.get_mut(key))
+            .and_then(Item::as_value_mut)
+        else {
             return Err(broken(format!("it has no {key}")));
         };
         let decor = old.decor().clone();
@@ -270,11 +302,15 @@ pub fn with_spectrum(toml: &str, file: &str) -> Result<String, Problem> {
 }
 
 fn parse(toml: &str) -> Result<DocumentMut, Problem> {
-    toml.parse().map_err(|error: toml_edit::TomlError| broken(error.message()))
+    toml.parse()
+        .map_err(|error: toml_edit::TomlError| broken(error.message()))
 }
 
 fn broken(why: impl std::fmt::Display) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the study cannot be written: {why}"))
+    Problem::new(
+        ProblemKind::Format,
+        format!("the study cannot be written: {why}"),
+    )
 }
 
 #[cfg(test)]
@@ -290,7 +326,11 @@ mod tests {
             ("pads_per_edge", "2"),
             ("series_stiffness", "4380 N/mm, 9000 N/mm"),
         ]);
-        let text = with_cushion("[objects]\ncushion = \"pad.toml\" # ours\nmass = \"1 kg\"\n", &words).unwrap();
+        let text = with_cushion(
+            "[objects]\ncushion = \"pad.toml\" # ours\nmass = \"1 kg\"\n",
+            &words,
+        )
+        .unwrap();
         let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = \
                         2\nseries_stiffness = \"4380 N/mm, 9000 N/mm\"\n";
         assert_eq!(text, expected);
@@ -300,33 +340,53 @@ mod tests {
     #[test]
     fn a_value_takes_the_place_of_others_whatever_their_units() {
         let study = "[objects]\nmass_kg = 1\npad_stiffness_n_mm = 2190\npads_per_edge = 2\n";
-        let text = with_value(study, "objects", "stiffness", "5 kN/mm", &["pad_stiffness", "pads_per_edge"]).unwrap();
+        let text = with_value(
+            study,
+            "objects",
+            "stiffness",
+            "5 kN/mm",
+            &["pad_stiffness", "pads_per_edge"],
+        )
+        .unwrap();
         assert_eq!(text, "[objects]\nmass_kg = 1\nstiffness = \"5 kN/mm\"\n");
     }
 
     #[test]
     fn tables_of_buildings_get_their_new_places() {
-        let study =
-            "[building]\nstorey_table = \"/x/a.csv\" # ours\nacross = { mode_table = \"b.csv\", damping = 0.02 }\n";
-        let tables = [(false, "storey_table", "building/along.csv".into()), (true, "mode_table", "c.csv".into())];
-        let expected = study.replace("/x/a.csv", "building/along.csv").replace("b.csv", "c.csv");
+        let study = "[building]\nstorey_table = \"/x/a.csv\" # ours\nacross = { mode_table = \"b.csv\", damping = 0.02 }\n";
+        let tables = [
+            (false, "storey_table", "building/along.csv".into()),
+            (true, "mode_table", "c.csv".into()),
+        ];
+        let expected = study
+            .replace("/x/a.csv", "building/along.csv")
+            .replace("b.csv", "c.csv");
         assert_eq!(with_building_tables(study, &tables).unwrap(), expected);
         let study = "[building.across]\nmode_table = \"b.csv\"\n";
-        assert_eq!(with_building_tables(study, &tables[1..]).unwrap(), study.replace("b.csv", "c.csv"));
+        assert_eq!(
+            with_building_tables(study, &tables[1..]).unwrap(),
+            study.replace("b.csv", "c.csv")
+        );
         assert!(with_building_tables(study, &tables).is_err());
     }
 
     #[test]
     fn only_the_ground_changes() {
         assert_eq!(with_seed(builtin_toml(), 1).unwrap(), builtin_toml());
-        assert_eq!(with_seed(builtin_toml(), 7).unwrap(), builtin_toml().replacen("\nseed = 1\n", "\nseed = 7\n", 1));
+        assert_eq!(
+            with_seed(builtin_toml(), 7).unwrap(),
+            builtin_toml().replacen("\nseed = 1\n", "\nseed = 7\n", 1)
+        );
         assert_eq!(with_seed("", 7).unwrap(), "[ground]\nseed = 7\n");
         assert!(with_seed("", u64::MAX).is_err());
         let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \
                       \"motions/a.csv\",\n]\n";
         let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
         let text = with_motions(study, &["motions/a.csv".to_owned()], None, None).unwrap();
-        assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));
+        assert_eq!(
+            text,
+            format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n")
+        );
         // Other spellings of a table, and none.
         for study in [
             "",
@@ -338,9 +398,17 @@ mod tests {
             let (options, problems) = crate::options::parse(&text, None);
             assert!(problems.is_empty(), "{text}: {problems}");
             assert!(
-                options.ground.motions.is_some_and(|files| files.value.len() == 1) && options.ground.seed.is_none()
+                options
+                    .ground
+                    .motions
+                    .is_some_and(|files| files.value.len() == 1)
+                    && options.ground.seed.is_none()
             );
-            assert_eq!(options.objects.mass_kg.is_some(), study.contains("mass"), "{text}");
+            assert_eq!(
+                options.objects.mass_kg.is_some(),
+                study.contains("mass"),
+                "{text}"
+            );
         }
     }
 }

@@ -3,13 +3,13 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
-    stiffness_warnings,
+    ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, compression_warnings,
+    impact_friction_needed_ratio, stiffness_warnings,
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, HistoryRecorder, LONGEST_TAIL_S, Outcome, Rocking, RockingError, RockingImpact,
-    RockingModel, RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
+    Accuracy, Base, HistoryPoint, HistoryRecorder, LONGEST_TAIL_S, Outcome, Rocking, RockingError,
+    RockingImpact, RockingModel, RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
 use freestand::wall::{Contact, Walls};
@@ -30,20 +30,41 @@ const FREE_HISTORY_DT_S: f64 = 0.005;
 /// The equations of motion by name.
 pub const MODELS: Choices<RockingModel> = &[
     (RockingModel::Rigid, "rigid", "The exact equation of motion"),
-    (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
+    (
+        RockingModel::Linearised,
+        "linear",
+        "Linearised (sin x → x, tan α → α), for comparison with closed forms",
+    ),
 ];
 
 /// Accuracies by name.
 pub const ACCURACIES: Choices<Accuracy> = &[
-    (Accuracy::Fast, "fast", "Error of 1e-9 per step; rotations in spectra to about 1e-7"),
-    (Accuracy::Standard, "standard", "Error of 1e-13 per step; rotations in spectra to 1e-9 or better"),
-    (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
+    (
+        Accuracy::Fast,
+        "fast",
+        "Error of 1e-9 per step; rotations in spectra to about 1e-7",
+    ),
+    (
+        Accuracy::Standard,
+        "standard",
+        "Error of 1e-13 per step; rotations in spectra to 1e-9 or better",
+    ),
+    (
+        Accuracy::Tight,
+        "tight",
+        "The limit of double precision; nearly so in spectra",
+    ),
 ];
 
 /// When a history ends: at a time that was given \[s\], else when the object rests or lies after the
 /// last sample.
 pub fn until(duration_s: Option<f64>) -> Until {
-    duration_s.map_or(Until::Settled { at_most_s: LONGEST_TAIL_S }, Until::Time)
+    duration_s.map_or(
+        Until::Settled {
+            at_most_s: LONGEST_TAIL_S,
+        },
+        Until::Time,
+    )
 }
 
 /// What to do about a history that ended before it was certain what becomes of the object.
@@ -113,7 +134,10 @@ pub struct EdgeLanding {
 /// # Errors
 /// An input that the solver refuses, with a hint.
 pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> {
-    let base = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+    let base = Base {
+        horizontal: request.horizontal.as_ref(),
+        vertical: request.vertical.as_ref(),
+    };
     let sampled = base.horizontal.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
     if let Until::Time(end_s) = request.options.until
         && record
@@ -134,11 +158,20 @@ pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> 
         }
     })
     .map_err(problem)?;
-    let history = if record { recorder.finish(&rocking) } else { Vec::new() };
+    let history = if record {
+        recorder.finish(&rocking)
+    } else {
+        Vec::new()
+    };
     Ok(report(request, rocking, friction, history))
 }
 
-fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, history: Vec<HistoryPoint>) -> RockReport {
+fn report(
+    request: &RockRequest,
+    rocking: Rocking,
+    friction: Option<f64>,
+    history: Vec<HistoryPoint>,
+) -> RockReport {
     let (block, options) = (&request.block, &request.options);
     let gravity = options.gravity_m_s2;
     let pivot = block.pivot();
@@ -149,7 +182,8 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .into_iter()
         .fold(0.0, f64::max);
     let cushion = request.cushion.as_ref();
-    let shock = cushion.map(|(mass, edge)| cell.shock(*mass, &edge.cushion, ImpactModel::Paper, gravity));
+    let shock =
+        cushion.map(|(mass, edge)| cell.shock(*mass, &edge.cushion, ImpactModel::Paper, gravity));
     let shock_of = |omega: f64| {
         cushion.map(|(mass, edge)| {
             // A block on its right edge (θ > 0) comes back with ω < 0.
@@ -161,12 +195,33 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
 
     let mut warnings = Sizes::of(block).doubts();
     if block.landing_ratio() < 0.0 {
-        warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
+        warnings.push(
+            ValidityWarning::Squat {
+                landing_ratio: block.landing_ratio(),
+            }
+            .to_string(),
+        );
     }
     warnings.extend(unresolved_warning(rocking.outcome));
-    warnings.extend(crate::walls::doubts(block, &request.options.walls, rocking.contacts));
-    if let Some((mass, EdgeCushion { cushion, pad_thickness_m, .. })) = request.cushion.as_ref() {
-        warnings.extend(stiffness_warnings(*mass, cushion, *pad_thickness_m).iter().map(ToString::to_string));
+    warnings.extend(crate::walls::doubts(
+        block,
+        &request.options.walls,
+        rocking.contacts,
+    ));
+    if let Some((
+        mass,
+        EdgeCushion {
+            cushion,
+            pad_thickness_m,
+            ..
+        },
+    )) = request.cushion.as_ref()
+    {
+        warnings.extend(
+            stiffness_warnings(*mass, cushion, *pad_thickness_m)
+                .iter()
+                .map(ToString::to_string),
+        );
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
             let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
             landing.impact(*mass, cushion, rise_m, gravity)
@@ -180,9 +235,16 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
     let mut sliding = |needed: f64, when| {
         if needed > limit {
-            let assumed =
-                if request.friction.is_some() { "" } else { "; this coefficient is assumed: `friction` replaces it" };
-            let warning = ValidityWarning::Sliding { needed_ratio: needed, friction_ratio: limit, when };
+            let assumed = if request.friction.is_some() {
+                ""
+            } else {
+                "; this coefficient is assumed: `friction` replaces it"
+            };
+            let warning = ValidityWarning::Sliding {
+                needed_ratio: needed,
+                friction_ratio: limit,
+                when,
+            };
             warnings.push(format!("{warning}{assumed}"));
         }
     };
@@ -202,11 +264,14 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         );
     }
 
-    let share =
-        |(landing, side): (&Landing, SideExtremes)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad;
+    let share = |(landing, side): (&Landing, SideExtremes)| {
+        side.peak_rotation_rad / landing.pivot.slenderness_angle_rad
+    };
     let impact = |i: &RockingImpact| {
-        facts!(i; time_s, omega_before_rad_s, omega_after_rad_s)
-            .key("edge_acceleration_impact_velocity_g", shock_of(i.omega_before_rad_s))
+        facts!(i; time_s, omega_before_rad_s, omega_after_rad_s).key(
+            "edge_acceleration_impact_velocity_g",
+            shock_of(i.omega_before_rad_s),
+        )
     };
     let is_up = rocking.outcome != Outcome::NoUplift;
     let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
@@ -250,7 +315,12 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         edge_acceleration_g: shock_of(i.omega_before_rad_s),
     };
     let landings = rocking.impacts.iter().map(landed).collect();
-    let Rocking { outcome, contacts, wall_impacts, .. } = rocking;
+    let Rocking {
+        outcome,
+        contacts,
+        wall_impacts,
+        ..
+    } = rocking;
     RockReport {
         facts,
         outcome,
@@ -271,7 +341,9 @@ pub fn problem(error: RockingError) -> Problem {
         RockingError::TooManyImpacts { .. } => {
             "a `restitution` of 1 loses no energy: give a smaller one or a shorter `duration`"
         }
-        RockingError::StepTooSmall { .. } => "check the unit and the scale of the motion, and the size of the object",
+        RockingError::StepTooSmall { .. } => {
+            "check the unit and the scale of the motion, and the size of the object"
+        }
         RockingError::Restitution { .. } => "give a `restitution` in (0, 1]",
         RockingError::InitialState { .. } => {
             "give an `initial_rotation` below 90 deg, at which the object is overturned"
@@ -282,12 +354,14 @@ pub fn problem(error: RockingError) -> Problem {
         RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
         RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
         RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",
-        RockingError::VerticalMismatch { .. } => "resample one of them so that both have the same step and length",
+        RockingError::VerticalMismatch { .. } => {
+            "resample one of them so that both have the same step and length"
+        }
     };
     let kind = match error {
-        RockingError::FreeFlight { .. } | RockingError::TooManyImpacts { .. } | RockingError::StepTooSmall { .. } => {
-            ProblemKind::Computation
-        }
+        RockingError::FreeFlight { .. }
+        | RockingError::TooManyImpacts { .. }
+        | RockingError::StepTooSmall { .. } => ProblemKind::Computation,
         _ => ProblemKind::Value,
     };
     Problem::new(kind, error.to_string()).hint(hint)
@@ -299,10 +373,19 @@ pub const HISTORY: &str = "time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2
 /// A row of a history: time, rotation, angular velocity, uplift, base acceleration.
 pub fn history_row(block: &Block, point: &HistoryPoint) -> [f64; 5] {
     let uplift_m = block.base_width_m() * point.theta_rad.abs().sin();
-    [point.time_s, point.theta_rad, point.omega_rad_s, uplift_m, point.base_accel_m_s2]
+    [
+        point.time_s,
+        point.theta_rad,
+        point.omega_rad_s,
+        uplift_m,
+        point.base_accel_m_s2,
+    ]
 }
 
 /// A history as CSV. Its rows are at the steps of the motion and just before and after every impact.
 pub fn history_table(block: &Block, history: &[HistoryPoint]) -> Table {
-    table_of_numbers(HISTORY, history.iter().map(|point| history_row(block, point)))
+    table_of_numbers(
+        HISTORY,
+        history.iter().map(|point| history_row(block, point)),
+    )
 }

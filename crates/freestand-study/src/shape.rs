@@ -28,7 +28,11 @@ pub struct Sizes {
 impl Sizes {
     /// Of a block.
     pub fn of(block: &Block) -> Self {
-        Self { height_m: block.height_m(), thickness_m: block.thickness_m(), width_m: None }
+        Self {
+            height_m: block.height_m(),
+            thickness_m: block.thickness_m(),
+            width_m: None,
+        }
     }
 
     /// Sizes outside of these ranges, each with its key.
@@ -38,8 +42,12 @@ impl Sizes {
             ("thickness", Some(self.thickness_m), SIDE_M),
             ("width", self.width_m, SIDE_M),
         ];
-        let given = sizes.into_iter().filter_map(|(key, size_m, range)| Some((key, size_m?, range)));
-        given.filter(move |(_, size_m, range)| !(range.start() / times..=range.end() * times).contains(size_m))
+        let given = sizes
+            .into_iter()
+            .filter_map(|(key, size_m, range)| Some((key, size_m?, range)));
+        given.filter(move |(_, size_m, range)| {
+            !(range.start() / times..=range.end() * times).contains(size_m)
+        })
     }
 
     /// Warnings about sizes that hardly any object has. Models on a shaking table are so small.
@@ -62,7 +70,11 @@ impl Sizes {
     pub fn check(self) -> Result<Vec<String>, Problems> {
         let refused = |(key, size_m, range): (&'static str, f64, RangeInclusive<f64>)| {
             let message = format!("`{key}`: no object has {} m", number(size_m, 4));
-            let hint = format!("check the unit: such a size is between {} and {} m", range.start(), range.end());
+            let hint = format!(
+                "check the unit: such a size is between {} and {} m",
+                range.start(),
+                range.end()
+            );
             Problem::value(message, hint).of(&[key])
         };
         let problems: Problems = self.outside(IMPOSSIBLE).map(refused).collect();
@@ -119,7 +131,9 @@ pub(crate) fn squat_warning(objects: usize, blocks: impl Iterator<Item = Block>)
         "{count} of {objects} objects {are} squat, the first {} high and {} thick: {}",
         size(first.height_m()),
         size(first.thickness_m()),
-        ValidityWarning::Squat { landing_ratio: first.landing_ratio() }
+        ValidityWarning::Squat {
+            landing_ratio: first.landing_ratio()
+        }
     ))
 }
 
@@ -130,8 +144,15 @@ mod tests {
     #[test]
     fn sizes_are_believed_doubted_or_refused() {
         let told = |height_m, thickness_m, width_m| {
-            let found = Sizes { height_m, thickness_m, width_m }.check();
-            found.map(|doubts| doubts.len()).map_err(|problems| problems.problems.len())
+            let found = Sizes {
+                height_m,
+                thickness_m,
+                width_m,
+            }
+            .check();
+            found
+                .map(|doubts| doubts.len())
+                .map_err(|problems| problems.problems.len())
         };
         assert_eq!(told(2.0, 0.4, Some(0.9)), Ok(0));
         assert_eq!(told(15.0, 4.0, None), Ok(1));

@@ -7,8 +7,8 @@ use freestand::impact::ASSUMED_FRICTION;
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{Base, RockingError, Until};
 use freestand::sliding::{
-    Clearance, Friction, Sliding, SlidingError, SlidingOptions, SlidingOutcome, SlidingPiece, slide_observed,
-    trip_speed_m_s,
+    Clearance, Friction, Sliding, SlidingError, SlidingOptions, SlidingOutcome, SlidingPiece,
+    slide_observed, trip_speed_m_s,
 };
 
 use crate::rock;
@@ -85,8 +85,14 @@ impl Surface {
             Contact::Casters => (given.rolling_resistance, DEFAULT_ROLLING_RESISTANCE),
         };
         let static_ratio = ratio.unwrap_or(default);
-        let friction = Friction::new(static_ratio, given.friction_kinetic.unwrap_or(static_ratio)).map_err(problem)?;
-        Ok(Self { contact: given.contact, friction, clearance: given.clearance, is_assumed: ratio.is_none() })
+        let friction = Friction::new(static_ratio, given.friction_kinetic.unwrap_or(static_ratio))
+            .map_err(problem)?;
+        Ok(Self {
+            contact: given.contact,
+            friction,
+            clearance: given.clearance,
+            is_assumed: ratio.is_none(),
+        })
     }
 
     /// The key of its coefficient.
@@ -117,14 +123,29 @@ impl Surface {
             "with a coefficient of {} an edge lifts before the object {}: it may rock and slide at once (this model \
              holds up to {}, half the base width over the height of the centre of gravity)",
             self.friction.static_ratio(),
-            if self.contact == Contact::Casters { "rolls" } else { "slides" },
+            if self.contact == Contact::Casters {
+                "rolls"
+            } else {
+                "slides"
+            },
             significant(limit, 4),
         );
-        Problem::value(message, format!("use `base` compliant with `friction`, or a smaller `{}`", self.key()))
+        Problem::value(
+            message,
+            format!(
+                "use `base` compliant with `friction`, or a smaller `{}`",
+                self.key()
+            ),
+        )
     }
 
     fn options(&self, gravity_m_s2: f64, until: Until) -> SlidingOptions {
-        SlidingOptions { clearance: self.clearance, gravity_m_s2, until, ..SlidingOptions::new(self.friction) }
+        SlidingOptions {
+            clearance: self.clearance,
+            gravity_m_s2,
+            until,
+            ..SlidingOptions::new(self.friction)
+        }
     }
 }
 
@@ -166,7 +187,9 @@ impl StopShock {
         mass_kg: Option<f64>,
         clearance: &Clearance,
     ) -> Result<Option<Self>, Problem> {
-        let Some(stiffness_n_m) = stiffness_n_m else { return Ok(None) };
+        let Some(stiffness_n_m) = stiffness_n_m else {
+            return Ok(None);
+        };
         if clearance.left_m.is_none() && clearance.right_m.is_none() {
             return Err(Problem::value(
                 "there is no stop: its distance from the object is missing",
@@ -175,9 +198,15 @@ impl StopShock {
         }
         let Some(mass_kg) = mass_kg else {
             let message = "the stiffness of the stop is used for the shock, which also needs the mass of the object";
-            return Err(Problem::value(message, "add `mass`, or leave `stop_stiffness` out"));
+            return Err(Problem::value(
+                message,
+                "add `mass`, or leave `stop_stiffness` out",
+            ));
         };
-        Ok(Some(Self { mass_kg, stiffness_n_m }))
+        Ok(Some(Self {
+            mass_kg,
+            stiffness_n_m,
+        }))
     }
 
     /// v √(k_s/m): peak of the half-sine with which an elastic stop turns the speed round
@@ -224,16 +253,31 @@ pub struct SlideReport {
 /// # Errors
 /// A block that this surface holds until it rocks, free flight, and input that the solver refuses.
 pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Problem> {
-    let SlideRequest { block, surface, horizontal, vertical, gravity_m_s2, until, .. } = request;
+    let SlideRequest {
+        block,
+        surface,
+        horizontal,
+        vertical,
+        gravity_m_s2,
+        until,
+        ..
+    } = request;
     if !surface.carries(block)? {
         return Err(surface.refused(block));
     }
-    let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
+    let base = Base {
+        horizontal: horizontal.as_ref(),
+        vertical: vertical.as_ref(),
+    };
     let mut history: Vec<SlidePoint> = Vec::new();
     let mut last: Option<SlidingPiece> = None;
     let accel = |time_s: f64| base.horizontal.map_or(0.0, |motion| motion.at_m_s2(time_s));
-    let point =
-        |time_s, (slide_m, velocity_m_s)| SlidePoint { time_s, slide_m, velocity_m_s, base_accel_m_s2: accel(time_s) };
+    let point = |time_s, (slide_m, velocity_m_s)| SlidePoint {
+        time_s,
+        slide_m,
+        velocity_m_s,
+        base_accel_m_s2: accel(time_s),
+    };
     let sliding = slide_observed(base, &surface.options(*gravity_m_s2, *until), |piece| {
         // A stop and the rest that follows it begin at the same instant as a piece of no length.
         if record && history.len() < MAX_SAMPLES && piece.length_s > 0.0 {
@@ -243,12 +287,18 @@ pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Proble
     })
     .map_err(problem)?;
     if sliding.outcome == SlidingOutcome::FreeFlight {
-        return Err(rock::problem(RockingError::FreeFlight { time_s: sliding.end_time_s }));
+        return Err(rock::problem(RockingError::FreeFlight {
+            time_s: sliding.end_time_s,
+        }));
     }
     if let Some(piece) = last {
         history.push(point(sliding.end_time_s, piece.state(piece.length_s)));
     }
-    Ok(SlideReport { facts: facts(request, &sliding), warnings: warnings(request, &sliding), history })
+    Ok(SlideReport {
+        facts: facts(request, &sliding),
+        warnings: warnings(request, &sliding),
+        history,
+    })
 }
 
 /// The slide of every object on this surface under one motion, which does not depend on their size,
@@ -268,7 +318,8 @@ fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
     };
     let none = Vec::<Facts<'static>>::new();
     let struck = request.stop.zip(sliding.contact);
-    let stop_g = struck.map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2);
+    let stop_g =
+        struck.map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2);
     Facts::default()
         .fact("outcome", "outcome", sliding.outcome.name())
         .fact("model", "model", request.surface.contact.model())
@@ -277,18 +328,50 @@ fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
         .fact("slide_peak_time_s", "  at", sliding.peak_time_s)
         .fact("slide_final_m", "slide at the end", sliding.final_m)
         .fact("slide_path_m", "length of the path", sliding.path_m)
-        .fact("slide_speed_max_m_s", "largest speed", sliding.speed_max_m_s)
+        .fact(
+            "slide_speed_max_m_s",
+            "largest speed",
+            sliding.speed_max_m_s,
+        )
         .fact("slide_count", "slides from rest", sliding.slide_count)
-        .fact("first_slide_time_s", "  first at", sliding.first_slide_time_s)
-        .fact("clearance_left_m", "clearance to the left", clearance.left_m)
-        .fact("clearance_right_m", "clearance to the right", clearance.right_m)
-        .fact("clearance_time_s", "clearance reached at", sliding.contact.map(|(time_s, _)| time_s))
-        .fact("clearance_speed_m_s", "  with the velocity", sliding.contact.map(|(_, velocity_m_s)| velocity_m_s))
+        .fact(
+            "first_slide_time_s",
+            "  first at",
+            sliding.first_slide_time_s,
+        )
+        .fact(
+            "clearance_left_m",
+            "clearance to the left",
+            clearance.left_m,
+        )
+        .fact(
+            "clearance_right_m",
+            "clearance to the right",
+            clearance.right_m,
+        )
+        .fact(
+            "clearance_time_s",
+            "clearance reached at",
+            sliding.contact.map(|(time_s, _)| time_s),
+        )
+        .fact(
+            "clearance_speed_m_s",
+            "  with the velocity",
+            sliding.contact.map(|(_, velocity_m_s)| velocity_m_s),
+        )
         .fact("stop_acceleration_g", "  shock of the stop there", stop_g)
-        .fact("trip_speed_m_s", "speed at which a stop trips it", trip_speed_m_s(&request.block, request.gravity_m_s2))
+        .fact(
+            "trip_speed_m_s",
+            "speed at which a stop trips it",
+            trip_speed_m_s(&request.block, request.gravity_m_s2),
+        )
         .fact("friction_ratio", coefficient, friction.static_ratio())
         .fact("friction_kinetic_ratio", kinetic, friction.kinetic_ratio())
-        .fact("slide_threshold_g", "slides above", friction.static_ratio() * request.gravity_m_s2 / G0_M_S2)
+        .fact(
+            "slide_threshold_g",
+            "slides above",
+            friction.static_ratio() * request.gravity_m_s2 / G0_M_S2,
+        )
         // It does not rock: zeros, not missing values.
         .key("peak_rotation_rad", 0.0)
         .key("uplift_m", 0.0)
@@ -303,10 +386,15 @@ fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
     if surface.is_assumed {
         let (key, ratio) = (surface.key(), surface.friction.static_ratio());
         let name = key.replace('_', " ");
-        warnings.push(format!("the {name} of {ratio} is assumed: `{key}` replaces it"));
+        warnings.push(format!(
+            "the {name} of {ratio} is assumed: `{key}` replaces it"
+        ));
     }
     let trip = trip_speed_m_s(&request.block, request.gravity_m_s2);
-    if let Some((_, velocity_m_s)) = sliding.contact.filter(|(_, velocity)| velocity.abs() >= trip) {
+    if let Some((_, velocity_m_s)) = sliding
+        .contact
+        .filter(|(_, velocity)| velocity.abs() >= trip)
+    {
         warnings.push(format!(
             "it reaches its clearance at {} m/s, and its trip speed is {} m/s: a low stop there would overturn it",
             significant(velocity_m_s.abs(), 3),
@@ -314,8 +402,10 @@ fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
         ));
     }
     if sliding.final_velocity_m_s != 0.0 {
-        warnings
-            .push("it still moves at the end of the calculation: a longer `duration` follows it to rest".to_owned());
+        warnings.push(
+            "it still moves at the end of the calculation: a longer `duration` follows it to rest"
+                .to_owned(),
+        );
     }
     warnings
 }
@@ -325,7 +415,9 @@ pub fn problem(error: SlidingError) -> Problem {
     let hint = match error {
         SlidingError::Base(error) => return rock::problem(error),
         SlidingError::Friction { .. } => "give a `friction_kinetic` of at most `friction`",
-        SlidingError::Clearance { .. } => "give the distance to whatever is beside the object, at least 0 m",
+        SlidingError::Clearance { .. } => {
+            "give the distance to whatever is beside the object, at least 0 m"
+        }
     };
     Problem::value(error.to_string(), hint)
 }
@@ -335,7 +427,12 @@ pub const HISTORY: &str = "time_s,slide_m,velocity_m_s,base_accel_m_s2";
 
 /// A row of a history.
 pub fn history_row(point: &SlidePoint) -> [f64; 4] {
-    [point.time_s, point.slide_m, point.velocity_m_s, point.base_accel_m_s2]
+    [
+        point.time_s,
+        point.slide_m,
+        point.velocity_m_s,
+        point.base_accel_m_s2,
+    ]
 }
 
 /// A history as CSV: time, slide, velocity, base acceleration. Its rows are at the samples of the

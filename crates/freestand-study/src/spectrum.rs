@@ -9,10 +9,13 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
-use freestand::rocking::{Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions, RockingSummary};
+use freestand::rocking::{
+    Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions, RockingSummary,
+};
 use freestand::sliding::{Sliding, SlidingOutcome};
 use freestand::spectra::{
-    PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum,
+    PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity,
+    uplift_spectrum,
 };
 use freestand::wall::{Contact, Walls};
 use rayon::prelude::*;
@@ -55,10 +58,22 @@ impl Grid {
     /// More than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
-            let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
-            return Err(Problem::value(message, format!("give at most {MAX_OBJECTS} objects in one call")));
+            let message = format!(
+                "{} × {} objects are too many",
+                heights_m.len(),
+                thicknesses_m.len()
+            );
+            return Err(Problem::value(
+                message,
+                format!("give at most {MAX_OBJECTS} objects in one call"),
+            ));
         }
-        Self { heights_m, thicknesses_m, is_paired: false }.checked()
+        Self {
+            heights_m,
+            thicknesses_m,
+            is_paired: false,
+        }
+        .checked()
     }
 
     /// One object for each height and the thickness at the same place; each object is checked.
@@ -67,40 +82,76 @@ impl Grid {
     /// Lists of different lengths, more than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn pairs(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len() != thicknesses_m.len() {
-            let message = format!("{} heights and {} thicknesses are not pairs", heights_m.len(), thicknesses_m.len());
-            return Err(Problem::value(message, "give as many `heights` as `thicknesses`"));
+            let message = format!(
+                "{} heights and {} thicknesses are not pairs",
+                heights_m.len(),
+                thicknesses_m.len()
+            );
+            return Err(Problem::value(
+                message,
+                "give as many `heights` as `thicknesses`",
+            ));
         }
         if heights_m.len() > MAX_OBJECTS {
             let message = format!("{} objects are too many", heights_m.len());
-            return Err(Problem::value(message, format!("give at most {MAX_OBJECTS} objects in one call")));
+            return Err(Problem::value(
+                message,
+                format!("give at most {MAX_OBJECTS} objects in one call"),
+            ));
         }
-        Self { heights_m, thicknesses_m, is_paired: true }.checked()
+        Self {
+            heights_m,
+            thicknesses_m,
+            is_paired: true,
+        }
+        .checked()
     }
 
     fn checked(self) -> Result<Self, Problem> {
         let grid = self;
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
-            Block::uniform(height_m, thickness_m)
-                .map_err(|error| Problem::value(error.to_string(), "check `heights` and `thicknesses`"))?;
+            Block::uniform(height_m, thickness_m).map_err(|error| {
+                Problem::value(error.to_string(), "check `heights` and `thicknesses`")
+            })?;
         }
         Ok(grid)
     }
 
     /// The number of objects.
     pub fn objects(&self) -> usize {
-        if self.is_paired { self.heights_m.len() } else { self.heights_m.len() * self.thicknesses_m.len() }
+        if self.is_paired {
+            self.heights_m.len()
+        } else {
+            self.heights_m.len() * self.thicknesses_m.len()
+        }
     }
 
     /// Some of its objects, in order.
     pub fn blocks(&self, range: Range<usize>) -> impl Iterator<Item = Block> + '_ {
         // `new` has made every object once, so none fails here.
-        self.sizes(range).filter_map(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok())
+        self.sizes(range)
+            .filter_map(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok())
     }
 
     fn sizes(&self, range: Range<usize>) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let columns = if self.is_paired { 1 } else { self.thicknesses_m.len().max(1) };
-        let thickness = move |index: usize| if self.is_paired { index } else { index % columns };
-        range.map(move |index| (self.heights_m[index / columns], self.thicknesses_m[thickness(index)]))
+        let columns = if self.is_paired {
+            1
+        } else {
+            self.thicknesses_m.len().max(1)
+        };
+        let thickness = move |index: usize| {
+            if self.is_paired {
+                index
+            } else {
+                index % columns
+            }
+        };
+        range.map(move |index| {
+            (
+                self.heights_m[index / columns],
+                self.thicknesses_m[thickness(index)],
+            )
+        })
     }
 }
 
@@ -125,7 +176,9 @@ impl SpectrumRequest {
     /// Whether every object slides or rolls: nothing then reads the restitution and the model of rocking.
     pub fn none_rocks(&self) -> bool {
         let carried = |surface: &Surface| {
-            self.grid.blocks(0..self.grid.objects()).all(|block| surface.carries(&block) == Ok(true))
+            self.grid
+                .blocks(0..self.grid.objects())
+                .all(|block| surface.carries(&block) == Ok(true))
         };
         self.surface.as_ref().is_some_and(carried)
     }
@@ -133,21 +186,48 @@ impl SpectrumRequest {
     /// Warnings about the validity of the results, which `tallies` sum up.
     pub fn warnings(&self, tallies: &[SpectrumTally]) -> Vec<String> {
         let objects = self.grid.objects();
-        let mut warnings: Vec<String> = squat_warning(objects, self.grid.blocks(0..objects)).into_iter().collect();
-        warnings.extend(self.grid.blocks(0..objects).flat_map(|block| Sizes::of(&block).doubts()).next());
-        if let Some((mass_kg, EdgeCushion { cushion, pad_thickness_m, .. })) = &self.cushion {
+        let mut warnings: Vec<String> = squat_warning(objects, self.grid.blocks(0..objects))
+            .into_iter()
+            .collect();
+        warnings.extend(
+            self.grid
+                .blocks(0..objects)
+                .flat_map(|block| Sizes::of(&block).doubts())
+                .next(),
+        );
+        if let Some((
+            mass_kg,
+            EdgeCushion {
+                cushion,
+                pad_thickness_m,
+                ..
+            },
+        )) = &self.cushion
+        {
             let soft = stiffness_warnings(*mass_kg, cushion, *pad_thickness_m);
             warnings.extend(soft.iter().map(ToString::to_string));
-            let deepest_m = tallies.iter().filter_map(|tally| tally.largest_compression_m).reduce(f64::max);
-            let beyond = deepest_m.map(|deepest_m| compression_warnings(deepest_m, cushion, *pad_thickness_m));
+            let deepest_m = tallies
+                .iter()
+                .filter_map(|tally| tally.largest_compression_m)
+                .reduce(f64::max);
+            let beyond = deepest_m
+                .map(|deepest_m| compression_warnings(deepest_m, cushion, *pad_thickness_m));
             let beyond = beyond.iter().flatten();
-            warnings.extend(beyond.map(|warning| format!("the landing with the largest compression: {warning}")));
+            warnings.extend(
+                beyond
+                    .map(|warning| format!("the landing with the largest compression: {warning}")),
+            );
         }
         let sum = |count: fn(&SpectrumTally) -> usize| tallies.iter().map(count).sum::<usize>();
-        let (total, failed, sensitive) =
-            (sum(|tally| tally.objects), sum(|tally| tally.failed), sum(|tally| tally.sensitive));
+        let (total, failed, sensitive) = (
+            sum(|tally| tally.objects),
+            sum(|tally| tally.failed),
+            sum(|tally| tally.sensitive),
+        );
         if failed > 0 {
-            warnings.push(format!("{failed} of {total} histories could not be calculated: see the column reason"));
+            warnings.push(format!(
+                "{failed} of {total} histories could not be calculated: see the column reason"
+            ));
         }
         if sensitive > 0 {
             warnings.push(format!(
@@ -210,7 +290,11 @@ enum Cell {
 
 impl Cell {
     fn rocked(&self) -> Option<&UpliftCell> {
-        if let Self::Rocks(Ok(cell)) = self { Some(cell) } else { None }
+        if let Self::Rocks(Ok(cell)) = self {
+            Some(cell)
+        } else {
+            None
+        }
     }
 }
 
@@ -223,7 +307,11 @@ impl SpectrumChunk<'_> {
     /// The shock of an object; `None` without a cushion, or where the history failed.
     fn shock(&self, index: usize) -> Option<ShockCell> {
         let (mass_kg, cushion) = self.cushion?;
-        Some(self.cells[index].rocked()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
+        Some(
+            self.cells[index]
+                .rocked()?
+                .shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2),
+        )
     }
 
     /// Where an object touches the walls; a wall that cannot be used has made its history fail.
@@ -245,15 +333,21 @@ impl SpectrumChunk<'_> {
             Cell::Rocks(Err(_)) | Cell::Refused(_) => FAILED,
         };
         // It does not rock: zero, which is not the same as missing.
-        let level = slid.filter(|slid| slid.outcome != SlidingOutcome::FreeFlight).map(|_| 0.0);
+        let level = slid
+            .filter(|slid| slid.outcome != SlidingOutcome::FreeFlight)
+            .map(|_| 0.0);
         let reason = match cell {
             Cell::Rocks(Ok(_)) => None,
             Cell::Rocks(Err(error)) => Some(error.to_string()),
-            Cell::Slides => slide.and_then(|slide| slide.as_ref().err()).map(|problem| problem.message.clone()),
+            Cell::Slides => slide
+                .and_then(|slide| slide.as_ref().err())
+                .map(|problem| problem.message.clone()),
             Cell::Refused(problem) => Some(problem.message.clone()),
         };
         let shock = self.shock(index);
-        let bottomed = shock.filter(ShockCell::is_beyond_numbers).map(|_| BOTTOMED.to_owned());
+        let bottomed = shock
+            .filter(ShockCell::is_beyond_numbers)
+            .map(|_| BOTTOMED.to_owned());
         let shock = shock.filter(|shock| !shock.is_beyond_numbers());
         let by_velocity_g = shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g);
         let mut row = Facts::default()
@@ -261,26 +355,51 @@ impl SpectrumChunk<'_> {
             .key("height_m", block.height_m())
             .key("thickness_m", block.thickness_m())
             .key("outcome", outcome)
-            .key("peak_rotation_rad", rocking.map(|rocking| rocking.peak_rotation_rad).or(level))
-            .key("impact_count", rocking.map(|rocking| rocking.impact_count).or(level.map(|_| 0)))
-            .key("uplift_m", rocking.map(|rocking| rocking.uplift_m).or(level))
-            .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m).or(level))
-            .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
+            .key(
+                "peak_rotation_rad",
+                rocking.map(|rocking| rocking.peak_rotation_rad).or(level),
+            )
+            .key(
+                "impact_count",
+                rocking
+                    .map(|rocking| rocking.impact_count)
+                    .or(level.map(|_| 0)),
+            )
+            .key(
+                "uplift_m",
+                rocking.map(|rocking| rocking.uplift_m).or(level),
+            )
+            .key(
+                "cg_rise_m",
+                rocking.map(|rocking| rocking.cg_rise_m).or(level),
+            )
+            .key(
+                "edge_acceleration_g",
+                shock.and_then(|shock| shock.edge_acceleration_g),
+            )
             .key("edge_acceleration_impact_velocity_g", by_velocity_g)
             .key("ceiling_g", shock.map(|shock| shock.ceiling_g));
         if !self.walls.is_none() {
             let contacts = self.contacts(block);
-            let of_walls = |quantity: &dyn Fn(&RockingSummary) -> Option<f64>| rocking.and_then(quantity);
-            row = row.key("wall_speed_max_m_s", of_walls(&|found| speed_m_s(block, contacts, found.sides)));
+            let of_walls =
+                |quantity: &dyn Fn(&RockingSummary) -> Option<f64>| rocking.and_then(quantity);
+            row = row.key(
+                "wall_speed_max_m_s",
+                of_walls(&|found| speed_m_s(block, contacts, found.sides)),
+            );
             if self.wall.stiffness_n_m.is_some() {
-                let shock_g = |found: &RockingSummary| acceleration_g(block, contacts, found.sides, self.wall);
+                let shock_g = |found: &RockingSummary| {
+                    acceleration_g(block, contacts, found.sides, self.wall)
+                };
                 row = row.key("wall_acceleration_g", of_walls(&shock_g));
             }
         }
         if let Some(sensitivities) = &self.sensitivities {
             let Sensitivity { ratio, sensitive } = sensitivities[index];
             let followed = rocking.is_some() && bottomed.is_none();
-            row = row.key("sensitivity_ratio", ratio).key("sensitive", followed.then_some(sensitive));
+            row = row
+                .key("sensitivity_ratio", ratio)
+                .key("sensitive", followed.then_some(sensitive));
         }
         if self.slide.is_some() {
             let contact = slid.and_then(|slid| slid.contact);
@@ -288,7 +407,10 @@ impl SpectrumChunk<'_> {
                 .key("slide_peak_m", slid.map(|slid| slid.peak_m))
                 .key("slide_speed_max_m_s", slid.map(|slid| slid.speed_max_m_s))
                 .key("clearance_time_s", contact.map(|(time_s, _)| time_s))
-                .key("clearance_speed_m_s", contact.map(|(_, velocity_m_s)| velocity_m_s));
+                .key(
+                    "clearance_speed_m_s",
+                    contact.map(|(_, velocity_m_s)| velocity_m_s),
+                );
         }
         row.key("reason", reason.or(bottomed))
     }
@@ -300,31 +422,47 @@ impl SpectrumChunk<'_> {
 
     /// Adds its objects to the tally of the motion.
     pub fn add_to(&self, tally: &mut SpectrumTally) {
-        let larger = |most: Option<f64>, value: Option<f64>| most.into_iter().chain(value).reduce(f64::max);
-        tally.largest_compression_m = larger(tally.largest_compression_m, self.largest_compression_m());
+        let larger =
+            |most: Option<f64>, value: Option<f64>| most.into_iter().chain(value).reduce(f64::max);
+        tally.largest_compression_m =
+            larger(tally.largest_compression_m, self.largest_compression_m());
         for (index, cell) in self.cells.iter().enumerate() {
             let shock = self.shock(index);
             let bottomed = shock.as_ref().is_some_and(ShockCell::is_beyond_numbers);
             tally.objects += 1;
-            let slid =
-                self.slide.as_ref().filter(|_| matches!(cell, Cell::Slides)).and_then(|slide| slide.as_ref().ok());
+            let slid = self
+                .slide
+                .as_ref()
+                .filter(|_| matches!(cell, Cell::Slides))
+                .and_then(|slide| slide.as_ref().ok());
             let is_whole = match cell {
                 Cell::Rocks(cell) => cell.is_ok(),
                 Cell::Slides => slid.is_some_and(|slid| slid.outcome != SlidingOutcome::FreeFlight),
                 Cell::Refused(_) => false,
             };
             tally.failed += usize::from(!is_whole || bottomed);
-            tally.slid += usize::from(slid.is_some_and(|slid| slid.outcome == SlidingOutcome::Slid));
-            tally.largest_slide_m = larger(tally.largest_slide_m, slid.map(|slid| slid.peak_m.abs()));
-            tally.sensitive += usize::from(self.sensitivities.as_ref().is_some_and(|all| all[index].sensitive));
-            let Some(UpliftCell { rocking, .. }) = cell.rocked() else { continue };
+            tally.slid +=
+                usize::from(slid.is_some_and(|slid| slid.outcome == SlidingOutcome::Slid));
+            tally.largest_slide_m =
+                larger(tally.largest_slide_m, slid.map(|slid| slid.peak_m.abs()));
+            tally.sensitive += usize::from(
+                self.sensitivities
+                    .as_ref()
+                    .is_some_and(|all| all[index].sensitive),
+            );
+            let Some(UpliftCell { rocking, .. }) = cell.rocked() else {
+                continue;
+            };
             tally.rocked += usize::from(rocking.outcome == Outcome::Rocked);
             tally.leaned += usize::from(rocking.outcome == Outcome::Leaned);
             tally.overturned += usize::from(rocking.outcome == Outcome::Overturned);
             if !rocking.outcome.has_fallen() {
-                let edge_g = shock.filter(|_| !bottomed).and_then(|shock| shock.edge_acceleration_g);
+                let edge_g = shock
+                    .filter(|_| !bottomed)
+                    .and_then(|shock| shock.edge_acceleration_g);
                 tally.largest_uplift_m = larger(tally.largest_uplift_m, Some(rocking.uplift_m));
-                tally.largest_edge_acceleration_g = larger(tally.largest_edge_acceleration_g, edge_g);
+                tally.largest_edge_acceleration_g =
+                    larger(tally.largest_edge_acceleration_g, edge_g);
             }
         }
     }
@@ -333,22 +471,39 @@ impl SpectrumChunk<'_> {
     /// that rocked without overturning.
     fn largest_compression_m(&self) -> Option<f64> {
         let (mass_kg, cushion) = self.cushion?;
-        let rocked = self.cells.iter().filter_map(Cell::rocked).filter(|cell| cell.rocking.outcome == Outcome::Rocked);
+        let rocked = self
+            .cells
+            .iter()
+            .filter_map(Cell::rocked)
+            .filter(|cell| cell.rocking.outcome == Outcome::Rocked);
         let energy_of = |cell: &UpliftCell| {
             let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
-            landing.effective_mass_ratio * landing.edge_velocity_m_s(cell.rocking.cg_rise_m, G0_M_S2).powi(2)
+            landing.effective_mass_ratio
+                * landing
+                    .edge_velocity_m_s(cell.rocking.cg_rise_m, G0_M_S2)
+                    .powi(2)
         };
         let cell = rocked.max_by(|a, b| energy_of(a).total_cmp(&energy_of(b)))?;
         let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
-        Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2).compression_m)
+        Some(
+            landing
+                .impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2)
+                .compression_m,
+        )
     }
 
     /// Applies `words` to a few rows at a time, on all threads; the results are in the order of the
     /// rows.
-    pub fn pieces<T: Send>(&self, words: impl Fn(&mut dyn Iterator<Item = Facts<'_>>) -> T + Sync) -> Vec<T> {
+    pub fn pieces<T: Send>(
+        &self,
+        words: impl Fn(&mut dyn Iterator<Item = Facts<'_>>) -> T + Sync,
+    ) -> Vec<T> {
         let starts: Vec<usize> = (0..self.objects()).step_by(ROWS_AT_A_TIME).collect();
         let piece = |&start: &usize| {
-            words(&mut (start..(start + ROWS_AT_A_TIME).min(self.objects())).map(|index| self.row(index)))
+            words(
+                &mut (start..(start + ROWS_AT_A_TIME).min(self.objects()))
+                    .map(|index| self.row(index)),
+            )
         };
         starts.par_iter().map(piece).collect()
     }
@@ -368,7 +523,9 @@ pub fn column_type(name: &str) -> ColumnType {
 /// pool.
 pub fn chunk_objects(intervals: usize) -> usize {
     let least = CHUNK_OBJECTS_PER_THREAD.saturating_mul(rayon::current_num_threads());
-    (CHUNK_STEPS / intervals.max(1)).max(least).min(MAX_CHUNK_OBJECTS)
+    (CHUNK_STEPS / intervals.max(1))
+        .max(least)
+        .min(MAX_CHUNK_OBJECTS)
 }
 
 /// Calculates every object of the grid under every motion, in the order motion, height, thickness,
@@ -384,10 +541,16 @@ pub fn spectrum<E>(
     chunk: impl Fn(usize) -> usize,
     mut each: impl FnMut(&SpectrumChunk) -> Result<(), E>,
 ) -> Result<SpectrumTiming, E> {
-    let mut timing = SpectrumTiming { sensitivity_s: request.sensitivity.then_some(0.0), ..SpectrumTiming::default() };
+    let mut timing = SpectrumTiming {
+        sensitivity_s: request.sensitivity.then_some(0.0),
+        ..SpectrumTiming::default()
+    };
     let objects = request.grid.objects();
     for (index, motion) in motions.iter().enumerate() {
-        let base = Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() };
+        let base = Base {
+            horizontal: Some(&motion.horizontal),
+            vertical: motion.vertical.as_ref(),
+        };
         let intervals = motion.horizontal.accel_m_s2().len() - 1;
         let size = chunk(intervals).max(1);
         let began = Instant::now();
@@ -395,11 +558,21 @@ pub fn spectrum<E>(
         timing.solve_s += began.elapsed().as_secs_f64();
         timing.block_steps += slide.iter().len() as u64 * intervals as u64;
         for start in (0..objects).step_by(size) {
-            let blocks: Vec<Block> = request.grid.blocks(start..(start + size).min(objects)).collect();
+            let blocks: Vec<Block> = request
+                .grid
+                .blocks(start..(start + size).min(objects))
+                .collect();
             let began = Instant::now();
-            let carried = |block: &Block| request.surface.map_or(Ok(false), |surface| surface.carries(block));
-            let rocking: Vec<Block> =
-                blocks.iter().filter(|block| matches!(carried(block), Ok(false))).copied().collect();
+            let carried = |block: &Block| {
+                request
+                    .surface
+                    .map_or(Ok(false), |surface| surface.carries(block))
+            };
+            let rocking: Vec<Block> = blocks
+                .iter()
+                .filter(|block| matches!(carried(block), Ok(false)))
+                .copied()
+                .collect();
             let mut solved = uplift_spectrum(&rocking, base, &request.options).into_iter();
             timing.solve_s += began.elapsed().as_secs_f64();
             timing.block_steps += rocking.len() as u64 * intervals as u64;
@@ -417,9 +590,22 @@ pub fn spectrum<E>(
             let cells = blocks.iter().filter_map(cell).collect();
             let slide = slide.clone();
             let name = motion.name.as_str();
-            let cushion = request.cushion.as_ref().map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
+            let cushion = request
+                .cushion
+                .as_ref()
+                .map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
             let (walls, wall) = (request.options.walls, request.wall);
-            each(&SpectrumChunk { motion: index, name, walls, wall, cushion, blocks, cells, sensitivities, slide })?;
+            each(&SpectrumChunk {
+                motion: index,
+                name,
+                walls,
+                wall,
+                cushion,
+                blocks,
+                cells,
+                sensitivities,
+                slide,
+            })?;
         }
     }
     Ok(timing)
@@ -427,7 +613,10 @@ pub fn spectrum<E>(
 
 /// The results of all objects under one motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[expect(missing_docs, reason = "the names say what the fields are, in SI units")]
+#[expect(
+    missing_docs,
+    reason = "the names say what the fields are, in SI units"
+)]
 pub struct SpectrumTally {
     pub objects: usize,
     pub rocked: usize,
@@ -459,7 +648,10 @@ mod tests {
         SpectrumRequest {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
             options: RockingOptions::default(),
-            cushion: Some((150.0, cushion::resolve(&cushion::spring(4.38e6), None).unwrap())),
+            cushion: Some((
+                150.0,
+                cushion::resolve(&cushion::spring(4.38e6), None).unwrap(),
+            )),
             wall: WallStiffness::default(),
             sensitivity: true,
             surface: None,
@@ -471,18 +663,30 @@ mod tests {
         let wave = |frequency_hz: f64, peak: f64| {
             let sample = |i: i32| {
                 let t = f64::from(i) * 0.01;
-                peak * (-0.5 * (t - 3.0) * (t - 3.0)).exp() * (std::f64::consts::TAU * frequency_hz * t).sin()
+                peak * (-0.5 * (t - 3.0) * (t - 3.0)).exp()
+                    * (std::f64::consts::TAU * frequency_hz * t).sin()
             };
             Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
         };
         vec![
-            SpectrumMotion { name: "one".into(), horizontal: wave(0.9, 4.0), vertical: None },
-            SpectrumMotion { name: "two".into(), horizontal: wave(1.6, 6.0), vertical: Some(wave(3.1, 3.0)) },
+            SpectrumMotion {
+                name: "one".into(),
+                horizontal: wave(0.9, 4.0),
+                vertical: None,
+            },
+            SpectrumMotion {
+                name: "two".into(),
+                horizontal: wave(1.6, 6.0),
+                vertical: Some(wave(3.1, 3.0)),
+            },
         ]
     }
 
     fn table(chunk: usize, threads: usize) -> String {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         let mut text = Vec::new();
         let work = || {
             spectrum::<Problem>(
@@ -511,7 +715,11 @@ mod tests {
         }
         assert!(whole.lines().next().unwrap().starts_with("one,0.4,0.1,"));
         for (chunk, threads) in [(usize::MAX, 2), (1, 1), (7, 2), (100, 2), (250, 1)] {
-            assert_eq!(table(chunk, threads), whole, "chunks of {chunk} on {threads} threads");
+            assert_eq!(
+                table(chunk, threads),
+                whole,
+                "chunks of {chunk} on {threads} threads"
+            );
         }
     }
 
@@ -519,18 +727,32 @@ mod tests {
     /// number.
     #[test]
     fn a_cushion_that_bottoms_gives_a_reason_and_no_number() {
-        let words = [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")].into_iter().collect();
-        let request = SpectrumRequest { cushion: Some((150.0, cushion::resolve(&words, None).unwrap())), ..request() };
+        let words = [
+            ("law", "tangent"),
+            ("stiffness", "100 N/mm"),
+            ("bottoming", "0.1 mm"),
+        ]
+        .into_iter()
+        .collect();
+        let request = SpectrumRequest {
+            cushion: Some((150.0, cushion::resolve(&words, None).unwrap())),
+            ..request()
+        };
         let mut rocked = 0;
         let seen = spectrum::<Problem>(
             &request,
             &motions(),
             |_| usize::MAX,
             |chunk| {
-                let is_up = |row: &Facts| row.text("outcome") == Some("rocked") && row.number("uplift_m") > Some(1e-3);
+                let is_up = |row: &Facts| {
+                    row.text("outcome") == Some("rocked") && row.number("uplift_m") > Some(1e-3)
+                };
                 for row in chunk.rows().filter(is_up) {
                     rocked += 1;
-                    assert_eq!((row.number("edge_acceleration_g"), row.text("reason")), (None, Some(BOTTOMED)));
+                    assert_eq!(
+                        (row.number("edge_acceleration_g"), row.text("reason")),
+                        (None, Some(BOTTOMED))
+                    );
                 }
                 Ok(())
             },
@@ -540,9 +762,15 @@ mod tests {
 
     #[test]
     fn chunks_are_bounded() {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(2)
+            .build()
+            .unwrap();
         let size = |intervals| pool.install(|| chunk_objects(intervals));
-        assert_eq!([0, 1000, 10_000, 10_000_000].map(size), [65_536, 65_536, 20_000, 4096]);
+        assert_eq!(
+            [0, 1000, 10_000, 10_000_000].map(size),
+            [65_536, 65_536, 20_000, 4096]
+        );
     }
 
     #[test]
@@ -551,7 +779,10 @@ mod tests {
         let pairs = Grid::pairs(heights_m.clone(), thicknesses_m.clone()).unwrap();
         let grid = Grid::new(heights_m, thicknesses_m).unwrap();
         let diagonal: Vec<Block> = grid.blocks(0..9).step_by(4).collect();
-        assert_eq!(pairs.blocks(0..pairs.objects()).collect::<Vec<_>>(), diagonal);
+        assert_eq!(
+            pairs.blocks(0..pairs.objects()).collect::<Vec<_>>(),
+            diagonal
+        );
         assert!(Grid::pairs(vec![1.0], vec![0.3, 0.4]).is_err());
     }
 
@@ -559,6 +790,11 @@ mod tests {
     fn an_empty_grid_and_one_too_large_are_refused() {
         assert!(Grid::new(vec![1.0], vec![0.0]).is_err());
         assert!(Grid::new(vec![1.0; 1001], vec![0.2; 1000]).is_err());
-        assert_eq!(Grid::new(vec![1.0; 1000], vec![0.2; 1000]).unwrap().objects(), 1_000_000);
+        assert_eq!(
+            Grid::new(vec![1.0; 1000], vec![0.2; 1000])
+                .unwrap()
+                .objects(),
+            1_000_000
+        );
     }
 }

@@ -16,12 +16,22 @@ pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
 /// [`Ranked::Overturned`]: the median is, if half or more of the motions overturn the object.
 pub fn ranked_quantile(values: &mut [f64], quantile: f64) -> Ranked {
     values.sort_unstable_by(f64::total_cmp);
-    let Some(last) = values.len().checked_sub(1) else { return Ranked::NoData };
+    let Some(last) = values.len().checked_sub(1) else {
+        return Ranked::NoData;
+    };
     let position = quantile * last as f64;
     let (below, share) = (position.floor() as usize, position.fract());
     let lower = values[below];
-    let value = if share == 0.0 { lower } else { lower + share * (values[(below + 1).min(last)] - lower) };
-    if value.is_finite() { Ranked::Value(value) } else { Ranked::Overturned }
+    let value = if share == 0.0 {
+        lower
+    } else {
+        lower + share * (values[(below + 1).min(last)] - lower)
+    };
+    if value.is_finite() {
+        Ranked::Value(value)
+    } else {
+        Ranked::Overturned
+    }
 }
 
 fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
@@ -29,7 +39,9 @@ fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
 }
 
 /// Statistics of one object over the motions whose histories did not fail; `None` if all failed.
-pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>) -> Option<ObjectStatistics> {
+pub fn object_statistics<'a>(
+    responses: impl Iterator<Item = &'a ObjectResponse>,
+) -> Option<ObjectStatistics> {
     let done: Vec<_> = responses
         .filter_map(|response| match response {
             ObjectResponse::Done { uplift, shock, .. } => Some((uplift, shock)),
@@ -40,12 +52,25 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
     let share = |holds: &dyn Fn(&UpliftCell) -> bool| {
         done.iter().filter(|(uplift, _)| holds(uplift)).count() as f64 / done.len() as f64
     };
-    let survivors: Vec<f64> = done.iter().filter_map(|(_, shock)| shock.edge_acceleration_g).collect();
-    let uplifts = done
+    let survivors: Vec<f64> = done
         .iter()
-        .map(|(uplift, _)| if uplift.rocking.outcome.has_fallen() { f64::INFINITY } else { uplift.rocking.uplift_m });
-    let shocks = done.iter().map(|(_, shock)| shock.edge_acceleration_g.unwrap_or(f64::INFINITY));
-    let impacts = done.iter().map(|(_, shock)| shock.edge_acceleration_impact_velocity_g.unwrap_or(f64::INFINITY));
+        .filter_map(|(_, shock)| shock.edge_acceleration_g)
+        .collect();
+    let uplifts = done.iter().map(|(uplift, _)| {
+        if uplift.rocking.outcome.has_fallen() {
+            f64::INFINITY
+        } else {
+            uplift.rocking.uplift_m
+        }
+    });
+    let shocks = done
+        .iter()
+        .map(|(_, shock)| shock.edge_acceleration_g.unwrap_or(f64::INFINITY));
+    let impacts = done.iter().map(|(_, shock)| {
+        shock
+            .edge_acceleration_impact_velocity_g
+            .unwrap_or(f64::INFINITY)
+    });
     Some(ObjectStatistics {
         height_m: first.block.height_m(),
         thickness_m: first.block.thickness_m(),
@@ -65,13 +90,16 @@ impl ObjectStatistics {
     /// Whether the median shock, by the larger of the two sources, is above a tolerance. It is if
     /// half or more of the motions overturn the object.
     pub fn exceeds(&self, tolerance_g: f64) -> bool {
-        [self.edge_acceleration_g[1], self.edge_acceleration_impact_velocity_g[1]].into_iter().any(
-            |median| match median {
-                Ranked::Value(shock_g) => shock_g > tolerance_g,
-                Ranked::Overturned => true,
-                Ranked::NoData => false,
-            },
-        )
+        [
+            self.edge_acceleration_g[1],
+            self.edge_acceleration_impact_velocity_g[1],
+        ]
+        .into_iter()
+        .any(|median| match median {
+            Ranked::Value(shock_g) => shock_g > tolerance_g,
+            Ranked::Overturned => true,
+            Ranked::NoData => false,
+        })
     }
 }
 
@@ -104,7 +132,9 @@ mod tests {
 
     #[test]
     fn the_median_is_overturned_where_half_overturn() {
-        let mut five_of_ten = [0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN, FALLEN];
+        let mut five_of_ten = [
+            0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN, FALLEN,
+        ];
         assert_eq!(ranked_quantile(&mut five_of_ten, 0.5), Ranked::Overturned);
         assert_eq!(ranked_quantile(&mut five_of_ten, 0.16), Ranked::Value(1.44));
         let mut four_of_nine = [0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN];
@@ -116,20 +146,32 @@ mod tests {
     #[test]
     fn leaning_counts_as_overturning() {
         let result = crate::fixture::result(&crate::fixture::study());
-        let responses = result.levels.iter().flat_map(|level| level.responses.iter().flatten());
+        let responses = result
+            .levels
+            .iter()
+            .flat_map(|level| level.responses.iter().flatten());
         let leaned = responses.filter_map(|response| match response {
-            ObjectResponse::Done { uplift, shock, .. } if uplift.rocking.outcome == Outcome::Rocked => {
+            ObjectResponse::Done { uplift, shock, .. }
+                if uplift.rocking.outcome == Outcome::Rocked =>
+            {
                 let (mut uplift, mut shock) = (*uplift, *shock);
                 uplift.rocking.outcome = Outcome::Leaned;
                 // As the shock of every object that has fallen.
                 shock.edge_acceleration_g = None;
-                Some(ObjectResponse::Done { uplift, shock, direction_deg: None })
+                Some(ObjectResponse::Done {
+                    uplift,
+                    shock,
+                    direction_deg: None,
+                })
             }
             _ => None,
         });
         let leaned: Vec<ObjectResponse> = leaned.take(1).collect();
         let statistics = object_statistics(leaned.iter()).unwrap();
-        assert_eq!((statistics.overturned_share, statistics.uplift_m[1]), (1.0, Ranked::Overturned));
+        assert_eq!(
+            (statistics.overturned_share, statistics.uplift_m[1]),
+            (1.0, Ranked::Overturned)
+        );
         assert!(statistics.exceeds(1e9));
     }
 

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use freestand::G0_M_S2;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
-use freestand::suite::{Candidate, FACTOR_LIMITS, SuiteError, SuiteScale, select_suite, suite_periods_s};
+use freestand::suite::{
+    Candidate, FACTOR_LIMITS, SuiteError, SuiteScale, select_suite, suite_periods_s,
+};
 use freestand_input::words::{counted, number, significant, some};
 use freestand_output::facts::Facts;
 use freestand_records::horizontal::HorizontalMotion;
@@ -45,7 +47,10 @@ pub(crate) const NAMED: usize = 5;
 
 /// The first few files that are left out, with their reasons.
 pub(crate) fn some_left_out(files: &[LeftOut]) -> String {
-    let named: Vec<String> = files.iter().map(|one| format!("{}: {}", one.file, one.reason)).collect();
+    let named: Vec<String> = files
+        .iter()
+        .map(|one| format!("{}: {}", one.file, one.reason))
+        .collect();
     some(&named, NAMED)
 }
 
@@ -93,16 +98,29 @@ impl PeriodRange {
     pub fn new(building_s: Option<(f64, f64)>) -> Self {
         let Some((shortest_s, longest_s)) = building_s else {
             let (from_s, to_s) = GROUND_PERIODS_S;
-            return Self { from_s, to_s, from: "no floor above the ground".to_owned() };
+            return Self {
+                from_s,
+                to_s,
+                from: "no floor above the ground".to_owned(),
+            };
         };
         let (below, above) = BUILDING_PERIODS_RATIO;
         let from = if shortest_s == longest_s {
-            format!("{below} and {above} times the building's period of {} s", number(longest_s, 4))
+            format!(
+                "{below} and {above} times the building's period of {} s",
+                number(longest_s, 4)
+            )
         } else {
             let (shortest, longest) = (number(shortest_s, 4), number(longest_s, 4));
-            format!("{below} times the building's period of {shortest} s, {above} times that of {longest} s")
+            format!(
+                "{below} times the building's period of {shortest} s, {above} times that of {longest} s"
+            )
         };
-        Self { from_s: below * shortest_s, to_s: above * longest_s, from }
+        Self {
+            from_s: below * shortest_s,
+            to_s: above * longest_s,
+            from,
+        }
     }
 }
 
@@ -144,13 +162,28 @@ impl Request {
     ///
     /// # Errors
     /// Periods that do not rise from above 0, or a spectrum without a logarithm there.
-    pub fn new(folder: PathBuf, target: Target, scale: SuiteScale, range: PeriodRange) -> Result<Self, SuiteError> {
+    pub fn new(
+        folder: PathBuf,
+        target: Target,
+        scale: SuiteScale,
+        range: PeriodRange,
+    ) -> Result<Self, SuiteError> {
         let periods_s = suite_periods_s(range.from_s, range.to_s)?;
-        let ln_target_sa: Vec<f64> = periods_s.iter().map(|&period_s| target.spectrum.sa_g(period_s).ln()).collect();
+        let ln_target_sa: Vec<f64> = periods_s
+            .iter()
+            .map(|&period_s| target.spectrum.sa_g(period_s).ln())
+            .collect();
         if !ln_target_sa.iter().all(|ln| ln.is_finite()) {
             return Err(SuiteError::Spectrum);
         }
-        Ok(Self { folder, target, scale, periods_from: range.from, periods_s, ln_target_sa })
+        Ok(Self {
+            folder,
+            target,
+            scale,
+            periods_from: range.from,
+            periods_s,
+            ln_target_sa,
+        })
     }
 
     /// The spectra of the components of a motion.
@@ -160,22 +193,34 @@ impl Request {
     /// its own outside [`FACTOR_LIMITS`].
     pub fn spectra(&self, motion: &HorizontalMotion) -> Result<Spectra, String> {
         let one = |motion| -> Result<Vec<f64>, String> {
-            let spectrum =
-                response_spectrum(motion, DAMPING_RATIO, &self.periods_s).map_err(|error| error.to_string())?;
-            let ln_sa: Vec<f64> = spectrum.psa_m_s2.iter().map(|psa| (psa / G0_M_S2).ln()).collect();
+            let spectrum = response_spectrum(motion, DAMPING_RATIO, &self.periods_s)
+                .map_err(|error| error.to_string())?;
+            let ln_sa: Vec<f64> = spectrum
+                .psa_m_s2
+                .iter()
+                .map(|psa| (psa / G0_M_S2).ln())
+                .collect();
             if ln_sa.iter().all(|ln| ln.is_finite()) {
                 Ok(ln_sa)
             } else {
                 Err("it has no content at some of the periods".to_owned())
             }
         };
-        let ln_sa: Vec<Vec<f64>> =
-            std::iter::once(&motion.along).chain(&motion.across).map(one).collect::<Result<_, _>>()?;
-        let off = ln_sa.iter().flat_map(|one| self.ln_target_sa.iter().zip(one)).map(|(target, ln)| target - ln);
+        let ln_sa: Vec<Vec<f64>> = std::iter::once(&motion.along)
+            .chain(&motion.across)
+            .map(one)
+            .collect::<Result<_, _>>()?;
+        let off = ln_sa
+            .iter()
+            .flat_map(|one| self.ln_target_sa.iter().zip(one))
+            .map(|(target, ln)| target - ln);
         let factor = (off.sum::<f64>() / (ln_sa.len() * self.periods_s.len()) as f64).exp();
         let (least, most) = FACTOR_LIMITS;
         if self.scale == SuiteScale::Each && !(least..=most).contains(&factor) {
-            return Err(format!("it needs a factor of {}, outside {least} to {most}", number(factor, 3)));
+            return Err(format!(
+                "it needs a factor of {}, outside {least} to {most}",
+                number(factor, 3)
+            ));
         }
         Ok(Spectra { ln_sa })
     }
@@ -185,11 +230,21 @@ impl Request {
 ///
 /// # Errors
 /// Fewer than two records, or than `count`.
-pub fn select(request: Request, records: &[Record], count: usize) -> Result<(Suite, Vec<(usize, f64)>), SuiteError> {
-    let candidates: Vec<Candidate> =
-        records.iter().map(|record| Candidate::new(record.spectra.ln_sa.clone())).collect::<Result<_, _>>()?;
+pub fn select(
+    request: Request,
+    records: &[Record],
+    count: usize,
+) -> Result<(Suite, Vec<(usize, f64)>), SuiteError> {
+    let candidates: Vec<Candidate> = records
+        .iter()
+        .map(|record| Candidate::new(record.spectra.ln_sa.clone()))
+        .collect::<Result<_, _>>()?;
     let selected = select_suite(&candidates, &request.ln_target_sa, count, request.scale)?;
-    let chosen: Vec<(usize, f64)> = selected.chosen.iter().map(|one| (one.candidate, one.factor)).collect();
+    let chosen: Vec<(usize, f64)> = selected
+        .chosen
+        .iter()
+        .map(|one| (one.candidate, one.factor))
+        .collect();
     let member = |&(index, factor): &(usize, f64)| Some((records.get(index)?.name.clone(), factor));
     let suite = Suite {
         members: chosen.iter().filter_map(member).collect(),
@@ -226,12 +281,23 @@ impl Suite {
     /// `11 of 22 usable records, each with its own factor, from 0.53 to 3.1`.
     pub fn count_words(&self) -> String {
         let factors = || self.members.iter().map(|(_, factor)| *factor);
-        let (least, most) = (factors().fold(f64::INFINITY, f64::min), factors().fold(0.0, f64::max));
+        let (least, most) = (
+            factors().fold(f64::INFINITY, f64::min),
+            factors().fold(0.0, f64::max),
+        );
         let scaled = match self.scale {
-            SuiteScale::Each => format!("each with its own factor, from {} to {}", number(least, 3), number(most, 3)),
+            SuiteScale::Each => format!(
+                "each with its own factor, from {} to {}",
+                number(least, 3),
+                number(most, 3)
+            ),
             SuiteScale::One => format!("all with the factor {}", number(most, 3)),
         };
-        format!("{} of {}, {scaled}", self.members.len(), counted(self.usable, "usable record"))
+        format!(
+            "{} of {}, {scaled}",
+            self.members.len(),
+            counted(self.usable, "usable record")
+        )
     }
 
     /// `from 0.2 s to 3 s (no floor above the ground)`.
@@ -243,9 +309,17 @@ impl Suite {
 
     /// How far the mean is from the target.
     pub fn mean_words(&self) -> String {
-        let worst = self.mean_ln_ratio.iter().fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { *x } else { worst });
+        let worst =
+            self.mean_ln_ratio.iter().fold(
+                0.0,
+                |worst: f64, x| if x.abs() > worst.abs() { *x } else { worst },
+            );
         let percent = |ln: f64| number(100.0 * ln.exp_m1(), 2);
-        format!("off by {} rms, by {} % at worst", significant(self.mean_rms(), 2), percent(worst))
+        format!(
+            "off by {} rms, by {} % at worst",
+            significant(self.mean_rms(), 2),
+            percent(worst)
+        )
     }
 
     /// The standard deviation of ln Sa and the one that was asked for.
@@ -253,7 +327,11 @@ impl Suite {
         let least = self.sd_ln.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self.sd_ln.iter().copied().fold(0.0, f64::max);
         let (rms, asked) = (significant(self.sd_rms(), 2), self.scale.dispersion());
-        format!("{rms} rms, from {} to {} (asked: {asked})", significant(least, 2), significant(most, 2))
+        format!(
+            "{rms} rms, from {} to {} (asked: {asked})",
+            significant(least, 2),
+            significant(most, 2)
+        )
     }
 
     /// A warning for each thing that the reader of the results must know.
@@ -264,33 +342,55 @@ impl Suite {
             [one] => vec![format!("suite: {} is left out: {}", one.file, one.reason)],
             several => {
                 let count = counted(several.len(), "file");
-                vec![format!("suite: {count} are left out: {}", some_left_out(several))]
+                vec![format!(
+                    "suite: {count} are left out: {}",
+                    some_left_out(several)
+                )]
             }
         };
         if self.mean_rms() > FAR_LN {
-            warnings.push(format!("suite: the mean of ln Sa is {}: {more}", self.mean_words()));
+            warnings.push(format!(
+                "suite: the mean of ln Sa is {}: {more}",
+                self.mean_words()
+            ));
         }
         let excess = self.sd_rms() - self.scale.dispersion();
         if excess.abs() > FAR_LN {
-            let effect =
-                if excess < 0.0 { "probabilities come out too near 0 and 1" } else { "rare events come out too often" };
-            warnings.push(format!("suite: the standard deviation of ln Sa is {}: {effect}; {more}", self.sd_words()));
+            let effect = if excess < 0.0 {
+                "probabilities come out too near 0 and 1"
+            } else {
+                "rare events come out too often"
+            };
+            warnings.push(format!(
+                "suite: the standard deviation of ln Sa is {}: {effect}; {more}",
+                self.sd_words()
+            ));
         }
         warnings
     }
 
     /// For the documents of commands.
     pub fn facts(&self) -> Facts<'static> {
-        let member =
-            |(name, factor): &(String, f64)| Facts::default().key("motion", name.clone()).key("factor", *factor);
-        let left_out = |one: &LeftOut| Facts::default().key("file", one.file.clone()).key("reason", one.reason.clone());
+        let member = |(name, factor): &(String, f64)| {
+            Facts::default()
+                .key("motion", name.clone())
+                .key("factor", *factor)
+        };
+        let left_out = |one: &LeftOut| {
+            Facts::default()
+                .key("file", one.file.clone())
+                .key("reason", one.reason.clone())
+        };
         Facts::default()
             .key("folder", self.folder.display().to_string())
             .key("target", self.target.one_line())
             .key("scale", self.scale.name())
             .key("count", self.members.len())
             .key("usable", self.usable)
-            .key("records", self.members.iter().map(member).collect::<Vec<_>>())
+            .key(
+                "records",
+                self.members.iter().map(member).collect::<Vec<_>>(),
+            )
             .key("periods_s", self.periods_s.as_slice().to_vec())
             .key("periods_from", self.periods_from.clone())
             .key("mean_ln_ratio", self.mean_ln_ratio.clone())
@@ -298,7 +398,10 @@ impl Suite {
             .key("sd_ln", self.sd_ln.clone())
             .key("sd_ln_rms", self.sd_rms())
             .key("sd_ln_asked", self.scale.dispersion())
-            .key("left_out", self.left_out.iter().map(left_out).collect::<Vec<_>>())
+            .key(
+                "left_out",
+                self.left_out.iter().map(left_out).collect::<Vec<_>>(),
+            )
             .key("skipped", self.skipped.clone())
     }
 }

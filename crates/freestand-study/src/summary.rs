@@ -11,7 +11,9 @@ use crate::places::Place;
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::simulated::{FoundEarthquake, source_facts};
 use crate::statistics::ranked_quantile;
-use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround};
+use crate::study::{
+    BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround,
+};
 use crate::suite::Suite;
 use crate::target::Target;
 use crate::target::hazard_facts;
@@ -59,24 +61,40 @@ pub struct LevelSummary {
 
 /// The key figures of every level.
 pub fn level_summaries(study: &Study, result: &StudyResult) -> Vec<LevelSummary> {
-    result.levels.iter().map(|level| level_summary(level, study.objects.tolerance_m_s2)).collect()
+    result
+        .levels
+        .iter()
+        .map(|level| level_summary(level, study.objects.tolerance_m_s2))
+        .collect()
 }
 
 /// The key figures of a level; `tolerance_m_s2` is the study's.
 pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelSummary {
-    let mut pfa_g: Vec<f64> = level.floors.iter().map(|floor| floor.peak_m_s2() / G0_M_S2).collect();
+    let mut pfa_g: Vec<f64> = level
+        .floors
+        .iter()
+        .map(|floor| floor.peak_m_s2() / G0_M_S2)
+        .collect();
     let rows = || level.responses.iter().flatten();
     let histories = rows().count();
     let count = |holds: &dyn Fn(Outcome) -> bool| {
         rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.rocking.outcome))).count()
     };
     let done = count(&|_| true);
-    let share = |n: usize| if done == 0 { 0.0 } else { n as f64 / done as f64 };
+    let share = |n: usize| {
+        if done == 0 {
+            0.0
+        } else {
+            n as f64 / done as f64
+        }
+    };
     let statistics = || level.statistics.iter().flatten();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
     let shocks = |velocity: bool| {
         rows().filter_map(move |r| match r {
-            ObjectResponse::Done { shock, .. } if velocity => shock.edge_acceleration_impact_velocity_g,
+            ObjectResponse::Done { shock, .. } if velocity => {
+                shock.edge_acceleration_impact_velocity_g
+            }
             ObjectResponse::Done { shock, .. } => shock.edge_acceleration_g,
             ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
         })
@@ -89,11 +107,18 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         failed: histories - done,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
         overturned_share: share(count(&|o| o.has_fallen())),
-        exceeded_objects: tolerance_m_s2
-            .map(|tolerance| statistics().filter(|s| s.exceeds(tolerance / G0_M_S2)).count()),
-        overturned_objects: statistics().filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned).count(),
+        exceeded_objects: tolerance_m_s2.map(|tolerance| {
+            statistics()
+                .filter(|s| s.exceeds(tolerance / G0_M_S2))
+                .count()
+        }),
+        overturned_objects: statistics()
+            .filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned)
+            .count(),
         edge_acceleration_g_max: largest(&mut shocks(false)),
-        edge_acceleration_g_median: largest(&mut statistics().filter_map(|s| s.edge_acceleration_g[1].value())),
+        edge_acceleration_g_median: largest(
+            &mut statistics().filter_map(|s| s.edge_acceleration_g[1].value()),
+        ),
         edge_acceleration_impact_velocity_g_max: largest(&mut shocks(true)),
         edge_acceleration_impact_velocity_g_median: largest(
             &mut statistics().filter_map(|s| s.edge_acceleration_impact_velocity_g[1].value()),
@@ -190,15 +215,23 @@ fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
         "storey_height_m": building.storey_height_m,
         "height_m": building.height_m,
     });
-    if let (Some(inputs), Value::Object(along)) =
-        (inputs.as_object_mut(), axis(&building.along, Some(&building.period_note)))
-    {
+    if let (Some(inputs), Value::Object(along)) = (
+        inputs.as_object_mut(),
+        axis(&building.along, Some(&building.period_note)),
+    ) {
         inputs.extend(along);
-        let across = building.across.as_ref().map(|across| axis(across, building.across_note.as_deref()));
+        let across = building
+            .across
+            .as_ref()
+            .map(|across| axis(across, building.across_note.as_deref()));
         inputs.insert("across".to_owned(), across.unwrap_or_default());
         inputs.insert(
             "tables".to_owned(),
-            building.tables.iter().map(|(_, table)| json!(input_file(&table.file))).collect(),
+            building
+                .tables
+                .iter()
+                .map(|(_, table)| json!(input_file(&table.file)))
+                .collect(),
         );
     }
     inputs
@@ -206,7 +239,12 @@ fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
 
 fn ground_inputs(ground: &Ground) -> Value {
     match ground {
-        Ground::Synthetic(SyntheticGround { target, count, seed, .. }) => json!(
+        Ground::Synthetic(SyntheticGround {
+            target,
+            count,
+            seed,
+            ..
+        }) => json!(
             Facts::default()
                 .key("code", target.code())
                 .key("edition", target.spectrum.name())
@@ -226,11 +264,21 @@ fn ground_inputs(ground: &Ground) -> Value {
 }
 
 fn simulated_inputs(simulated: &SimulatedGround) -> Facts<'static> {
-    let SimulatedGround { request, earthquakes, hazard } = simulated;
+    let SimulatedGround {
+        request,
+        earthquakes,
+        hazard,
+    } = simulated;
     Facts::default()
         .key("preset", request.preset.name())
         .key("parameters", source_facts(&request.any_source()))
-        .key("earthquakes", earthquakes.iter().map(FoundEarthquake::facts).collect::<Vec<_>>())
+        .key(
+            "earthquakes",
+            earthquakes
+                .iter()
+                .map(FoundEarthquake::facts)
+                .collect::<Vec<_>>(),
+        )
         .key("site", request.site.name())
         .key("city", hazard.as_ref().and_then(Target::place_name))
         .and(hazard_facts(hazard.as_ref()))
@@ -250,7 +298,10 @@ fn floor_inputs(study: &Study) -> Value {
 }
 
 fn recorded_input(record: &RecordedMotion) -> Value {
-    let across = record.across.as_ref().map(|second| second.file.as_ref().map(input_file));
+    let across = record
+        .across
+        .as_ref()
+        .map(|second| second.file.as_ref().map(input_file));
     json!({
         "motion": record.name,
         "path": record.path.display().to_string(),
@@ -274,7 +325,9 @@ fn recorded_input(record: &RecordedMotion) -> Value {
 }
 
 fn input_file(file: &InputFile) -> Facts<'static> {
-    Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
+    Facts::default()
+        .key("path", file.path.display().to_string())
+        .key("sha256", file.sha256.clone())
 }
 
 /// A restitution in outputs.
@@ -288,5 +341,7 @@ pub fn restitution_words(restitution: Restitution) -> String {
 
 /// An accuracy in outputs.
 pub fn accuracy_words(accuracy: Accuracy) -> String {
-    accuracy.name().map_or_else(|| accuracy.tolerance().to_string(), str::to_owned)
+    accuracy
+        .name()
+        .map_or_else(|| accuracy.tolerance().to_string(), str::to_owned)
 }

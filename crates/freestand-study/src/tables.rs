@@ -18,35 +18,57 @@ fn by_object(
     result: &StudyResult,
     extra: impl Fn(Option<(&UpliftCell, &ShockCell)>) -> Facts<'static>,
 ) -> Result<Table, Problem> {
-    let rows = result.motions.iter().enumerate().flat_map(|(motion, name)| {
-        let extra = &extra;
-        result.levels.iter().flat_map(move |level| {
-            study.objects.blocks.iter().zip(&level.responses[motion]).map(move |(block, response)| {
-                let (done, direction_deg, unfinished) = match response {
-                    ObjectResponse::Done { uplift, shock, direction_deg } => {
-                        (Some((uplift, shock)), *direction_deg, None)
-                    }
-                    ObjectResponse::FreeFlight(reason) => (None, None, Some((FREE_FLIGHT, reason.as_str()))),
-                    ObjectResponse::Failed(reason) => (None, None, Some(("failed", reason.as_str()))),
-                };
-                let (failed, reason) = unfinished.unzip();
-                let (rocking, shock) = done.map(|(uplift, shock)| (&uplift.rocking, shock)).unzip();
-                Facts::default()
-                    .key("motion", name.as_str())
-                    .key("level", level.level.name.as_str())
-                    .key("height_m", block.height_m())
-                    .key("thickness_m", block.thickness_m())
-                    .key("outcome", rocking.map(|rocking| rocking.outcome.name()).or(failed))
-                    .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
-                    .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
-                    .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
-                    .key("ceiling_g", shock.map(|shock| shock.ceiling_g))
-                    .and(extra(done))
-                    .key("direction_deg", direction_deg)
-                    .key("reason", reason)
+    let rows = result
+        .motions
+        .iter()
+        .enumerate()
+        .flat_map(|(motion, name)| {
+            let extra = &extra;
+            result.levels.iter().flat_map(move |level| {
+                study
+                    .objects
+                    .blocks
+                    .iter()
+                    .zip(&level.responses[motion])
+                    .map(move |(block, response)| {
+                        let (done, direction_deg, unfinished) = match response {
+                            ObjectResponse::Done {
+                                uplift,
+                                shock,
+                                direction_deg,
+                            } => (Some((uplift, shock)), *direction_deg, None),
+                            ObjectResponse::FreeFlight(reason) => {
+                                (None, None, Some((FREE_FLIGHT, reason.as_str())))
+                            }
+                            ObjectResponse::Failed(reason) => {
+                                (None, None, Some(("failed", reason.as_str())))
+                            }
+                        };
+                        let (failed, reason) = unfinished.unzip();
+                        let (rocking, shock) =
+                            done.map(|(uplift, shock)| (&uplift.rocking, shock)).unzip();
+                        Facts::default()
+                            .key("motion", name.as_str())
+                            .key("level", level.level.name.as_str())
+                            .key("height_m", block.height_m())
+                            .key("thickness_m", block.thickness_m())
+                            .key(
+                                "outcome",
+                                rocking.map(|rocking| rocking.outcome.name()).or(failed),
+                            )
+                            .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
+                            .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
+                            .key(
+                                "edge_acceleration_g",
+                                shock.and_then(|shock| shock.edge_acceleration_g),
+                            )
+                            .key("ceiling_g", shock.map(|shock| shock.ceiling_g))
+                            .and(extra(done))
+                            .key("direction_deg", direction_deg)
+                            .key("reason", reason)
+                    })
             })
-        })
-    });
+        });
     table(rows)
 }
 
@@ -59,9 +81,18 @@ pub fn urs_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> 
     by_object(study, result, |done| {
         let uplift = done.map(|(uplift, _)| uplift);
         Facts::default()
-            .key("peak_rotation_rad", uplift.map(|uplift| uplift.rocking.peak_rotation_rad))
-            .key("impact_count", uplift.map(|uplift| uplift.rocking.impact_count))
-            .key("impact_omega_rad_s", uplift.map(UpliftCell::impact_omega_rad_s))
+            .key(
+                "peak_rotation_rad",
+                uplift.map(|uplift| uplift.rocking.peak_rotation_rad),
+            )
+            .key(
+                "impact_count",
+                uplift.map(|uplift| uplift.rocking.impact_count),
+            )
+            .key(
+                "impact_omega_rad_s",
+                uplift.map(UpliftCell::impact_omega_rad_s),
+            )
     })
 }
 
@@ -77,9 +108,16 @@ pub fn srs_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> 
 }
 
 /// The quantiles of one value, under the names of [`QUANTILES`].
-fn quantiles<'a>(row: Facts<'a>, names: [&'static str; 3], values: Option<[Ranked; 3]>) -> Facts<'a> {
+fn quantiles<'a>(
+    row: Facts<'a>,
+    names: [&'static str; 3],
+    values: Option<[Ranked; 3]>,
+) -> Facts<'a> {
     let values = values.unwrap_or([Ranked::NoData; 3]);
-    names.into_iter().zip(values).fold(row, |row, (name, value)| row.key(name, value))
+    names
+        .into_iter()
+        .zip(values)
+        .fold(row, |row, (name, value)| row.key(name, value))
 }
 
 /// `statistics.csv`: quantiles over all motions, one row for each level and object.
@@ -88,29 +126,44 @@ fn quantiles<'a>(row: Facts<'a>, names: [&'static str; 3], values: Option<[Ranke
 /// None in practice: rows are of one length and memory does not fail.
 pub fn statistics_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> {
     let rows = result.levels.iter().flat_map(|level| {
-        study.objects.blocks.iter().zip(&level.statistics).map(|(block, statistics)| {
-            let s = statistics.as_ref();
-            let row = Facts::default()
-                .key("level", level.level.name.as_str())
-                .key("height_m", block.height_m())
-                .key("thickness_m", block.thickness_m())
-                .key("motions", s.map_or(0, |s| s.motions))
-                .key("uplift_share", s.map(|s| s.uplift_share))
-                .key("overturned_share", s.map(|s| s.overturned_share));
-            let names = ["uplift_m_p16", "uplift_m_median", "uplift_m_p84"];
-            let row = quantiles(row, names, s.map(|s| s.uplift_m));
-            let names = ["edge_acceleration_g_p16", "edge_acceleration_g_median", "edge_acceleration_g_p84"];
-            let row = quantiles(row, names, s.map(|s| s.edge_acceleration_g));
-            let names = [
-                "edge_acceleration_impact_velocity_g_p16",
-                "edge_acceleration_impact_velocity_g_median",
-                "edge_acceleration_impact_velocity_g_p84",
-            ];
-            quantiles(row, names, s.map(|s| s.edge_acceleration_impact_velocity_g))
-                .key("edge_acceleration_g_median_of_survivors", s.and_then(|s| s.edge_acceleration_survivors_g))
-                .key("edge_acceleration_g_max_of_survivors", s.and_then(|s| s.edge_acceleration_max_g))
-                .key("ceiling_g", s.map(|s| s.ceiling_g))
-        })
+        study
+            .objects
+            .blocks
+            .iter()
+            .zip(&level.statistics)
+            .map(|(block, statistics)| {
+                let s = statistics.as_ref();
+                let row = Facts::default()
+                    .key("level", level.level.name.as_str())
+                    .key("height_m", block.height_m())
+                    .key("thickness_m", block.thickness_m())
+                    .key("motions", s.map_or(0, |s| s.motions))
+                    .key("uplift_share", s.map(|s| s.uplift_share))
+                    .key("overturned_share", s.map(|s| s.overturned_share));
+                let names = ["uplift_m_p16", "uplift_m_median", "uplift_m_p84"];
+                let row = quantiles(row, names, s.map(|s| s.uplift_m));
+                let names = [
+                    "edge_acceleration_g_p16",
+                    "edge_acceleration_g_median",
+                    "edge_acceleration_g_p84",
+                ];
+                let row = quantiles(row, names, s.map(|s| s.edge_acceleration_g));
+                let names = [
+                    "edge_acceleration_impact_velocity_g_p16",
+                    "edge_acceleration_impact_velocity_g_median",
+                    "edge_acceleration_impact_velocity_g_p84",
+                ];
+                quantiles(row, names, s.map(|s| s.edge_acceleration_impact_velocity_g))
+                    .key(
+                        "edge_acceleration_g_median_of_survivors",
+                        s.and_then(|s| s.edge_acceleration_survivors_g),
+                    )
+                    .key(
+                        "edge_acceleration_g_max_of_survivors",
+                        s.and_then(|s| s.edge_acceleration_max_g),
+                    )
+                    .key("ceiling_g", s.map(|s| s.ceiling_g))
+            })
     });
     table(rows)
 }
@@ -122,16 +175,41 @@ pub fn statistics_table(study: &Study, result: &StudyResult) -> Result<Table, Pr
 /// None in practice: rows are of one length and memory does not fail.
 pub fn profile_table(study: &Study, profile: &FloorProfile) -> Result<Table, Problem> {
     let height_m = study.building.as_ref().map(|building| building.height_m);
-    let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
-        let of_level = |peaks: &[Vec<f64>]| {
-            let mut of_level: Vec<f64> = peaks.iter().filter_map(|motion| motion.get(level)).copied().collect();
-            Some(QUANTILES.map(|quantile| ranked_quantile(&mut of_level, quantile)))
-        };
-        let row = Facts::default().key("level_ratio", ratio).key("height_m", height_m.map(|height_m| ratio * height_m));
-        let row = quantiles(row, ["pfa_g_p16", "pfa_g_median", "pfa_g_p84"], of_level(&profile.pfa_g));
-        let row = quantiles(row, ["pfv_m_s_p16", "pfv_m_s_median", "pfv_m_s_p84"], of_level(&profile.pfv_m_s));
-        row.key("code_part_g", profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied())
-    });
+    let rows = profile
+        .levels_ratio
+        .iter()
+        .enumerate()
+        .map(|(level, &ratio)| {
+            let of_level = |peaks: &[Vec<f64>]| {
+                let mut of_level: Vec<f64> = peaks
+                    .iter()
+                    .filter_map(|motion| motion.get(level))
+                    .copied()
+                    .collect();
+                Some(QUANTILES.map(|quantile| ranked_quantile(&mut of_level, quantile)))
+            };
+            let row = Facts::default()
+                .key("level_ratio", ratio)
+                .key("height_m", height_m.map(|height_m| ratio * height_m));
+            let row = quantiles(
+                row,
+                ["pfa_g_p16", "pfa_g_median", "pfa_g_p84"],
+                of_level(&profile.pfa_g),
+            );
+            let row = quantiles(
+                row,
+                ["pfv_m_s_p16", "pfv_m_s_median", "pfv_m_s_p84"],
+                of_level(&profile.pfv_m_s),
+            );
+            row.key(
+                "code_part_g",
+                profile
+                    .code
+                    .as_ref()
+                    .and_then(|code| code.accel_g.get(level))
+                    .copied(),
+            )
+        });
     table(rows)
 }
 
@@ -149,12 +227,29 @@ mod tests {
         }
         let values = [0.0, 1.0, -1e-300, 0.1, 1e22];
         let expected = b"x\n0\n1\n-1e-300\n0.1\n1e22\n";
-        assert_eq!(table_of_records(&values.map(|x| Row { x })).unwrap().as_ref(), expected);
-        assert_eq!(table_of_columns(&[("x", &values)]).unwrap().as_ref(), expected);
-        assert_eq!(table([Facts::default().key("x", Ranked::Value(1e-300))]).unwrap().as_ref(), b"x\n1e-300\n");
+        assert_eq!(
+            table_of_records(&values.map(|x| Row { x }))
+                .unwrap()
+                .as_ref(),
+            expected
+        );
+        assert_eq!(
+            table_of_columns(&[("x", &values)]).unwrap().as_ref(),
+            expected
+        );
+        assert_eq!(
+            table([Facts::default().key("x", Ranked::Value(1e-300))])
+                .unwrap()
+                .as_ref(),
+            b"x\n1e-300\n"
+        );
         let study = crate::fixture::study();
         let mut result = crate::fixture::result(&study);
-        for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {
+        for response in result
+            .levels
+            .iter_mut()
+            .flat_map(|level| level.responses.iter_mut().flatten())
+        {
             if let ObjectResponse::Done { uplift, shock, .. } = response {
                 uplift.rocking.uplift_m = 1e-300;
                 uplift.rocking.cg_rise_m = 1e-300;
@@ -163,9 +258,15 @@ mod tests {
                 shock.ceiling_g = 1e-300;
             }
         }
-        for table in [urs_table(&study, &result).unwrap(), srs_table(&study, &result).unwrap()] {
+        for table in [
+            urs_table(&study, &result).unwrap(),
+            srs_table(&study, &result).unwrap(),
+        ] {
             let text = table.to_string();
-            assert!(text.contains(",1e-300,1e-300,1e-300,") && !text.contains(&"0".repeat(20)), "{text:.300}");
+            assert!(
+                text.contains(",1e-300,1e-300,1e-300,") && !text.contains(&"0".repeat(20)),
+                "{text:.300}"
+            );
         }
     }
 }

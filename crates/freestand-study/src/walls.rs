@@ -29,13 +29,21 @@ impl GivenWalls {
     /// # Errors
     /// A height or a restitution without a gap, and values that the solver refuses.
     pub fn walls(&self, block: &Block) -> Result<Walls, Problem> {
-        let Self { left_gap_m, right_gap_m, height_m, restitution_ratio } = *self;
+        let Self {
+            left_gap_m,
+            right_gap_m,
+            height_m,
+            restitution_ratio,
+        } = *self;
         let wall = |gap_m: f64| Wall {
             gap_m,
             height_m,
             restitution_ratio: restitution_ratio.unwrap_or(DEFAULT_WALL_RESTITUTION_RATIO),
         };
-        let walls = Walls { left: left_gap_m.map(wall), right: right_gap_m.map(wall) };
+        let walls = Walls {
+            left: left_gap_m.map(wall),
+            right: right_gap_m.map(wall),
+        };
         if walls.is_none() && (height_m.is_some() || restitution_ratio.is_some()) {
             return Err(needs_a_gap());
         }
@@ -47,12 +55,14 @@ impl GivenWalls {
 /// A wall that cannot be used, with what to do about it.
 pub fn wall_problem(error: WallError) -> Problem {
     let (key, hint) = match error {
-        WallError::Gap { .. } => {
-            ("wall_gap_left", "give a gap of 0 (touching) or more, or leave it out where there is no wall")
-        }
-        WallError::Height { .. } => {
-            ("wall_height", "give a positive `wall_height`, or leave it out for a wall taller than the object")
-        }
+        WallError::Gap { .. } => (
+            "wall_gap_left",
+            "give a gap of 0 (touching) or more, or leave it out where there is no wall",
+        ),
+        WallError::Height { .. } => (
+            "wall_height",
+            "give a positive `wall_height`, or leave it out for a wall taller than the object",
+        ),
         WallError::Restitution { .. } => (
             "wall_restitution",
             "give a `wall_restitution` of 0 or more and less than 1; 0.5 is the most of a passive wall",
@@ -86,7 +96,11 @@ impl WallStiffness {
 }
 
 /// What a history says about walls.
-pub(crate) fn wall_facts(block: &Block, rocking: &Rocking, stiffness: WallStiffness) -> Facts<'static> {
+pub(crate) fn wall_facts(
+    block: &Block,
+    rocking: &Rocking,
+    stiffness: WallStiffness,
+) -> Facts<'static> {
     let [right, left] = rocking.contacts;
     let shocks = WallShock::of_sides(block, rocking.contacts);
     let impact = |impact: &WallImpact| {
@@ -96,28 +110,58 @@ pub(crate) fn wall_facts(block: &Block, rocking: &Rocking, stiffness: WallStiffn
             .key("side", impact.side.name())
             .and(facts!(impact; omega_before_rad_s, omega_after_rad_s))
             .key("speed_m_s", shock.map(|shock| shock.speed_m_s(omega)))
-            .key("acceleration_g", shock.and_then(|shock| stiffness.acceleration_g(shock, omega)))
+            .key(
+                "acceleration_g",
+                shock.and_then(|shock| stiffness.acceleration_g(shock, omega)),
+            )
     };
     let impulse = |mass_kg: f64| {
         let of = |shock: &WallShock, omega: f64| shock.impulse_n_s(omega, mass_kg);
         largest(shocks, rocking.sides, of)
     };
     // Without a wall these are for programs only.
-    let count_label = if right.or(left).is_some() { "impacts on walls" } else { "" };
-    let leans = if rocking.leaning { "leans on a wall" } else { "" };
+    let count_label = if right.or(left).is_some() {
+        "impacts on walls"
+    } else {
+        ""
+    };
+    let leans = if rocking.leaning {
+        "leans on a wall"
+    } else {
+        ""
+    };
     let angle = |contact: Option<Contact>| contact.map(|contact| contact.angle_rad);
     Facts::default()
-        .fact("wall_angle_left_rad", "touches the left wall at", angle(left))
-        .fact("wall_angle_right_rad", "touches the right wall at", angle(right))
+        .fact(
+            "wall_angle_left_rad",
+            "touches the left wall at",
+            angle(left),
+        )
+        .fact(
+            "wall_angle_right_rad",
+            "touches the right wall at",
+            angle(right),
+        )
         .fact("wall_impact_count", count_label, rocking.wall_impacts.len())
-        .key("wall_impacts", rocking.wall_impacts.iter().map(impact).collect::<Vec<_>>())
-        .fact("wall_speed_max_m_s", "  largest speed", speed_m_s(block, rocking.contacts, rocking.sides))
+        .key(
+            "wall_impacts",
+            rocking.wall_impacts.iter().map(impact).collect::<Vec<_>>(),
+        )
+        .fact(
+            "wall_speed_max_m_s",
+            "  largest speed",
+            speed_m_s(block, rocking.contacts, rocking.sides),
+        )
         .fact(
             "wall_acceleration_g",
             "  shock at the point of contact",
             acceleration_g(block, rocking.contacts, rocking.sides, stiffness),
         )
-        .fact("wall_impulse_max_n_s", "  largest impulse", stiffness.mass_kg.and_then(impulse))
+        .fact(
+            "wall_impulse_max_n_s",
+            "  largest impulse",
+            stiffness.mass_kg.and_then(impulse),
+        )
         .fact("leaning", leans, rocking.leaning)
 }
 
@@ -126,8 +170,18 @@ pub(crate) fn wall_facts(block: &Block, rocking: &Rocking, stiffness: WallStiffn
 pub(crate) fn doubts(block: &Block, walls: &Walls, contacts: [Option<Contact>; 2]) -> Vec<String> {
     let [right, left] = contacts;
     let sides = [
-        ("left", walls.left, left, block.pivot().slenderness_angle_rad),
-        ("right", walls.right, right, block.right_pivot().slenderness_angle_rad),
+        (
+            "left",
+            walls.left,
+            left,
+            block.pivot().slenderness_angle_rad,
+        ),
+        (
+            "right",
+            walls.right,
+            right,
+            block.right_pivot().slenderness_angle_rad,
+        ),
     ];
     let doubt = |(side, wall, contact, balance_rad): (&str, Option<Wall>, Option<Contact>, f64)| {
         let gap_m = wall?.gap_m;
@@ -152,8 +206,16 @@ pub(crate) fn doubts(block: &Block, walls: &Walls, contacts: [Option<Contact>; 2
 }
 
 /// The largest speed of an impact on a wall; `None` without one.
-pub(crate) fn speed_m_s(block: &Block, contacts: [Option<Contact>; 2], sides: [SideExtremes; 2]) -> Option<f64> {
-    largest(WallShock::of_sides(block, contacts), sides, WallShock::speed_m_s)
+pub(crate) fn speed_m_s(
+    block: &Block,
+    contacts: [Option<Contact>; 2],
+    sides: [SideExtremes; 2],
+) -> Option<f64> {
+    largest(
+        WallShock::of_sides(block, contacts),
+        sides,
+        WallShock::speed_m_s,
+    )
 }
 
 /// The largest shock of an impact on a wall \[g\]; `None` without one, or without mass and
@@ -165,7 +227,9 @@ pub(crate) fn acceleration_g(
     stiffness: WallStiffness,
 ) -> Option<f64> {
     let (mass_kg, stiffness_n_m) = stiffness.mass_kg.zip(stiffness.stiffness_n_m)?;
-    let of = |shock: &WallShock, omega: f64| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m) / G0_M_S2;
+    let of = |shock: &WallShock, omega: f64| {
+        shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m) / G0_M_S2
+    };
     largest(WallShock::of_sides(block, contacts), sides, of)
 }
 
@@ -178,15 +242,26 @@ mod tests {
     fn walls_that_hold_nothing_are_said() {
         let block = Block::uniform(2.0, 0.4).unwrap();
         let doubts = |left_gap_m, height_m| {
-            let walls = GivenWalls { left_gap_m: Some(left_gap_m), height_m, ..GivenWalls::default() };
+            let walls = GivenWalls {
+                left_gap_m: Some(left_gap_m),
+                height_m,
+                ..GivenWalls::default()
+            };
             let walls = walls.walls(&block).unwrap();
             doubts(&block, &walls, walls.contacts(&block).unwrap())
         };
-        assert!(doubts(12.0, None)[0].contains("the wall on the left is 12 m away"), "{:?}", doubts(12.0, None));
+        assert!(
+            doubts(12.0, None)[0].contains("the wall on the left is 12 m away"),
+            "{:?}",
+            doubts(12.0, None)
+        );
         assert!(doubts(2.0, None)[0].contains("no wall within reach"));
         // asin(0.5/2) = 0.253 > atan(0.4/2) = 0.197; atan(0.01/0.005) = 1.107.
         assert!(doubts(0.5, None)[0].contains("at 0.253 rad, past its balance point at 0.197 rad"));
         assert!(doubts(0.01, Some(0.005))[0].contains("at 1.11 rad, past its balance point"));
-        assert_eq!((doubts(0.3, None), doubts(0.0, None)), (Vec::new(), Vec::new()));
+        assert_eq!(
+            (doubts(0.3, None), doubts(0.0, None)),
+            (Vec::new(), Vec::new())
+        );
     }
 }

@@ -9,7 +9,8 @@
 #![expect(clippy::print_stdout, reason = "the result is what it prints")]
 
 use freestand::fragility::{
-    FitKind, LimitState, OutcomeClass, Outcomes, Run, bootstrap, draw_stream, fit_curves, lognormal_draw,
+    FitKind, LimitState, OutcomeClass, Outcomes, Run, bootstrap, draw_stream, fit_curves,
+    lognormal_draw,
 };
 
 const BETA: f64 = 0.4;
@@ -33,19 +34,37 @@ fn main() {
                     } else {
                         OutcomeClass::NoUplift
                     };
-                    runs.push(Run { motion: Some(motion), intensity, class, weight: 1.0 });
+                    runs.push(Run {
+                        motion: Some(motion),
+                        intensity,
+                        class,
+                        weight: 1.0,
+                    });
                 }
             }
-            let Ok(outcomes) = Outcomes::new(&runs) else { continue };
-            let states = [LimitState::Exceeds, LimitState::Overturns];
-            if fit_curves(&outcomes, &states, FitKind::Ordered).fitted_states().len() < 2 {
-                continue;
-            }
-            let Some(samples) = bootstrap(&outcomes, &states, FitKind::Ordered, (400, survey), &|| true) else {
+            let Ok(outcomes) = Outcomes::new(&runs) else {
                 continue;
             };
-            let Some(interval) = samples.interval(LimitState::Overturns) else { continue };
-            let holds = |(low, high): (f64, f64), truth: f64| u32::from(low <= truth && truth <= high);
+            let states = [LimitState::Exceeds, LimitState::Overturns];
+            if fit_curves(&outcomes, &states, FitKind::Ordered)
+                .fitted_states()
+                .len()
+                < 2
+            {
+                continue;
+            }
+            let Some(samples) =
+                bootstrap(&outcomes, &states, FitKind::Ordered, (400, survey), &|| {
+                    true
+                })
+            else {
+                continue;
+            };
+            let Some(interval) = samples.interval(LimitState::Overturns) else {
+                continue;
+            };
+            let holds =
+                |(low, high): (f64, f64), truth: f64| u32::from(low <= truth && truth <= high);
             fitted += 1;
             failed += samples.failed;
             median_holds += holds(interval.median, 1.0);
@@ -53,6 +72,10 @@ fn main() {
         }
         let share = |holds: u32| 100.0 * f64::from(holds) / f64::from(fitted);
         let failed = 100.0 * failed as f64 / (400.0 * f64::from(fitted));
-        println!("{motions:>7}  {:>4.1} %  {:>4.1} %  {failed:.2} %", share(median_holds), share(beta_holds));
+        println!(
+            "{motions:>7}  {:>4.1} %  {:>4.1} %  {failed:.2} %",
+            share(median_holds),
+            share(beta_holds)
+        );
     }
 }

@@ -26,7 +26,11 @@ pub enum DamageBoundaryError {
 }
 
 fn positive(what: &'static str, value: f64) -> Result<f64, DamageBoundaryError> {
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(DamageBoundaryError::NotPositive { what, value }) }
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(DamageBoundaryError::NotPositive { what, value })
+    }
 }
 
 /// The velocity change, divided by the critical one, at which a test for the critical acceleration
@@ -50,7 +54,10 @@ impl DamageBoundary {
     /// assert!((boundary.demand_ratio(a, dv) - 0.37 / 0.6).abs() < 1e-15);
     /// # Ok::<(), freestand::damage_boundary::DamageBoundaryError>(())
     /// ```
-    pub fn new(acceleration_m_s2: f64, velocity_change_m_s: f64) -> Result<Self, DamageBoundaryError> {
+    pub fn new(
+        acceleration_m_s2: f64,
+        velocity_change_m_s: f64,
+    ) -> Result<Self, DamageBoundaryError> {
         Ok(Self {
             acceleration_m_s2: positive("critical acceleration in m/s²", acceleration_m_s2)?,
             velocity_change_m_s: positive("critical velocity change in m/s", velocity_change_m_s)?,
@@ -70,7 +77,8 @@ impl DamageBoundary {
     /// Demand/capacity, min(A/A_c, Δv/V_c): both must be exceeded, so a value of 1 or less is safe
     /// (the rectangular corner of ASTM D3332).
     pub fn demand_ratio(&self, acceleration_m_s2: f64, velocity_change_m_s: f64) -> f64 {
-        (acceleration_m_s2 / self.acceleration_m_s2).min(velocity_change_m_s / self.velocity_change_m_s)
+        (acceleration_m_s2 / self.acceleration_m_s2)
+            .min(velocity_change_m_s / self.velocity_change_m_s)
     }
 
     /// The peak above which a shock with this velocity change causes damage \[m/s²\], with the
@@ -104,7 +112,11 @@ impl DamageBoundary {
         let (mut low, mut high) = (0.0, FRAC_PI_2);
         for _ in 0..60 {
             let x = 0.5 * (low + high);
-            if x.sin() * ratio > x { low = x } else { high = x }
+            if x.sin() * ratio > x {
+                low = x
+            } else {
+                high = x
+            }
         }
         Some(self.acceleration_m_s2 * ratio / low.max(f64::MIN_POSITIVE)).filter(|a| a.is_finite())
     }
@@ -129,7 +141,10 @@ impl DamageBoundary {
     /// assert!((boundary.acceleration_m_s2() / 9.80665 - 20.0).abs() < 1e-12);
     /// # Ok::<(), freestand::damage_boundary::DamageBoundaryError>(())
     /// ```
-    pub fn of_component(frequency_hz: f64, capacity_m_s2: f64) -> Result<Self, DamageBoundaryError> {
+    pub fn of_component(
+        frequency_hz: f64,
+        capacity_m_s2: f64,
+    ) -> Result<Self, DamageBoundaryError> {
         let frequency_hz = positive("frequency in Hz", frequency_hz)?;
         let capacity_m_s2 = positive("capacity in m/s²", capacity_m_s2)?;
         Self::new(0.5 * capacity_m_s2, capacity_m_s2 / (TAU * frequency_hz))
@@ -168,17 +183,22 @@ mod tests {
         let (g, a_c) = (9.80665, 40.0 * 9.80665);
         let boundary = DamageBoundary::of_component(100.0, a_c).unwrap();
         for (ratio, expected) in [(1.05, 0.97509), (1.2, 0.58437), (1.4, 0.50998)] {
-            let a = boundary.knee_acceleration_m_s2(ratio * boundary.velocity_change_m_s()).unwrap();
+            let a = boundary
+                .knee_acceleration_m_s2(ratio * boundary.velocity_change_m_s())
+                .unwrap();
             assert!((a / a_c - expected).abs() < 5.1e-6, "{ratio}: {}", a / a_c);
             // The equation itself.
-            let left = 2.0 * a * (TAU * 100.0 * ratio * boundary.velocity_change_m_s() / (2.0 * a)).sin();
+            let left =
+                2.0 * a * (TAU * 100.0 * ratio * boundary.velocity_change_m_s() / (2.0 * a)).sin();
             assert!((left / a_c - 1.0).abs() < 1e-13);
         }
         let knee_m_s = KNEE_RATIO * boundary.velocity_change_m_s();
         // a_c/(4f) = 0.980665, within half a unit of the printed digits.
         assert!((knee_m_s - 0.98067).abs() < 5.1e-6);
         assert_eq!(boundary.knee_acceleration_m_s2(knee_m_s), Some(20.0 * g));
-        let before = boundary.knee_acceleration_m_s2(knee_m_s * (1.0 - 1e-9)).unwrap();
+        let before = boundary
+            .knee_acceleration_m_s2(knee_m_s * (1.0 - 1e-9))
+            .unwrap();
         assert!((before / (20.0 * g) - 1.0).abs() < 1e-8);
     }
 
@@ -190,7 +210,11 @@ mod tests {
         assert!((a * 6e-6f64.sqrt() - 1.0).abs() < 1e-5, "{a}");
         assert_eq!(boundary.knee_acceleration_m_s2(1.0), None);
         assert_eq!(boundary.knee_acceleration_m_s2(f64::NAN), None);
-        assert!(boundary.knee_acceleration_m_s2(1.0 + f64::EPSILON).is_none_or(f64::is_finite));
+        assert!(
+            boundary
+                .knee_acceleration_m_s2(1.0 + f64::EPSILON)
+                .is_none_or(f64::is_finite)
+        );
     }
 
     /// Both must be exceeded: either may be exceeded alone.
@@ -200,7 +224,10 @@ mod tests {
         assert_eq!(boundary.demand_ratio(2000.0, 0.4), 0.8);
         assert_eq!(boundary.demand_ratio(100.0, 5.0), 0.5);
         assert_eq!(boundary.demand_ratio(400.0, 0.75), 1.5);
-        assert!(DamageBoundary::new(0.0, 1.0).is_err() && DamageBoundary::new(1.0, f64::INFINITY).is_err());
+        assert!(
+            DamageBoundary::new(0.0, 1.0).is_err()
+                && DamageBoundary::new(1.0, f64::INFINITY).is_err()
+        );
         assert!(DamageBoundary::of_component(-1.0, 1.0).is_err());
     }
 
@@ -208,8 +235,13 @@ mod tests {
     /// changes it by 1e-8.
     #[test]
     fn half_sine_floor() {
-        let largest = (8000..8200).map(|i| half_sine_maximax_ratio(1e-4 * f64::from(i))).fold(0.0, f64::max);
-        assert!((largest - HALF_SINE_LARGEST_RATIO).abs() < 2e-8, "{largest}");
+        let largest = (8000..8200)
+            .map(|i| half_sine_maximax_ratio(1e-4 * f64::from(i)))
+            .fold(0.0, f64::max);
+        assert!(
+            (largest - HALF_SINE_LARGEST_RATIO).abs() < 2e-8,
+            "{largest}"
+        );
         assert!((half_sine_floor_m_s2(1.0) - 0.56546).abs() < 5e-6);
     }
 }

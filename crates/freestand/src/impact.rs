@@ -48,7 +48,9 @@ pub struct Landing {
 pub enum LandingError {
     /// The gap is wider than the object is high, so that the falling object does not reach the
     /// obstacle.
-    #[error("the obstacle is {gap_m} m away and the object is {height_m} m high, so the object cannot reach it")]
+    #[error(
+        "the obstacle is {gap_m} m away and the object is {height_m} m high, so the object cannot reach it"
+    )]
     OutOfReach {
         /// Distance to the obstacle \[m\].
         gap_m: f64,
@@ -83,16 +85,30 @@ impl Landing {
     /// [`Landing::model`].
     pub fn rocking(block: &Block, model: ImpactModel) -> Self {
         let r_d = block.landing_ratio();
-        let model = if model == ImpactModel::Paper && r_d < 0.0 { ImpactModel::Halted } else { model };
+        let model = if model == ImpactModel::Paper && r_d < 0.0 {
+            ImpactModel::Halted
+        } else {
+            model
+        };
         let (pivot, d) = (block.pivot(), block.base_width_m());
         let effective_mass_ratio = match model {
             ImpactModel::Paper => {
-                (pivot.inertia_per_mass_m2 - block.right_pivot().inertia_per_mass_m2 * r_d * r_d) / (d * d)
+                (pivot.inertia_per_mass_m2 - block.right_pivot().inertia_per_mass_m2 * r_d * r_d)
+                    / (d * d)
             }
             ImpactModel::Halted => pivot.inertia_per_mass_m2 / (d * d),
-            ImpactModel::FreeCorner => 1.0 / (1.0 + (block.cg_from_right_m() / block.gyration_radius_m()).powi(2)),
+            ImpactModel::FreeCorner => {
+                1.0 / (1.0 + (block.cg_from_right_m() / block.gyration_radius_m()).powi(2))
+            }
         };
-        Self { model, pivot, contact_distance_m: d, effective_mass_ratio, fall_from_balance_m: None, block: *block }
+        Self {
+            model,
+            pivot,
+            contact_distance_m: d,
+            effective_mass_ratio,
+            fall_from_balance_m: None,
+            block: *block,
+        }
     }
 
     /// The object falls over onto the floor, Fig. 1(a): halted, with d = h.
@@ -104,7 +120,8 @@ impl Landing {
         let pivot = block.pivot();
         // When the object lies on its side, its centre of gravity is as far from the floor as it
         // was from that side.
-        let lying_m = 0.5 * block.thickness_m() - 0.5 * block.base_width_m() + block.cg_from_left_m();
+        let lying_m =
+            0.5 * block.thickness_m() - 0.5 * block.base_width_m() + block.cg_from_left_m();
         Self::halted_at(block, block.height_m(), pivot.half_diagonal_m - lying_m)
     }
 
@@ -131,7 +148,11 @@ impl Landing {
         };
         let pivot = block.pivot();
         let beyond = contact_rotation_rad - pivot.slenderness_angle_rad;
-        let mut landing = Self::halted_at(block, d, 2.0 * pivot.half_diagonal_m * (0.5 * beyond).sin().powi(2));
+        let mut landing = Self::halted_at(
+            block,
+            d,
+            2.0 * pivot.half_diagonal_m * (0.5 * beyond).sin().powi(2),
+        );
         if beyond < 0.0 {
             landing.fall_from_balance_m = None;
         }
@@ -155,7 +176,8 @@ impl Landing {
     ///
     /// It may also be applied to a *measured* drop acceleration (same mass, same rise).
     pub fn amplification_ratio(&self) -> f64 {
-        self.contact_distance_m / (self.pivot.inertia_per_mass_m2 * self.effective_mass_ratio).sqrt()
+        self.contact_distance_m
+            / (self.pivot.inertia_per_mass_m2 * self.effective_mass_ratio).sqrt()
     }
 
     /// ω₁ after a fall of the centre of gravity by `cg_rise_m`: √(2 m g Δh/I) \[rad/s\].
@@ -189,7 +211,13 @@ impl Landing {
     /// assert!((shock.edge_acceleration_m_s2 / 9.81 - 4.526).abs() < 5e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn impact(&self, mass_kg: f64, cushion: &Cushion, cg_rise_m: f64, gravity_m_s2: f64) -> Impact {
+    pub fn impact(
+        &self,
+        mass_kg: f64,
+        cushion: &Cushion,
+        cg_rise_m: f64,
+        gravity_m_s2: f64,
+    ) -> Impact {
         let m_eff = self.effective_mass_ratio * mass_kg;
         let edge_velocity_m_s = self.edge_velocity_m_s(cg_rise_m, gravity_m_s2);
         let contact = cushion.land(m_eff, edge_velocity_m_s);
@@ -206,7 +234,13 @@ impl Landing {
     }
 
     /// Only a_edge of [`Landing::impact`], which takes less work \[m/s²\].
-    pub fn edge_acceleration_m_s2(&self, mass_kg: f64, cushion: &Cushion, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
+    pub fn edge_acceleration_m_s2(
+        &self,
+        mass_kg: f64,
+        cushion: &Cushion,
+        cg_rise_m: f64,
+        gravity_m_s2: f64,
+    ) -> f64 {
         let m_eff = self.effective_mass_ratio * mass_kg;
         cushion.peak_force_n(m_eff, self.edge_velocity_m_s(cg_rise_m, gravity_m_s2)) / m_eff
     }
@@ -219,14 +253,26 @@ impl Landing {
 
     /// The shock of this landing at an angular velocity ω₁, the `impact-velocity` source:
     /// [`Landing::impact`] at the rise with the same energy.
-    pub fn impact_at_omega(&self, mass_kg: f64, cushion: &Cushion, omega_rad_s: f64, gravity_m_s2: f64) -> Impact {
+    pub fn impact_at_omega(
+        &self,
+        mass_kg: f64,
+        cushion: &Cushion,
+        omega_rad_s: f64,
+        gravity_m_s2: f64,
+    ) -> Impact {
         let rise_m = self.equivalent_rise_m(omega_rad_s, gravity_m_s2);
         self.impact(mass_kg, cushion, rise_m, gravity_m_s2)
     }
 
     /// The largest stiffness of a spring that keeps a_edge at or below `tolerance_m_s2` for this
     /// rise: m_eff (a/v)² \[N/m\].
-    pub fn max_stiffness_n_m(&self, mass_kg: f64, cg_rise_m: f64, gravity_m_s2: f64, tolerance_m_s2: f64) -> f64 {
+    pub fn max_stiffness_n_m(
+        &self,
+        mass_kg: f64,
+        cg_rise_m: f64,
+        gravity_m_s2: f64,
+        tolerance_m_s2: f64,
+    ) -> f64 {
         let v = self.edge_velocity_m_s(cg_rise_m, gravity_m_s2);
         self.effective_mass_ratio * mass_kg * (tolerance_m_s2 / v).powi(2)
     }
@@ -252,7 +298,10 @@ impl Landing {
             ImpactModel::FreeCorner => {
                 let lever = self.block.cg_from_right_m() / self.block.gyration_radius_m().powi(2);
                 let at = |x: f64| 1.0 + lever * (x - self.block.cg_from_left_m());
-                (lever * (z_m - self.block.cg_height_m()) / at(d), at(x_m) / at(d))
+                (
+                    lever * (z_m - self.block.cg_height_m()) / at(d),
+                    at(x_m) / at(d),
+                )
             }
         }
     }
@@ -359,18 +408,27 @@ pub enum ValidityWarning {
 
 /// Checks of the stiffness: the weight alone compresses the pad completely, or no cushion is that
 /// soft.
-pub fn stiffness_warnings(mass_kg: f64, cushion: &Cushion, pad_thickness_m: Option<f64>) -> Vec<ValidityWarning> {
+pub fn stiffness_warnings(
+    mass_kg: f64,
+    cushion: &Cushion,
+    pad_thickness_m: Option<f64>,
+) -> Vec<ValidityWarning> {
     let limit_mm = 1e3 * pad_thickness_m.unwrap_or(ASSUMED_PAD_THICKNESS_M);
     let compression_m = cushion.static_compression_m(mass_kg * crate::G0_M_S2);
     let compression_mm = 1e3 * compression_m;
     let mut warnings = Vec::new();
     if compression_mm > limit_mm {
-        warnings.push(ValidityWarning::StaticCompression { compression_mm, limit_mm });
+        warnings.push(ValidityWarning::StaticCompression {
+            compression_mm,
+            limit_mm,
+        });
     }
     // The stiffness of a curved law is taken as its secant under the weight.
     let stiffness_n_m = mass_kg * crate::G0_M_S2 / compression_m;
     if stiffness_n_m < SUSPICIOUS_STIFFNESS_N_M && !cushion.is_curved() {
-        warnings.push(ValidityWarning::LowStiffness { stiffness_n_mm: 1e-3 * stiffness_n_m });
+        warnings.push(ValidityWarning::LowStiffness {
+            stiffness_n_mm: 1e-3 * stiffness_n_m,
+        });
     }
     warnings
 }
@@ -397,19 +455,33 @@ pub fn compression_warnings(
         let compression_mm = 1e3 * layer_m;
         match law {
             ContactLaw::Tangent { bottoming_m, .. } => (layer_m > BOTTOMED_SHARE * bottoming_m)
-                .then_some(ValidityWarning::Bottomed { compression_mm, bottoming_mm: 1e3 * bottoming_m }),
+                .then_some(ValidityWarning::Bottomed {
+                    compression_mm,
+                    bottoming_mm: 1e3 * bottoming_m,
+                }),
             ContactLaw::Tabulated { compressions_m, .. } => compressions_m
                 .last()
                 .is_some_and(|&last_m| layer_m > last_m)
                 .then_some(ValidityWarning::BeyondTable { compression_mm }),
-            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } if *exponent > 1.0 => {
-                (layer_m > HALF_SPACE_SHARE * limit_m)
-                    .then_some(ValidityWarning::HalfSpace { compression_mm, limit_mm })
+            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. }
+                if *exponent > 1.0 =>
+            {
+                (layer_m > HALF_SPACE_SHARE * limit_m).then_some(ValidityWarning::HalfSpace {
+                    compression_mm,
+                    limit_mm,
+                })
             }
-            _ => (layer_m > LINEAR_SHARE * limit_m).then_some(ValidityWarning::Bottoming { compression_mm, limit_mm }),
+            _ => (layer_m > LINEAR_SHARE * limit_m).then_some(ValidityWarning::Bottoming {
+                compression_mm,
+                limit_mm,
+            }),
         }
     };
-    cushion.layers_at(compression_m).into_iter().filter_map(warning).collect()
+    cushion
+        .layers_at(compression_m)
+        .into_iter()
+        .filter_map(warning)
+        .collect()
 }
 
 /// The coefficient of friction below which the landing edge slips in an impact: the ratio of the
@@ -425,7 +497,8 @@ pub fn compression_warnings(
 /// # Ok::<(), freestand::block::BlockError>(())
 /// ```
 pub fn impact_friction_needed_ratio(block: &Block, restitution: f64) -> f64 {
-    block.cg_height_m() * (1.0 - restitution) / (block.cg_from_left_m() + restitution * block.cg_from_right_m())
+    block.cg_height_m() * (1.0 - restitution)
+        / (block.cg_from_left_m() + restitution * block.cg_from_right_m())
 }
 
 #[cfg(test)]
@@ -451,9 +524,11 @@ mod tests {
             (1.0, 0.9608, 0.7500, 1.1456),
             (2.0, 1.5492, 1.5000, 1.9365),
         ] {
-            for (model, expected) in
-                [(ImpactModel::Paper, paper), (ImpactModel::Halted, halted), (ImpactModel::FreeCorner, free)]
-            {
+            for (model, expected) in [
+                (ImpactModel::Paper, paper),
+                (ImpactModel::Halted, halted),
+                (ImpactModel::FreeCorner, free),
+            ] {
                 let got = Landing::rocking(&block_with(x), model).amplification_ratio();
                 assert!((got - expected).abs() < 5.1e-5, "{model:?} at {x}: {got}");
             }
@@ -469,7 +544,12 @@ mod tests {
             let r_d = 1.0 - 0.375 * x;
             let a = (2.0 * 1e6 * 9.80665 * 0.01 / 100.0f64).sqrt();
             let eq5 = 0.75 / (1.0 - r_d * r_d).sqrt() * x * a;
-            let got = Landing::rocking(&block, ImpactModel::Paper).impact(100.0, &spring(1e6), 0.01, 9.80665);
+            let got = Landing::rocking(&block, ImpactModel::Paper).impact(
+                100.0,
+                &spring(1e6),
+                0.01,
+                9.80665,
+            );
             assert!((got.edge_acceleration_m_s2 / eq5 - 1.0).abs() < 1e-13);
             assert!((got.drop_acceleration_m_s2 / a - 1.0).abs() < 1e-13);
             // Δv = 2AT/π of a half-sine is 2 v.
@@ -485,14 +565,26 @@ mod tests {
     fn a_curved_law_is_not_put_into_equation_5() {
         let landing = Landing::rocking(&Block::uniform(2.3, 0.6).unwrap(), ImpactModel::Paper);
         for (exponent, more) in [(1.0, 0.0), (1.5, 0.1857), (2.5, 0.4406)] {
-            let law = ContactLaw::Power { coefficient_n_mn: 3e8, exponent };
+            let law = ContactLaw::Power {
+                coefficient_n_mn: 3e8,
+                exponent,
+            };
             let impact = landing.impact(140.0, &Cushion::new(law).unwrap(), 0.016, 9.81);
-            let (v, m_eff) = (impact.edge_velocity_m_s, 140.0 * landing.effective_mass_ratio);
+            let (v, m_eff) = (
+                impact.edge_velocity_m_s,
+                140.0 * landing.effective_mass_ratio,
+            );
             // K dⁿ at the energy of m_eff.
             let d = (0.5 * (exponent + 1.0) * m_eff * v * v / 3e8).powf(1.0 / (exponent + 1.0));
-            assert!((impact.edge_acceleration_m_s2 * m_eff / (3e8 * d.powf(exponent)) - 1.0).abs() < 1e-12);
+            assert!(
+                (impact.edge_acceleration_m_s2 * m_eff / (3e8 * d.powf(exponent)) - 1.0).abs()
+                    < 1e-12
+            );
             let wrong = landing.amplification_ratio() * impact.drop_acceleration_m_s2;
-            assert!((wrong / impact.edge_acceleration_m_s2 - 1.0 - more).abs() < 5e-5, "{exponent}");
+            assert!(
+                (wrong / impact.edge_acceleration_m_s2 - 1.0 - more).abs() < 5e-5,
+                "{exponent}"
+            );
         }
     }
 
@@ -505,21 +597,55 @@ mod tests {
             let impact = landing.impact(140.0, &cushion, 0.03, 9.81);
             compression_warnings(impact.compression_m, &cushion, Some(0.02))
         };
-        let hertz = |coefficient_n_mn| ContactLaw::Power { coefficient_n_mn, exponent: 1.5 };
-        assert!(warnings(ContactLaw::Linear { stiffness_n_m: 4.38e6 }).is_empty());
-        assert!(matches!(warnings(ContactLaw::Linear { stiffness_n_m: 1e5 })[..], [ValidityWarning::Bottoming { .. }]));
+        let hertz = |coefficient_n_mn| ContactLaw::Power {
+            coefficient_n_mn,
+            exponent: 1.5,
+        };
+        assert!(
+            warnings(ContactLaw::Linear {
+                stiffness_n_m: 4.38e6
+            })
+            .is_empty()
+        );
+        assert!(matches!(
+            warnings(ContactLaw::Linear { stiffness_n_m: 1e5 })[..],
+            [ValidityWarning::Bottoming { .. }]
+        ));
         assert!(warnings(hertz(1e9)).is_empty());
-        assert!(matches!(warnings(hertz(2e6))[..], [ValidityWarning::HalfSpace { .. }]));
-        let tangent = ContactLaw::Tangent { stiffness_n_m: 4e5, bottoming_m: 4e-3 };
-        assert!(matches!(warnings(tangent)[..], [ValidityWarning::Bottomed { .. }]));
-        let table = ContactLaw::Tabulated { compressions_m: vec![0.0, 1e-3], forces_n: vec![0.0, 4.38e3] };
-        assert!(matches!(warnings(table)[..], [ValidityWarning::BeyondTable { .. }]));
+        assert!(matches!(
+            warnings(hertz(2e6))[..],
+            [ValidityWarning::HalfSpace { .. }]
+        ));
+        let tangent = ContactLaw::Tangent {
+            stiffness_n_m: 4e5,
+            bottoming_m: 4e-3,
+        };
+        assert!(matches!(
+            warnings(tangent)[..],
+            [ValidityWarning::Bottomed { .. }]
+        ));
+        let table = ContactLaw::Tabulated {
+            compressions_m: vec![0.0, 1e-3],
+            forces_n: vec![0.0, 4.38e3],
+        };
+        assert!(matches!(
+            warnings(table)[..],
+            [ValidityWarning::BeyondTable { .. }]
+        ));
         // The pad of two layers is the one that bottoms, not the leg.
-        let layers =
-            [ContactLaw::Tangent { stiffness_n_m: 4e5, bottoming_m: 3e-3 }, ContactLaw::Linear { stiffness_n_m: 9e6 }];
+        let layers = [
+            ContactLaw::Tangent {
+                stiffness_n_m: 4e5,
+                bottoming_m: 3e-3,
+            },
+            ContactLaw::Linear { stiffness_n_m: 9e6 },
+        ];
         let layers = layers.map(|law| Cushion::new(law).unwrap());
         let both = Cushion::in_series(&layers).unwrap();
-        assert!(matches!(warnings(both.law().clone())[..], [ValidityWarning::Bottomed { .. }]));
+        assert!(matches!(
+            warnings(both.law().clone())[..],
+            [ValidityWarning::Bottomed { .. }]
+        ));
     }
 
     #[test]
@@ -532,7 +658,9 @@ mod tests {
     fn largest_stiffness_gives_the_tolerance_back() {
         let landing = Landing::rocking(&Block::uniform(2.3, 0.6).unwrap(), ImpactModel::Paper);
         let k = landing.max_stiffness_n_m(140.0, 0.02, 9.81, 30.0);
-        let a = landing.impact(140.0, &spring(k), 0.02, 9.81).edge_acceleration_m_s2;
+        let a = landing
+            .impact(140.0, &spring(k), 0.02, 9.81)
+            .edge_acceleration_m_s2;
         assert!((a / 30.0 - 1.0).abs() < 1e-13);
     }
 
@@ -548,7 +676,9 @@ mod tests {
         let wall = Landing::overturning_onto_obstacle(&block, 1.0, None).unwrap();
         let theta_c = 0.5f64.asin();
         let alpha = block.pivot().slenderness_angle_rad;
-        assert!((wall.fall_from_balance_m.unwrap() - r * (1.0 - (theta_c - alpha).cos())).abs() < 1e-14);
+        assert!(
+            (wall.fall_from_balance_m.unwrap() - r * (1.0 - (theta_c - alpha).cos())).abs() < 1e-14
+        );
         let bench = Landing::overturning_onto_obstacle(&block, 0.6, Some(0.8)).unwrap();
         assert!((bench.contact_distance_m - 1.0).abs() < 1e-15);
         assert!((0.6f64.atan2(0.8) - alpha) > 0.0 && bench.fall_from_balance_m.unwrap() > 0.0);
@@ -564,7 +694,10 @@ mod tests {
         let rocking = Landing::rocking(&block, ImpactModel::Paper);
         assert_eq!(rocking.shock_share_at(0.5, 0.0), (0.0, 1.0));
         assert!((rocking.shock_share_at(0.0, 0.0).1 - block.landing_ratio()).abs() < 1e-15);
-        assert!((rocking.shock_share_at(0.0, 2.0).0 - (1.0 - block.landing_ratio()) * 4.0).abs() < 1e-14);
+        assert!(
+            (rocking.shock_share_at(0.0, 2.0).0 - (1.0 - block.landing_ratio()) * 4.0).abs()
+                < 1e-14
+        );
         let halted = Landing::rocking(&block, ImpactModel::Halted);
         assert_eq!(halted.shock_share_at(0.5, 2.0), (4.0, 1.0));
         let free = Landing::rocking(&block, ImpactModel::FreeCorner);

@@ -17,7 +17,9 @@ pub const DAMPING_RATIO: f64 = 0.05;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OscillatorError {
     /// The circular frequency is not positive, or so large that its square is not finite.
-    #[error("the circular frequency must be positive and its square finite, not {omega_rad_s} rad/s")]
+    #[error(
+        "the circular frequency must be positive and its square finite, not {omega_rad_s} rad/s"
+    )]
     Frequency {
         /// The frequency that was given.
         omega_rad_s: f64,
@@ -137,7 +139,9 @@ impl OscillatorStep {
     pub fn advance(&self, state: OscillatorState, a0_m_s2: f64, a1_m_s2: f64) -> OscillatorState {
         let (u, v) = (state.displacement_m, state.velocity_m_s);
         OscillatorState {
-            displacement_m: self.u_u * u + self.u_v * v + (self.u_a0 * a0_m_s2 + self.u_a1 * a1_m_s2),
+            displacement_m: self.u_u * u
+                + self.u_v * v
+                + (self.u_a0 * a0_m_s2 + self.u_a1 * a1_m_s2),
             velocity_m_s: self.v_u * u + self.v_v * v + (self.v_a0 * a0_m_s2 + self.v_a1 * a1_m_s2),
         }
     }
@@ -158,7 +162,11 @@ struct Kernel {
 
 fn kernel(omega: f64, zeta: f64, dt: f64) -> Kernel {
     let x = omega * dt;
-    if x < SERIES_BELOW { kernel_series(x, zeta, dt) } else { kernel_closed(omega, zeta, dt) }
+    if x < SERIES_BELOW {
+        kernel_series(x, zeta, dt)
+    } else {
+        kernel_closed(omega, zeta, dt)
+    }
 }
 
 /// Σ c_k x^k/(k+n)! times dt^n, with c the Taylor coefficients of h: c₀ = 1, c₁ = −2ζ, c_{k+1} =
@@ -175,7 +183,11 @@ fn kernel_series(x: f64, zeta: f64, dt: f64) -> Kernel {
         (before, c) = (c, -2.0 * zeta * c - before);
         term *= x / (n + 2.0);
     }
-    Kernel { h: dt * h, s1: dt * dt * s1, s2: dt * dt * dt * s2 }
+    Kernel {
+        h: dt * h,
+        s1: dt * dt * s1,
+        s2: dt * dt * dt * s2,
+    }
 }
 
 /// From integrating the equation of h once and twice; it divides by ω² and is therefore not used
@@ -192,7 +204,11 @@ fn kernel_closed(omega: f64, zeta: f64, dt: f64) -> Kernel {
 }
 
 pub(crate) fn check_damping(damping_ratio: f64) -> Result<(), OscillatorError> {
-    if (0.0..1.0).contains(&damping_ratio) { Ok(()) } else { Err(OscillatorError::Damping { damping_ratio }) }
+    if (0.0..1.0).contains(&damping_ratio) {
+        Ok(())
+    } else {
+        Err(OscillatorError::Damping { damping_ratio })
+    }
 }
 
 /// Absolute acceleration of an oscillator at every sample of `motion`, from rest at t = 0 \[m/s²\].
@@ -232,7 +248,11 @@ pub fn absolute_acceleration_history_m_s2(
     Ok(history)
 }
 
-pub(crate) fn step_of_period(period_s: f64, damping_ratio: f64, dt_s: f64) -> Result<OscillatorStep, OscillatorError> {
+pub(crate) fn step_of_period(
+    period_s: f64,
+    damping_ratio: f64,
+    dt_s: f64,
+) -> Result<OscillatorStep, OscillatorError> {
     match OscillatorStep::new(TAU / period_s, damping_ratio, dt_s) {
         Err(OscillatorError::Frequency { .. }) => Err(OscillatorError::Period { period_s }),
         other => other,
@@ -291,15 +311,29 @@ pub fn response_spectrum(
     let (mut sd_m, mut sa_m_s2) = (Vec::new(), Vec::new());
     bank.peaks::<true>(motion.accel_m_s2(), &mut sd_m, &mut sa_m_s2);
     let omega = |period_s: f64| if period_s > 0.0 { TAU / period_s } else { 0.0 };
-    let psv_m_s: Vec<f64> = periods_s.iter().zip(&sd_m).map(|(&t, sd)| omega(t) * sd).collect();
-    let mut psa_m_s2: Vec<f64> = periods_s.iter().zip(&psv_m_s).map(|(&t, psv)| omega(t) * psv).collect();
+    let psv_m_s: Vec<f64> = periods_s
+        .iter()
+        .zip(&sd_m)
+        .map(|(&t, sd)| omega(t) * sd)
+        .collect();
+    let mut psa_m_s2: Vec<f64> = periods_s
+        .iter()
+        .zip(&psv_m_s)
+        .map(|(&t, psv)| omega(t) * psv)
+        .collect();
     for (i, &period_s) in periods_s.iter().enumerate() {
         if period_s == 0.0 {
             psa_m_s2[i] = motion.peak_m_s2();
             sa_m_s2[i] = motion.peak_m_s2();
         }
     }
-    Ok(ResponseSpectrum { periods_s: periods_s.to_vec(), sd_m, psv_m_s, psa_m_s2, sa_m_s2 })
+    Ok(ResponseSpectrum {
+        periods_s: periods_s.to_vec(),
+        sd_m,
+        psv_m_s,
+        psa_m_s2,
+        sa_m_s2,
+    })
 }
 
 /// Number of oscillators that are calculated together: enough independent chains to hide the
@@ -330,23 +364,37 @@ pub(crate) struct OscillatorBank {
 
 impl OscillatorBank {
     /// An oscillator with a period of 0 gets a lane that stays at rest.
-    pub(crate) fn new(periods_s: &[f64], damping_ratio: f64, dt_s: f64) -> Result<Self, OscillatorError> {
+    pub(crate) fn new(
+        periods_s: &[f64],
+        damping_ratio: f64,
+        dt_s: f64,
+    ) -> Result<Self, OscillatorError> {
         check_damping(damping_ratio)?;
         let steps = periods_s
             .iter()
-            .map(
-                |&period_s| {
-                    if period_s == 0.0 { Ok(None) } else { step_of_period(period_s, damping_ratio, dt_s).map(Some) }
-                },
-            )
+            .map(|&period_s| {
+                if period_s == 0.0 {
+                    Ok(None)
+                } else {
+                    step_of_period(period_s, damping_ratio, dt_s).map(Some)
+                }
+            })
             .collect::<Result<Vec<_>, _>>()?;
         let groups = steps.chunks(LANES).map(LaneGroup::new).collect();
-        Ok(Self { groups, count: periods_s.len() })
+        Ok(Self {
+            groups,
+            count: periods_s.len(),
+        })
     }
 
     /// Writes max|u| \[m\] and, if `ABSOLUTE`, max|ü + a| \[m/s²\] (otherwise zeros) of every
     /// oscillator, from rest at t = 0.
-    pub(crate) fn peaks<const ABSOLUTE: bool>(&self, accel_m_s2: &[f64], sd_m: &mut Vec<f64>, sa_m_s2: &mut Vec<f64>) {
+    pub(crate) fn peaks<const ABSOLUTE: bool>(
+        &self,
+        accel_m_s2: &[f64],
+        sd_m: &mut Vec<f64>,
+        sa_m_s2: &mut Vec<f64>,
+    ) {
         sd_m.clear();
         sa_m_s2.clear();
         let widest = pulp::Arch::new();
@@ -392,8 +440,12 @@ impl LaneGroup {
         for pair in accel_m_s2.windows(2) {
             let (a0, a1) = (pair[0], pair[1]);
             for i in 0..LANES {
-                let u1 = self.u_u[i] * u[i] + self.u_v[i] * v[i] + (self.u_a0[i] * a0 + self.u_a1[i] * a1);
-                let v1 = self.v_u[i] * u[i] + self.v_v[i] * v[i] + (self.v_a0[i] * a0 + self.v_a1[i] * a1);
+                let u1 = self.u_u[i] * u[i]
+                    + self.u_v[i] * v[i]
+                    + (self.u_a0[i] * a0 + self.u_a1[i] * a1);
+                let v1 = self.v_u[i] * u[i]
+                    + self.v_v[i] * v[i]
+                    + (self.v_a0[i] * a0 + self.v_a1[i] * a1);
                 u[i] = u1;
                 v[i] = v1;
                 // Not f64::max: its handling of NaN prevents vectorisation.
@@ -424,8 +476,8 @@ mod tests {
         let decay = (-zeta * omega * t).exp();
         let (sin, cos) = (omega_d * t).sin_cos();
         let to_step = 1.0 - decay * (cos + zeta * omega / omega_d * sin);
-        let to_ramp =
-            t - 2.0 * zeta / omega + decay * (2.0 * zeta / omega * cos + (2.0 * zeta * zeta - 1.0) / omega_d * sin);
+        let to_ramp = t - 2.0 * zeta / omega
+            + decay * (2.0 * zeta / omega * cos + (2.0 * zeta * zeta - 1.0) / omega_d * sin);
         -(step * to_step + ramp * to_ramp) / (omega * omega)
     }
 
@@ -443,8 +495,12 @@ mod tests {
                     // Rounding: the argument of the sine, up to ω t = 2e6 and therefore wrong by
                     // 2e6 ε = 5e-10, times the size of the response, 2·3/ω²; plus 200 steps of a
                     // few ε.
-                    let tolerance = 6.0 / (omega * omega) * (1e-12 + 4.0 * omega * t * f64::EPSILON);
-                    assert!((state.displacement_m - want).abs() < tolerance, "x {x}, zeta {zeta}, k {k}");
+                    let tolerance =
+                        6.0 / (omega * omega) * (1e-12 + 4.0 * omega * t * f64::EPSILON);
+                    assert!(
+                        (state.displacement_m - want).abs() < tolerance,
+                        "x {x}, zeta {zeta}, k {k}"
+                    );
                 }
             }
         }
@@ -484,15 +540,21 @@ mod tests {
                 let omega = x / DT_S;
                 let omega_d = omega * (1.0 - zeta * zeta).sqrt();
                 let step = OscillatorStep::new(omega, zeta, DT_S).unwrap();
-                let mut state = OscillatorState { displacement_m: 0.3, velocity_m_s: 0.2 * omega };
+                let mut state = OscillatorState {
+                    displacement_m: 0.3,
+                    velocity_m_s: 0.2 * omega,
+                };
                 for k in 1..=100 {
                     state = step.advance(state, 0.0, 0.0);
                     let t = k as f64 * DT_S;
                     let (sin, cos) = (omega_d * t).sin_cos();
-                    let want =
-                        (-zeta * omega * t).exp() * (0.3 * cos + (0.2 * omega + zeta * omega * 0.3) / omega_d * sin);
+                    let want = (-zeta * omega * t).exp()
+                        * (0.3 * cos + (0.2 * omega + zeta * omega * 0.3) / omega_d * sin);
                     // 100 steps of a few ε; near-critical damping magnifies them by ω/ω_D = 22.
-                    assert!((state.displacement_m - want).abs() < 1e-12, "x {x}, zeta {zeta}, k {k}");
+                    assert!(
+                        (state.displacement_m - want).abs() < 1e-12,
+                        "x {x}, zeta {zeta}, k {k}"
+                    );
                 }
             }
         }
@@ -501,10 +563,16 @@ mod tests {
     #[test]
     fn both_branches_of_the_kernel_agree_where_they_meet() {
         for zeta in ZETA {
-            let (a, b) = (kernel_series(SERIES_BELOW, zeta, DT_S), kernel_closed(SERIES_BELOW / DT_S, zeta, DT_S));
+            let (a, b) = (
+                kernel_series(SERIES_BELOW, zeta, DT_S),
+                kernel_closed(SERIES_BELOW / DT_S, zeta, DT_S),
+            );
             // The closed form loses about 12/(ω dt)³ ≈ 100 ε in S₂; the series loses nothing.
             for (series, closed) in [(a.h, b.h), (a.s1, b.s1), (a.s2, b.s2)] {
-                assert!((series / closed - 1.0).abs() < 300.0 * f64::EPSILON, "zeta {zeta}: {series} {closed}");
+                assert!(
+                    (series / closed - 1.0).abs() < 300.0 * f64::EPSILON,
+                    "zeta {zeta}: {series} {closed}"
+                );
             }
         }
     }
@@ -535,12 +603,19 @@ mod tests {
 
     #[test]
     fn a_period_of_zero_gives_the_pga_and_the_lanes_equal_the_single_oscillator() {
-        let accel: Vec<f64> = (0..400).map(|k| ((k * k % 37) as f64 - 18.0) * 0.1).collect();
+        let accel: Vec<f64> = (0..400)
+            .map(|k| ((k * k % 37) as f64 - 18.0) * 0.1)
+            .collect();
         let motion = Motion::new(0.02, accel).unwrap();
         let periods_s: Vec<f64> = (0..19).map(|i| i as f64 * 0.17).collect();
         let spectrum = response_spectrum(&motion, 0.05, &periods_s).unwrap();
         assert_eq!(
-            (spectrum.sd_m[0], spectrum.psv_m_s[0], spectrum.psa_m_s2[0], spectrum.sa_m_s2[0]),
+            (
+                spectrum.sd_m[0],
+                spectrum.psv_m_s[0],
+                spectrum.psa_m_s2[0],
+                spectrum.sa_m_s2[0]
+            ),
             (0.0, 0.0, motion.peak_m_s2(), motion.peak_m_s2())
         );
         for (i, &period_s) in periods_s.iter().enumerate().skip(1) {
@@ -574,8 +649,14 @@ mod tests {
         }
         for period_s in [-1.0, f64::NAN, f64::INFINITY, 1e-200] {
             let refused = response_spectrum(&motion, 0.05, &[1.0, period_s]);
-            assert!(matches!(refused, Err(OscillatorError::Period { .. })), "{period_s}");
+            assert!(
+                matches!(refused, Err(OscillatorError::Period { .. })),
+                "{period_s}"
+            );
         }
-        assert!(matches!(OscillatorStep::new(1.0, 0.0, 0.0), Err(OscillatorError::TimeStep { .. })));
+        assert!(matches!(
+            OscillatorStep::new(1.0, 0.0, 0.0),
+            Err(OscillatorError::TimeStep { .. })
+        ));
     }
 }

@@ -8,7 +8,11 @@ pub(crate) fn bisect(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> boo
         if middle <= low || middle >= high {
             return high;
         }
-        if is_beyond(middle) { high = middle } else { low = middle }
+        if is_beyond(middle) {
+            high = middle
+        } else {
+            low = middle
+        }
     }
 }
 

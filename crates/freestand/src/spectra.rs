@@ -7,7 +7,9 @@ use crate::G0_M_S2;
 use crate::block::Block;
 use crate::cushion::Cushion;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many};
+use crate::rocking::{
+    Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many,
+};
 
 /// Relative change of the motion in the test for sensitivity.
 pub const PERTURBATION_RATIO: f64 = 1e-6;
@@ -49,8 +51,14 @@ impl ShockCell {
     /// Whether the cushion bottoms so strongly that the shock of an object that does not overturn
     /// is unreliable.
     pub fn is_beyond_numbers(&self) -> bool {
-        let shocks = [self.edge_acceleration_g, self.edge_acceleration_impact_velocity_g];
-        shocks.iter().flatten().any(|shock_g| shock_g.is_nan() || *shock_g > BEYOND_ALL_G)
+        let shocks = [
+            self.edge_acceleration_g,
+            self.edge_acceleration_impact_velocity_g,
+        ];
+        shocks
+            .iter()
+            .flatten()
+            .any(|shock_g| shock_g.is_nan() || *shock_g > BEYOND_ALL_G)
     }
 }
 
@@ -81,7 +89,11 @@ pub fn uplift_spectrum(
     options: &RockingOptions,
 ) -> Vec<Result<UpliftCell, RockingError>> {
     let rocked = rock_many(blocks, base, options);
-    blocks.iter().zip(rocked).map(|(block, rocking)| Ok(UpliftCell::new(*block, rocking?))).collect()
+    blocks
+        .iter()
+        .zip(rocked)
+        .map(|(block, rocking)| Ok(UpliftCell::new(*block, rocking?)))
+        .collect()
 }
 
 /// How much the peak rotations of `cells`, an [`uplift_spectrum`] of the same base and options,
@@ -105,28 +117,55 @@ pub fn uplift_sensitivity(
         let (more, less) = (1.0 + PERTURBATION_RATIO, 1.0 - PERTURBATION_RATIO);
         motion.scaled(more).or_else(|_| motion.scaled(less)).ok()
     });
-    let changed = Base { horizontal: changed.as_ref(), vertical: base.vertical };
+    let changed = Base {
+        horizontal: changed.as_ref(),
+        vertical: base.vertical,
+    };
     let blocks: Vec<Block> = cells.iter().flatten().map(|cell| cell.block).collect();
     let mut again = rock_many(&blocks, changed, options).into_iter();
-    let none = Sensitivity { ratio: None, sensitive: false };
-    let compared = cells.iter().map(|cell| cell.as_ref().ok().and_then(|cell| Some(cell.sensitivity(&again.next()?))));
-    compared.map(|sensitivity| sensitivity.unwrap_or(none)).collect()
+    let none = Sensitivity {
+        ratio: None,
+        sensitive: false,
+    };
+    let compared = cells.iter().map(|cell| {
+        cell.as_ref()
+            .ok()
+            .and_then(|cell| Some(cell.sensitivity(&again.next()?)))
+    });
+    compared
+        .map(|sensitivity| sensitivity.unwrap_or(none))
+        .collect()
 }
 
 impl UpliftCell {
     /// An object and its response: a summary, or the whole history (`&Rocking`).
     pub fn new(block: Block, rocking: impl Into<RockingSummary>) -> Self {
-        Self { block, rocking: rocking.into() }
+        Self {
+            block,
+            rocking: rocking.into(),
+        }
     }
 
     /// The sensitivity, from the response to the changed motion.
     fn sensitivity(&self, changed: &Result<RockingSummary, RockingError>) -> Sensitivity {
-        let Ok(changed) = changed else { return Sensitivity { ratio: None, sensitive: true } };
+        let Ok(changed) = changed else {
+            return Sensitivity {
+                ratio: None,
+                sensitive: true,
+            };
+        };
         if changed.outcome != self.rocking.outcome {
-            return Sensitivity { ratio: None, sensitive: true };
+            return Sensitivity {
+                ratio: None,
+                sensitive: true,
+            };
         }
         let amplified = |number: f64, changed: f64, of: f64| {
-            if number == changed { 0.0 } else { (changed - number).abs() / of / PERTURBATION_RATIO }
+            if number == changed {
+                0.0
+            } else {
+                (changed - number).abs() / of / PERTURBATION_RATIO
+            }
         };
         let fastest = self.impact_omega_rad_s();
         let (mut lower, mut speed) = (0.0_f64, 0.0_f64);
@@ -136,10 +175,16 @@ impl UpliftCell {
             speed = speed.max(amplified(omega, changed.impact_omega_rad_s, fastest));
         }
         match self.rocking.outcome {
-            Outcome::NoUplift => Sensitivity { ratio: None, sensitive: false },
+            Outcome::NoUplift => Sensitivity {
+                ratio: None,
+                sensitive: false,
+            },
             // Only the rocking before remains to compare: where an error has become visible in it,
             // the overturning is in doubt.
-            Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
+            Outcome::Overturned => Sensitivity {
+                ratio: None,
+                sensitive: lower.max(speed) > DOUBTFUL_RATIO,
+            },
             Outcome::Rocked | Outcome::Leaned | Outcome::Unresolved => {
                 let peak = self.rocking.peak_rotation_rad;
                 let ratio = amplified(peak, changed.peak_rotation_rad, peak);
@@ -155,24 +200,39 @@ impl UpliftCell {
 
     /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
     pub fn impact_omega_rad_s(&self) -> f64 {
-        self.rocking.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
+        self.rocking
+            .sides
+            .iter()
+            .fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
     }
 
     /// The shock on a cushion (everything under the landing edge): the larger of the shocks of the
     /// landings from the two edges, which are equal unless the centre of gravity is off-centre.
-    pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
+    pub fn shock(
+        &self,
+        mass_kg: f64,
+        cushion: &Cushion,
+        model: ImpactModel,
+        gravity_m_s2: f64,
+    ) -> ShockCell {
         let upright = !self.rocking.outcome.has_fallen();
         let landings = landings(&self.block, model);
         let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
-            let shocks = landings.iter().zip(self.rocking.sides).map(|(landing, side)| {
-                let rise_m = rise_m(landing, side);
-                landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, gravity_m_s2) / G0_M_S2
-            });
+            let shocks = landings
+                .iter()
+                .zip(self.rocking.sides)
+                .map(|(landing, side)| {
+                    let rise_m = rise_m(landing, side);
+                    landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, gravity_m_s2) / G0_M_S2
+                });
             shocks.fold(0.0, f64::max)
         };
-        let uplift = |landing: &Landing, side: SideExtremes| landing.pivot.largest_rise_m(side.peak_rotation_rad);
-        let velocity =
-            |landing: &Landing, side: SideExtremes| landing.equivalent_rise_m(side.impact_omega_rad_s, gravity_m_s2);
+        let uplift = |landing: &Landing, side: SideExtremes| {
+            landing.pivot.largest_rise_m(side.peak_rotation_rad)
+        };
+        let velocity = |landing: &Landing, side: SideExtremes| {
+            landing.equivalent_rise_m(side.impact_omega_rad_s, gravity_m_s2)
+        };
         ShockCell {
             edge_acceleration_g: upright.then(|| largest(&uplift)),
             edge_acceleration_impact_velocity_g: upright.then(|| largest(&velocity)),
@@ -206,7 +266,10 @@ mod tests {
                 let (one, other) = (shock(150.0, 4.38e6), shock(37.0, 9e5));
                 let expected = one * (9e5 / 4.38e6 * 150.0 / 37.0_f64).sqrt();
                 // Rounding of a few operations.
-                assert!((other / expected - 1.0).abs() < 1e-13, "{height_m} {thickness_m}: {other} {expected}");
+                assert!(
+                    (other / expected - 1.0).abs() < 1e-13,
+                    "{height_m} {thickness_m}: {other} {expected}"
+                );
             }
         }
     }
@@ -214,16 +277,30 @@ mod tests {
     /// Known ceilings, for 150 kg on 4380 N/mm.
     #[test]
     fn ceiling_is_the_shock_at_the_balance_point() {
-        for (thickness_m, height_m, expected) in [(0.2, 1.5, 1.45), (0.4, 1.5, 5.72), (0.6, 2.0, 8.32)] {
+        for (thickness_m, height_m, expected) in
+            [(0.2, 1.5, 1.45), (0.4, 1.5, 5.72), (0.6, 2.0, 8.32)]
+        {
             let block = Block::uniform(height_m, thickness_m).unwrap();
             let still = Motion::new(0.01, vec![0.0; 3]).unwrap();
-            let base = Base { horizontal: Some(&still), vertical: None };
+            let base = Base {
+                horizontal: Some(&still),
+                vertical: None,
+            };
             let cells = uplift_spectrum(&[block], base, &RockingOptions::default());
             let cell = cells[0].unwrap();
             assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
-            let shock = cell.shock(150.0, &Cushion::linear(4.38e6).unwrap(), ImpactModel::Paper, G0_M_S2);
+            let shock = cell.shock(
+                150.0,
+                &Cushion::linear(4.38e6).unwrap(),
+                ImpactModel::Paper,
+                G0_M_S2,
+            );
             // Known to two decimals.
-            assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
+            assert!(
+                (shock.ceiling_g - expected).abs() < 5e-3,
+                "{}",
+                shock.ceiling_g
+            );
             assert_eq!(shock.edge_acceleration_g, Some(0.0));
         }
     }
@@ -232,20 +309,33 @@ mod tests {
     fn pulse(amplitude: f64) -> Motion {
         let sample = |i: u32| {
             let t = f64::from(i) * 0.01;
-            if t < 0.4 { amplitude * G0_M_S2 * (std::f64::consts::TAU * t / 0.4).sin() } else { 0.0 }
+            if t < 0.4 {
+                amplitude * G0_M_S2 * (std::f64::consts::TAU * t / 0.4).sin()
+            } else {
+                0.0
+            }
         };
         Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
     }
 
     fn settled() -> RockingOptions {
-        RockingOptions { until: Until::Settled { at_most_s: 120.0 }, ..RockingOptions::default() }
+        RockingOptions {
+            until: Until::Settled { at_most_s: 120.0 },
+            ..RockingOptions::default()
+        }
     }
 
     fn under_pulse(amplitude: f64) -> (Outcome, Sensitivity) {
         let (motion, options) = (pulse(amplitude), settled());
-        let base = Base { horizontal: Some(&motion), vertical: None };
+        let base = Base {
+            horizontal: Some(&motion),
+            vertical: None,
+        };
         let cells = uplift_spectrum(&[Block::uniform(1.5, 0.4).unwrap()], base, &options);
-        (cells[0].unwrap().rocking.outcome, uplift_sensitivity(&cells, base, &options)[0])
+        (
+            cells[0].unwrap().rocking.outcome,
+            uplift_sensitivity(&cells, base, &options)[0],
+        )
     }
 
     /// Close to overturning the block lingers at the balance point: α − θ is proportional to the
@@ -258,7 +348,11 @@ mod tests {
         assert_eq!(under_pulse(falls).0, Outcome::Overturned);
         while falls - upright > 1e-9 {
             let middle = 0.5 * (upright + falls);
-            if under_pulse(middle).0 == Outcome::Overturned { falls = middle } else { upright = middle }
+            if under_pulse(middle).0 == Outcome::Overturned {
+                falls = middle
+            } else {
+                upright = middle
+            }
         }
         let ratio = |missing: f64| {
             let (outcome, sensitivity) = under_pulse(upright * (1.0 - missing));
@@ -268,10 +362,22 @@ mod tests {
         let (near, nearer) = (ratio(1e-4), ratio(1e-5));
         assert!(near.1 && near.0 > SENSITIVE_RATIO && nearer.1, "{near:?}");
         // √10 = 3.16; the change itself is a twentieth of that distance, which changes the slope.
-        assert!((2.8..3.6).contains(&(nearer.0 / near.0)), "{near:?} {nearer:?}");
+        assert!(
+            (2.8..3.6).contains(&(nearer.0 / near.0)),
+            "{near:?} {nearer:?}"
+        );
         // A millionth more overturns it.
         let edge = under_pulse(upright * (1.0 - 0.5 * PERTURBATION_RATIO));
-        assert_eq!(edge, (Outcome::Rocked, Sensitivity { ratio: None, sensitive: true }));
+        assert_eq!(
+            edge,
+            (
+                Outcome::Rocked,
+                Sensitivity {
+                    ratio: None,
+                    sensitive: true
+                }
+            )
+        );
     }
 
     #[test]
@@ -284,7 +390,10 @@ mod tests {
             !sensitivity.sensitive && (1.0..SENSITIVE_RATIO).contains(&sensitivity.ratio.unwrap()),
             "{sensitivity:?}"
         );
-        let quiet = Sensitivity { ratio: None, sensitive: false };
+        let quiet = Sensitivity {
+            ratio: None,
+            sensitive: false,
+        };
         assert_eq!(under_pulse(0.2), (Outcome::NoUplift, quiet));
         assert_eq!(under_pulse(5.0), (Outcome::Overturned, quiet));
     }
@@ -293,13 +402,29 @@ mod tests {
     #[test]
     fn sensitivities_stay_beside_their_cells() {
         let motion = pulse(0.6);
-        let (base, options) = (Base { horizontal: Some(&motion), vertical: None }, RockingOptions::default());
+        let (base, options) = (
+            Base {
+                horizontal: Some(&motion),
+                vertical: None,
+            },
+            RockingOptions::default(),
+        );
         let block = Block::uniform(1.5, 0.4).unwrap();
         let mut cells = uplift_spectrum(&[block; 3], base, &options);
         let alone = uplift_sensitivity(&cells, base, &options)[0];
         cells[1] = Err(RockingError::FreeFlight { time_s: 0.0 });
         let sensitivities = uplift_sensitivity(&cells, base, &options);
-        assert_eq!(sensitivities, [alone, Sensitivity { ratio: None, sensitive: false }, alone]);
+        assert_eq!(
+            sensitivities,
+            [
+                alone,
+                Sensitivity {
+                    ratio: None,
+                    sensitive: false
+                },
+                alone
+            ]
+        );
     }
 
     /// An overturned object has no shock, and its uplift is the whole width of its base.
@@ -307,10 +432,27 @@ mod tests {
     fn overturned_cells_carry_no_shock() {
         let block = Block::uniform(2.0, 0.2).unwrap();
         let push = Motion::new(0.01, vec![0.5 * G0_M_S2; 400]).unwrap();
-        let base = Base { horizontal: Some(&push), vertical: None };
+        let base = Base {
+            horizontal: Some(&push),
+            vertical: None,
+        };
         let cell = uplift_spectrum(&[block], base, &RockingOptions::default())[0].unwrap();
-        assert_eq!((cell.rocking.outcome, cell.rocking.uplift_m), (Outcome::Overturned, 0.2));
-        let shock = cell.shock(150.0, &Cushion::linear(4.38e6).unwrap(), ImpactModel::Paper, G0_M_S2);
-        assert_eq!((shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g), (None, None));
+        assert_eq!(
+            (cell.rocking.outcome, cell.rocking.uplift_m),
+            (Outcome::Overturned, 0.2)
+        );
+        let shock = cell.shock(
+            150.0,
+            &Cushion::linear(4.38e6).unwrap(),
+            ImpactModel::Paper,
+            G0_M_S2,
+        );
+        assert_eq!(
+            (
+                shock.edge_acceleration_g,
+                shock.edge_acceleration_impact_velocity_g
+            ),
+            (None, None)
+        );
     }
 }

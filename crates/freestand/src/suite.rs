@@ -83,7 +83,9 @@ pub fn suite_periods_s(from_s: f64, to_s: f64) -> Result<Vec<f64>, SuiteError> {
         return Err(SuiteError::Periods { from_s, to_s });
     }
     let last = (SUITE_PERIODS - 1) as f64;
-    Ok((0..SUITE_PERIODS).map(|i| from_s * (to_s / from_s).powf(i as f64 / last)).collect())
+    Ok((0..SUITE_PERIODS)
+        .map(|i| from_s * (to_s / from_s).powf(i as f64 / last))
+        .collect())
 }
 
 /// A record that a suite may use: the spectra of its components.
@@ -113,7 +115,11 @@ impl Candidate {
     pub fn of_motions(components: &[&Motion], periods_s: &[f64]) -> Result<Self, SuiteError> {
         let ln_sa = |motion: &&Motion| -> Result<Vec<f64>, SuiteError> {
             let spectrum = response_spectrum(motion, DAMPING_RATIO, periods_s)?;
-            Ok(spectrum.psa_m_s2.iter().map(|psa| (psa / G0_M_S2).ln()).collect())
+            Ok(spectrum
+                .psa_m_s2
+                .iter()
+                .map(|psa| (psa / G0_M_S2).ln())
+                .collect())
         };
         Self::new(components.iter().map(ln_sa).collect::<Result<_, _>>()?)
     }
@@ -154,7 +160,9 @@ pub struct Suite {
 impl Suite {
     /// The record that a world takes: they are used in turn.
     pub fn record_of(&self, world: u32) -> Option<Chosen> {
-        self.chosen.get((world as usize).checked_rem(self.chosen.len())?).copied()
+        self.chosen
+            .get((world as usize).checked_rem(self.chosen.len())?)
+            .copied()
     }
 }
 
@@ -208,7 +216,10 @@ pub fn select_suite(
 ) -> Result<Suite, SuiteError> {
     check(ln_target_sa)?;
     if count < 2 || count > candidates.len() {
-        return Err(SuiteError::Count { count, usable: candidates.len() });
+        return Err(SuiteError::Count {
+            count,
+            usable: candidates.len(),
+        });
     }
     let pool = Pool::new(candidates, ln_target_sa, scale);
     let mut chosen = pool.best_single_fits(count);
@@ -229,7 +240,10 @@ pub fn select_suite(
     chosen.sort_unstable();
     let sums = pool.sums(&chosen);
     let ln_common = sums.ln_common(scale);
-    let of = |&candidate: &usize| Chosen { candidate, factor: (pool.ln_factors[candidate] + ln_common).exp() };
+    let of = |&candidate: &usize| Chosen {
+        candidate,
+        factor: (pool.ln_factors[candidate] + ln_common).exp(),
+    };
     Ok(Suite {
         chosen: chosen.iter().map(of).collect(),
         mean_ln_ratio: sums.moments().map(|(mean, _)| mean + ln_common).collect(),
@@ -258,18 +272,32 @@ fn mean_of(components: &[Vec<f64>]) -> f64 {
 
 impl Pool {
     fn new(candidates: &[Candidate], ln_target_sa: &[f64], scale: SuiteScale) -> Self {
-        let relative = |one: &Vec<f64>| one.iter().zip(ln_target_sa).map(|(ln, target)| ln - target).collect();
-        let mut ln_ratios: Vec<Vec<Vec<f64>>> =
-            candidates.iter().map(|candidate| candidate.ln_sa.iter().map(relative).collect()).collect();
+        let relative = |one: &Vec<f64>| {
+            one.iter()
+                .zip(ln_target_sa)
+                .map(|(ln, target)| ln - target)
+                .collect()
+        };
+        let mut ln_ratios: Vec<Vec<Vec<f64>>> = candidates
+            .iter()
+            .map(|candidate| candidate.ln_sa.iter().map(relative).collect())
+            .collect();
         let own = |components: &Vec<Vec<f64>>| match scale {
             SuiteScale::Each => limited(-mean_of(components)),
             SuiteScale::One => 0.0,
         };
         let ln_factors: Vec<f64> = ln_ratios.iter().map(own).collect();
         for (components, ln_factor) in ln_ratios.iter_mut().zip(&ln_factors) {
-            components.iter_mut().flatten().for_each(|ln| *ln += ln_factor);
+            components
+                .iter_mut()
+                .flatten()
+                .for_each(|ln| *ln += ln_factor);
         }
-        Self { scale, ln_factors, ln_ratios }
+        Self {
+            scale,
+            ln_factors,
+            ln_ratios,
+        }
     }
 
     /// The records with the smallest mean squares by themselves; with one factor for all, that of
@@ -278,7 +306,12 @@ impl Pool {
         let all: Vec<usize> = (0..self.ln_ratios.len()).collect();
         let ln_common = self.sums(&all).ln_common(self.scale);
         let misfit = |components: &Vec<Vec<f64>>| {
-            components.iter().flatten().map(|ln| (ln + ln_common).powi(2)).sum::<f64>() / components.len() as f64
+            components
+                .iter()
+                .flatten()
+                .map(|ln| (ln + ln_common).powi(2))
+                .sum::<f64>()
+                / components.len() as f64
         };
         let misfits: Vec<f64> = self.ln_ratios.iter().map(misfit).collect();
         let mut order = all;
@@ -289,17 +322,29 @@ impl Pool {
 
     fn sums(&self, chosen: &[usize]) -> Sums {
         let mut sums = Sums::default();
-        chosen.iter().for_each(|&candidate| sums.add(&self.ln_ratios[candidate]));
+        chosen
+            .iter()
+            .for_each(|&candidate| sums.add(&self.ln_ratios[candidate]));
         sums
     }
 
     /// The candidate that, in this place, lowers the misfit most, and the misfit with it.
     fn best_at(&self, place: usize, chosen: &[usize], misfit: f64) -> Option<(usize, f64)> {
-        let rest: Vec<usize> = chosen.iter().enumerate().filter(|(i, _)| *i != place).map(|(_, &one)| one).collect();
+        let rest: Vec<usize> = chosen
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| *i != place)
+            .map(|(_, &one)| one)
+            .collect();
         let without = self.sums(&rest);
         let mut best = None;
         let mut least = misfit * (1.0 - BETTER_BY_RATIO);
-        for (candidate, components) in self.ln_ratios.iter().enumerate().filter(|(i, _)| !chosen.contains(i)) {
+        for (candidate, components) in self
+            .ln_ratios
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !chosen.contains(i))
+        {
             let mut with = without.clone();
             with.add(components);
             let lower = with.misfit(self.scale);
@@ -321,7 +366,11 @@ struct Sums {
 
 impl Default for Sums {
     fn default() -> Self {
-        Self { components: 0.0, sum: [0.0; SUITE_PERIODS], squares: [0.0; SUITE_PERIODS] }
+        Self {
+            components: 0.0,
+            sum: [0.0; SUITE_PERIODS],
+            squares: [0.0; SUITE_PERIODS],
+        }
     }
 }
 
@@ -340,7 +389,10 @@ impl Sums {
     fn moments(&self) -> impl Iterator<Item = (f64, f64)> {
         self.sum.iter().zip(&self.squares).map(|(sum, squares)| {
             let mean = sum / self.components;
-            (mean, ((squares - sum * mean).max(0.0) / (self.components - 1.0)).sqrt())
+            (
+                mean,
+                ((squares - sum * mean).max(0.0) / (self.components - 1.0)).sqrt(),
+            )
         })
     }
 
@@ -348,13 +400,17 @@ impl Sums {
     fn ln_common(&self, scale: SuiteScale) -> f64 {
         match scale {
             SuiteScale::Each => 0.0,
-            SuiteScale::One => limited(-self.sum.iter().sum::<f64>() / (self.components * SUITE_PERIODS as f64)),
+            SuiteScale::One => {
+                limited(-self.sum.iter().sum::<f64>() / (self.components * SUITE_PERIODS as f64))
+            }
         }
     }
 
     fn misfit(&self, scale: SuiteScale) -> f64 {
         let (ln_common, dispersion) = (self.ln_common(scale), scale.dispersion());
-        self.moments().map(|(mean, sd)| (mean + ln_common).powi(2) + (sd - dispersion).powi(2)).sum()
+        self.moments()
+            .map(|(mean, sd)| (mean + ln_common).powi(2) + (sd - dispersion).powi(2))
+            .sum()
     }
 }
 
@@ -365,10 +421,22 @@ mod tests {
 
     /// Pairs with the deviations of worlds, at 30 of the matched periods.
     fn pool(pairs: u32) -> Vec<Candidate> {
-        let spread = GroundSpread::new(SpreadOptions { intensity_spread: 0.3, ..SpreadOptions::default() }).unwrap();
+        let spread = GroundSpread::new(SpreadOptions {
+            intensity_spread: 0.3,
+            ..SpreadOptions::default()
+        })
+        .unwrap();
         let of = |world| {
             let spectra = spread.spectra(11, world, 0);
-            let ln = |ratios: &[f64]| ratios.iter().skip(37).step_by(2).take(SUITE_PERIODS).copied().collect();
+            let ln = |ratios: &[f64]| {
+                ratios
+                    .iter()
+                    .skip(37)
+                    .step_by(2)
+                    .take(SUITE_PERIODS)
+                    .copied()
+                    .collect()
+            };
             Candidate::new(vec![ln(spectra.x.ln_ratios()), ln(spectra.y.ln_ratios())]).unwrap()
         };
         (0..pairs).map(of).collect()
@@ -379,21 +447,48 @@ mod tests {
     }
 
     /// The misfit from the definitions, without sums.
-    fn misfit_of(candidates: &[Candidate], target: &[f64], chosen: &[usize], scale: SuiteScale) -> f64 {
+    fn misfit_of(
+        candidates: &[Candidate],
+        target: &[f64],
+        chosen: &[usize],
+        scale: SuiteScale,
+    ) -> f64 {
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let relative = |ln_sa: &Vec<f64>| ln_sa.iter().zip(target).map(|(a, b)| a - b).collect::<Vec<f64>>();
+        let relative = |ln_sa: &Vec<f64>| {
+            ln_sa
+                .iter()
+                .zip(target)
+                .map(|(a, b)| a - b)
+                .collect::<Vec<f64>>()
+        };
         let mut all: Vec<Vec<f64>> = Vec::new();
         for &candidate in chosen {
-            let components: Vec<Vec<f64>> = candidates[candidate].ln_sa.iter().map(relative).collect();
+            let components: Vec<Vec<f64>> =
+                candidates[candidate].ln_sa.iter().map(relative).collect();
             let factor = mean(&components.concat()).clamp(-(4.0_f64.ln()), 4.0_f64.ln());
-            let shift = if scale == SuiteScale::Each { factor } else { 0.0 };
-            all.extend(components.iter().map(|one| one.iter().map(|ln| ln - shift).collect()));
+            let shift = if scale == SuiteScale::Each {
+                factor
+            } else {
+                0.0
+            };
+            all.extend(
+                components
+                    .iter()
+                    .map(|one| one.iter().map(|ln| ln - shift).collect()),
+            );
         }
-        let common = if scale == SuiteScale::One { mean(&all.concat()) } else { 0.0 };
+        let common = if scale == SuiteScale::One {
+            mean(&all.concat())
+        } else {
+            0.0
+        };
         let at = |i: usize| {
             let values: Vec<f64> = all.iter().map(|one| one[i] - common).collect();
-            let variance =
-                values.iter().map(|ln| (ln - mean(&values)).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
+            let variance = values
+                .iter()
+                .map(|ln| (ln - mean(&values)).powi(2))
+                .sum::<f64>()
+                / (values.len() - 1) as f64;
             mean(&values).powi(2) + (variance.sqrt() - scale.dispersion()).powi(2)
         };
         (0..SUITE_PERIODS).map(at).sum()
@@ -407,21 +502,42 @@ mod tests {
             let chosen: Vec<usize> = suite.chosen.iter().map(|one| one.candidate).collect();
             let misfit = |chosen: &[usize]| misfit_of(&candidates, &target, chosen, scale);
             // Sums of 22 squares round by 1e-14 of the misfit.
-            assert!((misfit(&chosen) / suite.misfit - 1.0).abs() < 1e-11, "{} {suite:?}", misfit(&chosen));
+            assert!(
+                (misfit(&chosen) / suite.misfit - 1.0).abs() < 1e-11,
+                "{} {suite:?}",
+                misfit(&chosen)
+            );
             for place in 0..11 {
                 for other in (0..40).filter(|other| !chosen.contains(other)) {
                     let mut swapped = chosen.clone();
                     swapped[place] = other;
-                    assert!(misfit(&swapped) > suite.misfit * (1.0 - 2.0 * BETTER_BY_RATIO), "{place} {other}");
+                    assert!(
+                        misfit(&swapped) > suite.misfit * (1.0 - 2.0 * BETTER_BY_RATIO),
+                        "{place} {other}"
+                    );
                 }
             }
-            let by_periods: f64 = suite.mean_ln_ratio.iter().map(|mean| mean * mean).sum::<f64>()
-                + suite.sd_ln.iter().map(|sd| (sd - scale.dispersion()).powi(2)).sum::<f64>();
+            let by_periods: f64 = suite
+                .mean_ln_ratio
+                .iter()
+                .map(|mean| mean * mean)
+                .sum::<f64>()
+                + suite
+                    .sd_ln
+                    .iter()
+                    .map(|sd| (sd - scale.dispersion()).powi(2))
+                    .sum::<f64>();
             assert!((by_periods / suite.misfit - 1.0).abs() < 1e-11 && suite.swaps > 0);
             // Better than every one of thirty suites that were not selected.
-            let any =
-                (0..30).map(|first| misfit(&(first..first + 11).collect::<Vec<_>>())).fold(f64::INFINITY, f64::min);
-            println!("{}: misfit {:.3}, {} swaps; not selected {any:.3}", scale.name(), suite.misfit, suite.swaps);
+            let any = (0..30)
+                .map(|first| misfit(&(first..first + 11).collect::<Vec<_>>()))
+                .fold(f64::INFINITY, f64::min);
+            println!(
+                "{}: misfit {:.3}, {} swaps; not selected {any:.3}",
+                scale.name(),
+                suite.misfit,
+                suite.swaps
+            );
             assert!(suite.misfit < 0.5 * any);
         }
     }
@@ -438,7 +554,10 @@ mod tests {
                     all.extend((0..b).map(|c| misfit_of(&candidates, &target, &[a, b, c], scale)));
                 }
             }
-            let better = all.iter().filter(|misfit| **misfit < found.misfit * (1.0 - 1e-9)).count();
+            let better = all
+                .iter()
+                .filter(|misfit| **misfit < found.misfit * (1.0 - 1e-9))
+                .count();
             // A local minimum over 51 swaps is among the best fiftieth.
             assert!(better <= all.len() / 50, "{better}");
         }
@@ -456,10 +575,19 @@ mod tests {
                 assert!((other.factor / one.factor / 1.5 - 1.0).abs() < 1e-12);
             }
             if scale == SuiteScale::One {
-                assert!(here.chosen.iter().all(|one| one.factor == here.chosen[0].factor));
+                assert!(
+                    here.chosen
+                        .iter()
+                        .all(|one| one.factor == here.chosen[0].factor)
+                );
             }
             let far = select_suite(&candidates, &weaker(100.0), 5, scale).unwrap();
-            assert!(far.chosen.iter().all(|one| (one.factor - 4.0).abs() < 1e-12), "{far:?}");
+            assert!(
+                far.chosen
+                    .iter()
+                    .all(|one| (one.factor - 4.0).abs() < 1e-12),
+                "{far:?}"
+            );
             assert!(far.mean_ln_ratio.iter().all(|mean| *mean < -1.0));
         }
         let suite = select_suite(&candidates, &target, 5, SuiteScale::Each).unwrap();
@@ -470,15 +598,36 @@ mod tests {
     fn what_is_not_a_suite_is_refused() {
         let (candidates, target) = (pool(4), target());
         let select = |count| select_suite(&candidates, &target, count, SuiteScale::Each);
-        assert_eq!(select(5), Err(SuiteError::Count { count: 5, usable: 4 }));
-        assert_eq!(select(1), Err(SuiteError::Count { count: 1, usable: 4 }));
+        assert_eq!(
+            select(5),
+            Err(SuiteError::Count {
+                count: 5,
+                usable: 4
+            })
+        );
+        assert_eq!(
+            select(1),
+            Err(SuiteError::Count {
+                count: 1,
+                usable: 4
+            })
+        );
         assert_eq!(select(4).unwrap().swaps, 0);
-        assert_eq!(select_suite(&candidates, &[0.0; 3], 2, SuiteScale::Each), Err(SuiteError::Spectrum));
+        assert_eq!(
+            select_suite(&candidates, &[0.0; 3], 2, SuiteScale::Each),
+            Err(SuiteError::Spectrum)
+        );
         assert_eq!(Candidate::new(vec![]), Err(SuiteError::NoComponents));
-        assert_eq!(Candidate::new(vec![vec![f64::NEG_INFINITY; SUITE_PERIODS]]), Err(SuiteError::Spectrum));
+        assert_eq!(
+            Candidate::new(vec![vec![f64::NEG_INFINITY; SUITE_PERIODS]]),
+            Err(SuiteError::Spectrum)
+        );
         let still = Motion::new(0.01, vec![0.0; 100]).unwrap();
         let periods_s = suite_periods_s(0.2, 3.0).unwrap();
-        assert_eq!(Candidate::of_motions(&[&still], &periods_s), Err(SuiteError::Spectrum));
+        assert_eq!(
+            Candidate::of_motions(&[&still], &periods_s),
+            Err(SuiteError::Spectrum)
+        );
         assert!((periods_s[29] - 3.0).abs() < 1e-12 && periods_s[0] == 0.2);
         assert!(suite_periods_s(0.0, 3.0).is_err() && suite_periods_s(3.0, 3.0).is_err());
     }

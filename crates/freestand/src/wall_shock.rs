@@ -19,14 +19,23 @@ impl WallShock {
     /// The shock of `block`, which turns about `pivot`, at this contact.
     pub fn new(block: &Block, pivot: Pivot, contact: Contact) -> Self {
         let effective_mass_ratio = contact.effective_mass_ratio(block);
-        Self { contact, effective_mass_ratio, inertia_per_mass_m2: pivot.inertia_per_mass_m2 }
+        Self {
+            contact,
+            effective_mass_ratio,
+            inertia_per_mass_m2: pivot.inertia_per_mass_m2,
+        }
     }
 
     /// On the right and on the left side; `None` where there is no contact.
     pub fn of_sides(block: &Block, contacts: [Option<Contact>; 2]) -> [Option<Self>; 2] {
         let [right, left] = contacts;
-        let shock = |contact: Option<Contact>, pivot| contact.map(|contact| Self::new(block, pivot, contact));
-        [shock(right, block.right_pivot()), shock(left, block.pivot())]
+        let shock = |contact: Option<Contact>, pivot| {
+            contact.map(|contact| Self::new(block, pivot, contact))
+        };
+        [
+            shock(right, block.right_pivot()),
+            shock(left, block.pivot()),
+        ]
     }
 
     /// v_w = |ω⁻|ℓ: speed of the point of contact towards the wall \[m/s\].
@@ -42,7 +51,11 @@ impl WallShock {
 
     /// I₀(1+e_w)|ω⁻|/ℓ: impulse of the wall \[N·s\].
     pub fn impulse_n_s(&self, omega_rad_s: f64, mass_kg: f64) -> f64 {
-        let Contact { lever_m, restitution_ratio, .. } = self.contact;
+        let Contact {
+            lever_m,
+            restitution_ratio,
+            ..
+        } = self.contact;
         mass_kg * self.inertia_per_mass_m2 * (1.0 + restitution_ratio) * omega_rad_s.abs() / lever_m
     }
 }
@@ -54,8 +67,13 @@ pub fn largest(
     sides: [SideExtremes; 2],
     quantity: impl Fn(&WallShock, f64) -> f64,
 ) -> Option<f64> {
-    let struck = shocks.iter().zip(sides).filter(|(_, side)| side.wall_omega_rad_s > 0.0);
-    struck.filter_map(|(shock, side)| Some(quantity(shock.as_ref()?, side.wall_omega_rad_s))).reduce(f64::max)
+    let struck = shocks
+        .iter()
+        .zip(sides)
+        .filter(|(_, side)| side.wall_omega_rad_s > 0.0);
+    struck
+        .filter_map(|(shock, side)| Some(quantity(shock.as_ref()?, side.wall_omega_rad_s)))
+        .reduce(f64::max)
 }
 
 #[cfg(test)]
@@ -72,12 +90,34 @@ mod tests {
         let shock = WallShock::new(&rod, rod.pivot(), contact);
         assert_eq!(shock.speed_m_s(-0.5), 1.0);
         let acceleration = shock.acceleration_m_s2(0.5, 40.0, 1e5);
-        assert!((acceleration - (1e5f64 / 10.0).sqrt()).abs() < 1e-4 * acceleration, "{acceleration}");
+        assert!(
+            (acceleration - (1e5f64 / 10.0).sqrt()).abs() < 1e-4 * acceleration,
+            "{acceleration}"
+        );
         let impulse = shock.impulse_n_s(0.5, 40.0);
-        assert!((impulse - 40.0 * 4.0 / 3.0 * 1.5 * 0.5 / 2.0).abs() < 1e-5 * impulse, "{impulse}");
-        let sides = [SideExtremes::default(), SideExtremes { wall_omega_rad_s: 0.5, ..SideExtremes::default() }];
-        assert_eq!(largest([Some(shock); 2], sides, WallShock::speed_m_s), Some(1.0));
+        assert!(
+            (impulse - 40.0 * 4.0 / 3.0 * 1.5 * 0.5 / 2.0).abs() < 1e-5 * impulse,
+            "{impulse}"
+        );
+        let sides = [
+            SideExtremes::default(),
+            SideExtremes {
+                wall_omega_rad_s: 0.5,
+                ..SideExtremes::default()
+            },
+        ];
+        assert_eq!(
+            largest([Some(shock); 2], sides, WallShock::speed_m_s),
+            Some(1.0)
+        );
         assert_eq!(largest([None; 2], sides, WallShock::speed_m_s), None);
-        assert_eq!(largest([Some(shock); 2], [SideExtremes::default(); 2], WallShock::speed_m_s), None);
+        assert_eq!(
+            largest(
+                [Some(shock); 2],
+                [SideExtremes::default(); 2],
+                WallShock::speed_m_s
+            ),
+            None
+        );
     }
 }

@@ -12,8 +12,8 @@ use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::rocking::Outcome;
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, HistoryRecorder, Restitution, Rocking, RockingError, RockingModel, RockingOptions,
-    StopReason, Until, rock, rock_observed,
+    Accuracy, Base, HistoryPoint, HistoryRecorder, Restitution, Rocking, RockingError,
+    RockingModel, RockingOptions, StopReason, Until, rock, rock_observed,
 };
 use freestand::spectra::UpliftCell;
 use proptest::prelude::*;
@@ -28,7 +28,10 @@ fn frequency(block: &Block) -> f64 {
 }
 
 fn under(motion: &Motion) -> Base<'_> {
-    Base { horizontal: Some(motion), vertical: None }
+    Base {
+        horizontal: Some(motion),
+        vertical: None,
+    }
 }
 
 fn free(rotation_rad: f64, omega_rad_s: f64, until_s: f64, model: RockingModel) -> RockingOptions {
@@ -61,10 +64,15 @@ fn forced_periodic_orbit() {
     let (a21, a22, r2) = (-b * sh, b * w * (1.0 + ch), sh - v * ch - v / r);
     let det = a11 * a22 - a12 * a21;
     let (c, s) = ((r1 * a22 - r2 * a12) / det, (a11 * r2 - a21 * r1) / det);
-    assert!((c * c + s * s - 1.0).abs() < 1e-8, "the printed velocity belongs to an orbit: {c} {s}");
+    assert!(
+        (c * c + s * s - 1.0).abs() < 1e-8,
+        "the printed velocity belongs to an orbit: {c} {s}"
+    );
     let psi = s.atan2(c);
     let (dt, n) = (half / p / 4000.0, 8000);
-    let samples = (0..=n).map(|i| alpha * G0_M_S2 * beta * (w * p * dt * f64::from(i) + psi).cos()).collect();
+    let samples = (0..=n)
+        .map(|i| alpha * G0_M_S2 * beta * (w * p * dt * f64::from(i) + psi).cos())
+        .collect();
     let motion = Motion::new(dt, samples).unwrap();
     let options = RockingOptions {
         model: RockingModel::Linearised,
@@ -75,7 +83,10 @@ fn forced_periodic_orbit() {
     let got = rock(&block, under(&motion), &options).unwrap();
     for (k, impact) in got.impacts.iter().take(2).enumerate() {
         // Straight lines over 1/4000 of a half period: (π/4000)²/12 of the forcing, 5e-8.
-        assert!((p * impact.time_s - half * (k + 1) as f64).abs() < 1e-6, "{k}");
+        assert!(
+            (p * impact.time_s - half * (k + 1) as f64).abs() < 1e-6,
+            "{k}"
+        );
         assert!((impact.omega_after_rad_s.abs() / (p * alpha) - v).abs() < 1e-6);
     }
     // The second one is on the last sample and may fall just after it.
@@ -92,18 +103,28 @@ fn rough(seed: u64, peak_g: f64, seconds: f64) -> Motion {
         state ^= state << 17;
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    let waves: Vec<_> = (0..12).map(|_| (0.3 + 6.0 * uniform(), 2.0 * PI * uniform(), uniform())).collect();
+    let waves: Vec<_> = (0..12)
+        .map(|_| (0.3 + 6.0 * uniform(), 2.0 * PI * uniform(), uniform()))
+        .collect();
     let dt = 0.01;
     let n = (seconds / dt) as usize;
     let raw: Vec<f64> = (0..=n)
         .map(|i| {
             let t = i as f64 * dt;
             let envelope = (t / 2.0).min(1.0) * (1.0 - t / seconds).max(0.0);
-            envelope * waves.iter().map(|(f, phase, a)| a * (2.0 * PI * f * t + phase).sin()).sum::<f64>()
+            envelope
+                * waves
+                    .iter()
+                    .map(|(f, phase, a)| a * (2.0 * PI * f * t + phase).sin())
+                    .sum::<f64>()
         })
         .collect();
     let peak = raw.iter().fold(0.0, |m: f64, a| m.max(a.abs()));
-    Motion::new(dt, raw.iter().map(|a| a / peak * peak_g * G0_M_S2).collect()).unwrap()
+    Motion::new(
+        dt,
+        raw.iter().map(|a| a / peak * peak_g * G0_M_S2).collect(),
+    )
+    .unwrap()
 }
 
 fn solve(block: &Block, motion: &Motion) -> Rocking {
@@ -113,8 +134,12 @@ fn solve(block: &Block, motion: &Motion) -> Rocking {
 /// Whether a change of the motion by 1e-7 hardly changes outcome and peak: only then is a
 /// comparison meaningful.
 fn insensitive(block: &Block, motion: &Motion) -> bool {
-    let (a, b) = (solve(block, motion), solve(block, &motion.scaled(1.0 + 1e-7).unwrap()));
-    a.outcome == b.outcome && (a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-5 * a.peak_rotation_rad
+    let (a, b) = (
+        solve(block, motion),
+        solve(block, &motion.scaled(1.0 + 1e-7).unwrap()),
+    );
+    a.outcome == b.outcome
+        && (a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-5 * a.peak_rotation_rad
 }
 
 proptest! {
@@ -247,8 +272,13 @@ fn accuracy_is_what_was_asked_for() {
     let block = Block::uniform(1.5, 0.5).unwrap();
     let motion = rough(7, 0.5, 8.0);
     let peak = |accuracy| {
-        let options = RockingOptions { accuracy, ..RockingOptions::default() };
-        rock(&block, under(&motion), &options).unwrap().peak_rotation_rad
+        let options = RockingOptions {
+            accuracy,
+            ..RockingOptions::default()
+        };
+        rock(&block, under(&motion), &options)
+            .unwrap()
+            .peak_rotation_rad
     };
     let exact = peak(Accuracy::Tight);
     for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
@@ -264,7 +294,12 @@ fn accuracy_is_what_was_asked_for() {
 fn an_impact_on_a_sample_is_one_impact() {
     // Free rocking with its first impact on a sample of a record of zeros.
     let block = block(0.2);
-    let first = rock(&block, Base::default(), &free(0.1, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    let first = rock(
+        &block,
+        Base::default(),
+        &free(0.1, 0.0, 3.0, RockingModel::Rigid),
+    )
+    .unwrap();
     let dt = first.impacts[0].time_s / 100.0;
     let quiet = Motion::new(dt, vec![0.0; 301]).unwrap();
     let options = free(0.1, 0.0, 300.0 * dt, RockingModel::Rigid);
@@ -280,9 +315,19 @@ fn an_impact_on_a_sample_is_one_impact() {
 fn two_impacts_between_two_samples_are_both_found() {
     let block = block(0.2);
     let coarse = Motion::new(3.0, vec![0.0, 0.0]).unwrap();
-    let got = rock(&block, under(&coarse), &free(0.05, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    let got = rock(
+        &block,
+        under(&coarse),
+        &free(0.05, 0.0, 3.0, RockingModel::Rigid),
+    )
+    .unwrap();
     let fine = Motion::new(0.01, vec![0.0; 301]).unwrap();
-    let expected = rock(&block, under(&fine), &free(0.05, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    let expected = rock(
+        &block,
+        under(&fine),
+        &free(0.05, 0.0, 3.0, RockingModel::Rigid),
+    )
+    .unwrap();
     assert!(got.impacts.len() > 3);
     assert_eq!(got.impacts.len(), expected.impacts.len());
     for (a, b) in got.impacts.iter().zip(&expected.impacts) {
@@ -295,15 +340,29 @@ fn two_impacts_between_two_samples_are_both_found() {
 #[test]
 fn chatter_ends_in_rest() {
     let block = block(0.2);
-    let options =
-        RockingOptions { until: Until::Settled { at_most_s: 600.0 }, ..free(0.1, 0.0, 1.0, RockingModel::Rigid) };
+    let options = RockingOptions {
+        until: Until::Settled { at_most_s: 600.0 },
+        ..free(0.1, 0.0, 1.0, RockingModel::Rigid)
+    };
     let got = rock(&block, Base::default(), &options).unwrap();
-    assert_eq!((got.stop, got.at_rest, got.final_rotation_rad), (StopReason::Settled, true, 0.0));
+    assert_eq!(
+        (got.stop, got.at_rest, got.final_rotation_rad),
+        (StopReason::Settled, true, 0.0)
+    );
     let last = got.impacts.last().unwrap();
     assert!(last.omega_after_rad_s.abs() <= 1e-9 && got.rest_time_s == Some(last.time_s));
     // A halted landing comes to rest at the first impact.
-    let halted = RockingOptions { restitution: Restitution::Value(0.0), ..options };
-    assert_eq!(rock(&block, Base::default(), &halted).unwrap().impacts.len(), 1);
+    let halted = RockingOptions {
+        restitution: Restitution::Value(0.0),
+        ..options
+    };
+    assert_eq!(
+        rock(&block, Base::default(), &halted)
+            .unwrap()
+            .impacts
+            .len(),
+        1
+    );
 }
 
 /// A block that is thrown beyond its balance point within the record is followed until it lies, one that
@@ -311,21 +370,47 @@ fn chatter_ends_in_rest() {
 #[test]
 fn a_history_goes_on_until_the_block_rests_or_lies() {
     let block = Block::uniform(1.5, 0.3).unwrap();
-    let settled = RockingOptions { until: Until::Settled { at_most_s: 120.0 }, ..RockingOptions::default() };
+    let settled = RockingOptions {
+        until: Until::Settled { at_most_s: 120.0 },
+        ..RockingOptions::default()
+    };
     let sine = |peak_g: f64| {
-        let sample = |i: u32| peak_g * G0_M_S2 * (std::f64::consts::TAU * f64::from(i) / 100.0).sin();
+        let sample =
+            |i: u32| peak_g * G0_M_S2 * (std::f64::consts::TAU * f64::from(i) / 100.0).sin();
         Motion::new(0.01, (0..=100).map(sample).collect()).unwrap()
     };
-    for (peak_g, outcome) in [(0.1, Outcome::NoUplift), (0.23, Outcome::Rocked), (0.5, Outcome::Overturned)] {
+    for (peak_g, outcome) in [
+        (0.1, Outcome::NoUplift),
+        (0.23, Outcome::Rocked),
+        (0.5, Outcome::Overturned),
+    ] {
         let motion = sine(peak_g);
         let bare = rock(&block, under(&motion), &settled).unwrap();
-        let padded = rock(&block, under(&motion.with_zero_tail(20.0).unwrap()), &settled).unwrap();
-        assert_eq!((bare.outcome, padded.outcome), (outcome, outcome), "{peak_g} g");
+        let padded = rock(
+            &block,
+            under(&motion.with_zero_tail(20.0).unwrap()),
+            &settled,
+        )
+        .unwrap();
+        assert_eq!(
+            (bare.outcome, padded.outcome),
+            (outcome, outcome),
+            "{peak_g} g"
+        );
         // The steps of the padded history end at its samples.
-        assert!((bare.peak_rotation_rad - padded.peak_rotation_rad).abs() <= 1e-9 * padded.peak_rotation_rad);
+        assert!(
+            (bare.peak_rotation_rad - padded.peak_rotation_rad).abs()
+                <= 1e-9 * padded.peak_rotation_rad
+        );
     }
-    let ended = RockingOptions { until: Until::Time(1.0), ..RockingOptions::default() };
-    assert_eq!(rock(&block, under(&sine(0.5)), &ended).unwrap().outcome, Outcome::Unresolved);
+    let ended = RockingOptions {
+        until: Until::Time(1.0),
+        ..RockingOptions::default()
+    };
+    assert_eq!(
+        rock(&block, under(&sine(0.5)), &ended).unwrap().outcome,
+        Outcome::Unresolved
+    );
     // A restitution of 1 never ends: what comes down fast enough falls over on the other side.
     let fast = RockingOptions {
         restitution: Restitution::Value(1.0),
@@ -333,7 +418,10 @@ fn a_history_goes_on_until_the_block_rests_or_lies() {
         initial_omega_rad_s: -3.0,
         ..settled
     };
-    assert_eq!(rock(&block, Base::default(), &fast).unwrap().outcome, Outcome::Overturned);
+    assert_eq!(
+        rock(&block, Base::default(), &fast).unwrap().outcome,
+        Outcome::Overturned
+    );
 }
 
 /// The quiet after a short record is calculated once: a block released at α + 0.01 is still falling
@@ -343,9 +431,14 @@ fn the_tail_is_passed_once() {
     let block = Block::uniform(1.0, 0.2).unwrap();
     let still = Motion::new(0.1, vec![0.0; 3]).unwrap();
     let options = free(0.21, 0.0, 0.8, RockingModel::Rigid);
-    let (behind, alone) =
-        (rock(&block, under(&still), &options).unwrap(), rock(&block, Base::default(), &options).unwrap());
-    assert_eq!((behind.outcome, behind.end_time_s), (Outcome::Unresolved, 0.8));
+    let (behind, alone) = (
+        rock(&block, under(&still), &options).unwrap(),
+        rock(&block, Base::default(), &options).unwrap(),
+    );
+    assert_eq!(
+        (behind.outcome, behind.end_time_s),
+        (Outcome::Unresolved, 0.8)
+    );
     // Three steps of 1e-13, growing with e^(p t).
     assert!((behind.peak_rotation_rad / alone.peak_rotation_rad - 1.0).abs() < 1e-10);
 }
@@ -355,17 +448,40 @@ fn the_tail_is_passed_once() {
 #[test]
 fn both_energy_sources_agree_in_a_free_landing() {
     for (offset, rotation) in [(0.0, 0.1), (0.2, 0.1), (0.2, -0.1), (-0.1, 0.15)] {
-        let block = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(offset).unwrap();
+        let block = Block::uniform(2.0, 0.8)
+            .unwrap()
+            .with_cg_offset(offset)
+            .unwrap();
         // Up to the first impact: later ones start from the other edge.
-        let first = rock(&block, Base::default(), &free(rotation, 0.0, 5.0, RockingModel::Rigid)).unwrap().impacts[0];
-        let options = free(rotation, 0.0, first.time_s * (1.0 + 1e-9), RockingModel::Rigid);
+        let first = rock(
+            &block,
+            Base::default(),
+            &free(rotation, 0.0, 5.0, RockingModel::Rigid),
+        )
+        .unwrap()
+        .impacts[0];
+        let options = free(
+            rotation,
+            0.0,
+            first.time_s * (1.0 + 1e-9),
+            RockingModel::Rigid,
+        );
         let got = rock(&block, Base::default(), &options).unwrap();
-        let shock =
-            UpliftCell::new(block, &got).shock(100.0, &Cushion::linear(4e6).unwrap(), ImpactModel::Paper, G0_M_S2);
-        let (uplift, velocity) =
-            (shock.edge_acceleration_g.unwrap(), shock.edge_acceleration_impact_velocity_g.unwrap());
+        let shock = UpliftCell::new(block, &got).shock(
+            100.0,
+            &Cushion::linear(4e6).unwrap(),
+            ImpactModel::Paper,
+            G0_M_S2,
+        );
+        let (uplift, velocity) = (
+            shock.edge_acceleration_g.unwrap(),
+            shock.edge_acceleration_impact_velocity_g.unwrap(),
+        );
         // Energy to 1e-13 per step.
-        assert!((velocity / uplift - 1.0).abs() < 1e-10, "{offset} {rotation}: {uplift} {velocity}");
+        assert!(
+            (velocity / uplift - 1.0).abs() < 1e-10,
+            "{offset} {rotation}: {uplift} {velocity}"
+        );
     }
 }
 
@@ -396,20 +512,50 @@ fn upward_acceleration_holds_the_block_down() {
     let block = Block::uniform(2.0, 0.5).unwrap();
     let push = Motion::new(0.01, vec![0.3 * G0_M_S2; 100]).unwrap();
     let lift = Motion::new(0.01, vec![0.21 * G0_M_S2; 100]).unwrap();
-    let base = Base { horizontal: Some(&push), vertical: Some(&lift) };
-    assert_eq!(rock(&block, base, &RockingOptions::default()).unwrap().outcome, Outcome::NoUplift);
+    let base = Base {
+        horizontal: Some(&push),
+        vertical: Some(&lift),
+    };
+    assert_eq!(
+        rock(&block, base, &RockingOptions::default())
+            .unwrap()
+            .outcome,
+        Outcome::NoUplift
+    );
     let drop = Motion::new(0.01, vec![-1.01 * G0_M_S2; 100]).unwrap();
-    let base = Base { horizontal: Some(&push), vertical: Some(&drop) };
-    assert!(matches!(rock(&block, base, &RockingOptions::default()), Err(RockingError::FreeFlight { .. })));
+    let base = Base {
+        horizontal: Some(&push),
+        vertical: Some(&drop),
+    };
+    assert!(matches!(
+        rock(&block, base, &RockingOptions::default()),
+        Err(RockingError::FreeFlight { .. })
+    ));
 }
 
 #[test]
 fn passing_alpha_is_not_yet_overturning() {
     let block = block(0.2);
-    let got = rock(&block, Base::default(), &free(0.25, 0.0, 0.1, RockingModel::Rigid)).unwrap();
-    assert_eq!((got.outcome, got.passed_alpha_time_s, got.overturn_time_s), (Outcome::Unresolved, Some(0.0), None));
-    let fallen = rock(&block, Base::default(), &free(0.25, 0.0, 60.0, RockingModel::Rigid)).unwrap();
-    assert_eq!((fallen.outcome, fallen.stop), (Outcome::Overturned, StopReason::Overturned));
+    let got = rock(
+        &block,
+        Base::default(),
+        &free(0.25, 0.0, 0.1, RockingModel::Rigid),
+    )
+    .unwrap();
+    assert_eq!(
+        (got.outcome, got.passed_alpha_time_s, got.overturn_time_s),
+        (Outcome::Unresolved, Some(0.0), None)
+    );
+    let fallen = rock(
+        &block,
+        Base::default(),
+        &free(0.25, 0.0, 60.0, RockingModel::Rigid),
+    )
+    .unwrap();
+    assert_eq!(
+        (fallen.outcome, fallen.stop),
+        (Outcome::Overturned, StopReason::Overturned)
+    );
     assert_eq!(fallen.peak_rotation_rad, FRAC_PI_2);
     assert_eq!(fallen.cg_rise_m, block.pivot().balance_rise_m());
     assert_eq!(Some(fallen.end_time_s), fallen.overturn_time_s);
@@ -420,16 +566,25 @@ fn a_recorded_history_passes_through_the_reported_events() {
     let block = Block::uniform(1.5, 0.4).unwrap();
     let motion = rough(3, 0.45, 6.0);
     let mut recorder = HistoryRecorder::new(Some(&motion), 0.01);
-    let got = rock_observed(&block, under(&motion), &RockingOptions::default(), |s| recorder.observe(s)).unwrap();
+    let got = rock_observed(&block, under(&motion), &RockingOptions::default(), |s| {
+        recorder.observe(s)
+    })
+    .unwrap();
     let points = recorder.finish(&got);
     assert!(points.windows(2).all(|w| w[0].time_s <= w[1].time_s));
-    assert_eq!((points[0].time_s, points.last().unwrap().time_s), (0.0, got.end_time_s));
-    let top = points.iter().fold(0.0, |m: f64, p| m.max(p.theta_rad.abs()));
+    assert_eq!(
+        (points[0].time_s, points.last().unwrap().time_s),
+        (0.0, got.end_time_s)
+    );
+    let top = points
+        .iter()
+        .fold(0.0, |m: f64, p| m.max(p.theta_rad.abs()));
     assert_eq!(top, got.peak_rotation_rad);
     for impact in &got.impacts {
         // Roundings of the sum of a start and a step, and of a velocity times and over the step.
         let same = |p: &HistoryPoint| {
-            (p.time_s - impact.time_s).abs() < 1e-14 * 6.0 && (p.omega_rad_s - impact.omega_after_rad_s).abs() < 1e-15
+            (p.time_s - impact.time_s).abs() < 1e-14 * 6.0
+                && (p.omega_rad_s - impact.omega_after_rad_s).abs() < 1e-15
         };
         assert!(points.iter().any(same), "{impact:?}");
     }
@@ -442,19 +597,52 @@ fn input_outside_the_model_is_refused() {
     let with = |options: RockingOptions| rock(&block, under(&motion), &options);
     let ok = RockingOptions::default();
     for r in [-0.1, 1.0001, f64::NAN] {
-        let options = RockingOptions { restitution: Restitution::Value(r), ..ok };
-        assert!(matches!(with(options), Err(RockingError::Restitution { .. })));
+        let options = RockingOptions {
+            restitution: Restitution::Value(r),
+            ..ok
+        };
+        assert!(matches!(
+            with(options),
+            Err(RockingError::Restitution { .. })
+        ));
     }
     assert!(matches!(
-        with(RockingOptions { restitution: Restitution::Factor(1.5), ..ok }),
+        with(RockingOptions {
+            restitution: Restitution::Factor(1.5),
+            ..ok
+        }),
         Err(RockingError::Restitution { .. })
     ));
-    assert!(matches!(with(RockingOptions { initial_rotation_rad: 1.6, ..ok }), Err(RockingError::InitialState { .. })));
-    assert!(matches!(with(RockingOptions { gravity_m_s2: 0.0, ..ok }), Err(RockingError::Gravity { .. })));
-    assert!(matches!(with(RockingOptions { until: Until::Time(-1.0), ..ok }), Err(RockingError::Duration { .. })));
     assert!(matches!(
-        with(RockingOptions { accuracy: Accuracy::Tolerance(0.1), ..ok }),
+        with(RockingOptions {
+            initial_rotation_rad: 1.6,
+            ..ok
+        }),
+        Err(RockingError::InitialState { .. })
+    ));
+    assert!(matches!(
+        with(RockingOptions {
+            gravity_m_s2: 0.0,
+            ..ok
+        }),
+        Err(RockingError::Gravity { .. })
+    ));
+    assert!(matches!(
+        with(RockingOptions {
+            until: Until::Time(-1.0),
+            ..ok
+        }),
+        Err(RockingError::Duration { .. })
+    ));
+    assert!(matches!(
+        with(RockingOptions {
+            accuracy: Accuracy::Tolerance(0.1),
+            ..ok
+        }),
         Err(RockingError::Accuracy { .. })
     ));
-    assert!(matches!(rock(&block, Base::default(), &ok), Err(RockingError::Duration { .. })));
+    assert!(matches!(
+        rock(&block, Base::default(), &ok),
+        Err(RockingError::Duration { .. })
+    ));
 }

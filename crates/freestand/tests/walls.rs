@@ -8,22 +8,31 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{
-    Accuracy, Base, HistoryRecorder, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingModel, RockingOptions,
-    Side, StopReason, Until, rock, rock_observed,
+    Accuracy, Base, HistoryRecorder, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError,
+    RockingModel, RockingOptions, Side, StopReason, Until, rock, rock_observed,
 };
 use freestand::wall::{Wall, WallError, Walls};
 use proptest::prelude::*;
 
 fn under(motion: &Motion) -> Base<'_> {
-    Base { horizontal: Some(motion), vertical: None }
+    Base {
+        horizontal: Some(motion),
+        vertical: None,
+    }
 }
 
 fn between(walls: Walls) -> RockingOptions {
-    RockingOptions { walls, ..RockingOptions::default() }
+    RockingOptions {
+        walls,
+        ..RockingOptions::default()
+    }
 }
 
 fn both(gap_m: f64) -> Walls {
-    Walls { left: Some(Wall::at(gap_m)), right: Some(Wall::at(gap_m)) }
+    Walls {
+        left: Some(Wall::at(gap_m)),
+        right: Some(Wall::at(gap_m)),
+    }
 }
 
 fn free(rotation_rad: f64, omega_rad_s: f64, until_s: f64, walls: Walls) -> RockingOptions {
@@ -38,9 +47,13 @@ fn free(rotation_rad: f64, omega_rad_s: f64, until_s: f64, walls: Walls) -> Rock
 /// Two sines that fade, of which the faster one depends on the seed.
 fn rough(seed: u64, peak_g: f64, seconds: f64) -> Motion {
     let (fast, phase) = (2.0 + (seed % 97) as f64 / 20.0, (seed % 89) as f64 / 14.0);
-    let at = |t: f64| (0.6 * (TAU * 0.7 * t + phase).sin() + 0.5 * (TAU * fast * t).sin()) * (1.0 - t / seconds);
+    let at = |t: f64| {
+        (0.6 * (TAU * 0.7 * t + phase).sin() + 0.5 * (TAU * fast * t).sin()) * (1.0 - t / seconds)
+    };
     let dt = 0.01;
-    let samples = (0..=(seconds / dt) as u32).map(|i| peak_g * G0_M_S2 * at(f64::from(i) * dt)).collect();
+    let samples = (0..=(seconds / dt) as u32)
+        .map(|i| peak_g * G0_M_S2 * at(f64::from(i) * dt))
+        .collect();
     Motion::new(dt, samples).unwrap()
 }
 
@@ -51,18 +64,44 @@ fn walls(block: &Block, sides: u8, near: f64, height: f64, restitution_ratio: f6
     let h = block.height_m();
     let gap_m = match (near * 3.0) as u8 {
         0 => h * 10f64.powf(-16.0 + 15.0 * 3.0 * near),
-        1 => h * (block.pivot().slenderness_angle_rad * (1.0 + 1e-3 * (near - 0.5))).min(1.5).sin(),
+        1 => {
+            h * (block.pivot().slenderness_angle_rad * (1.0 + 1e-3 * (near - 0.5)))
+                .min(1.5)
+                .sin()
+        }
         _ => h * (3.0 * near - 2.0),
     };
     let height_m = (height < 0.4).then_some(h * (0.02 + 2.0 * height));
-    let wall = Some(Wall { gap_m, height_m, restitution_ratio });
-    let touching = Some(Wall { restitution_ratio, ..Wall::at(0.0) });
+    let wall = Some(Wall {
+        gap_m,
+        height_m,
+        restitution_ratio,
+    });
+    let touching = Some(Wall {
+        restitution_ratio,
+        ..Wall::at(0.0)
+    });
     match sides % 5 {
-        0 => Walls { left: wall, right: None },
-        1 => Walls { left: None, right: wall },
-        2 => Walls { left: wall, right: wall },
-        3 => Walls { left: touching, right: wall },
-        _ => Walls { left: None, right: touching },
+        0 => Walls {
+            left: wall,
+            right: None,
+        },
+        1 => Walls {
+            left: None,
+            right: wall,
+        },
+        2 => Walls {
+            left: wall,
+            right: wall,
+        },
+        3 => Walls {
+            left: touching,
+            right: wall,
+        },
+        _ => Walls {
+            left: None,
+            right: touching,
+        },
     }
 }
 
@@ -253,33 +292,68 @@ fn impact_angle(rocking: &Rocking, left: bool) -> f64 {
 fn a_leaning_block_waits_for_the_base() {
     let block = Block::uniform(2.0, 0.3).unwrap();
     let angle = 0.25;
-    let walls = Walls { right: Some(Wall::at(2.0 * f64::sin(angle))), ..Walls::NONE };
+    let walls = Walls {
+        right: Some(Wall::at(2.0 * f64::sin(angle))),
+        ..Walls::NONE
+    };
     let still = Motion::new(0.5, vec![0.0; 5]).unwrap();
-    let start = RockingOptions { initial_rotation_rad: 0.2, until: Until::EndOfMotion, ..between(walls) };
+    let start = RockingOptions {
+        initial_rotation_rad: 0.2,
+        until: Until::EndOfMotion,
+        ..between(walls)
+    };
     let got = rock(&block, under(&still), &start).unwrap();
-    assert_eq!((got.outcome, got.leaning, got.at_rest), (Outcome::Leaned, true, false));
-    assert_eq!((got.final_rotation_rad, got.final_omega_rad_s), (impact_angle(&got, false), 0.0));
+    assert_eq!(
+        (got.outcome, got.leaning, got.at_rest),
+        (Outcome::Leaned, true, false)
+    );
+    assert_eq!(
+        (got.final_rotation_rad, got.final_omega_rad_s),
+        (impact_angle(&got, false), 0.0)
+    );
     let last = got.wall_impacts.last().unwrap();
     assert!(last.omega_after_rad_s.abs() <= REST_OMEGA_RAD_S && got.end_time_s == 2.0);
 
     // From the same start a ramp of 0.1 g in 10 s pulls it off.
-    let samples: Vec<f64> = (0..=200).map(|i| 0.2 * G0_M_S2 * (f64::from(i) - 100.0).max(0.0) / 100.0).collect();
+    let samples: Vec<f64> = (0..=200)
+        .map(|i| 0.2 * G0_M_S2 * (f64::from(i) - 100.0).max(0.0) / 100.0)
+        .collect();
     let ramp = Motion::new(0.1, samples).unwrap();
     let mut recorder = HistoryRecorder::new(Some(&ramp), 0.1);
-    let got = rock_observed(&block, under(&ramp), &start, |segment| recorder.observe(segment)).unwrap();
+    let got = rock_observed(&block, under(&ramp), &start, |segment| {
+        recorder.observe(segment)
+    })
+    .unwrap();
     let points = recorder.finish(&got);
     let angle = impact_angle(&got, false);
     let expected_s = 10.0 + (angle - block.pivot().slenderness_angle_rad).tan() / 0.02;
-    let off = points.iter().rfind(|point| point.theta_rad == angle).unwrap();
+    let off = points
+        .iter()
+        .rfind(|point| point.theta_rad == angle)
+        .unwrap();
     // A root of a straight line over 20 s.
-    assert!((off.time_s - expected_s).abs() < 1e-12 * 20.0, "{} {expected_s}", off.time_s);
+    assert!(
+        (off.time_s - expected_s).abs() < 1e-12 * 20.0,
+        "{} {expected_s}",
+        off.time_s
+    );
     assert!(points.iter().all(|point| point.theta_rad <= angle));
-    assert!(points.iter().any(|point| point.theta_rad < 0.9 * angle && point.time_s > expected_s));
+    assert!(
+        points
+            .iter()
+            .any(|point| point.theta_rad < 0.9 * angle && point.time_s > expected_s)
+    );
 
     // Waiting for rest ends with the lean.
-    let settle = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..start };
+    let settle = RockingOptions {
+        until: Until::Settled { at_most_s: 60.0 },
+        ..start
+    };
     let got = rock(&block, under(&still), &settle).unwrap();
-    assert_eq!((got.stop, got.outcome, got.leaning), (StopReason::Settled, Outcome::Leaned, true));
+    assert_eq!(
+        (got.stop, got.outcome, got.leaning),
+        (StopReason::Settled, Outcome::Leaned, true)
+    );
     assert!(got.end_time_s < 10.0);
 }
 
@@ -289,9 +363,15 @@ fn a_leaning_block_waits_for_the_base() {
 fn uplift_is_only_away_from_a_touching_wall() {
     let block = Block::uniform(2.0, 0.5).unwrap();
     let push = Motion::new(0.01, vec![0.3 * G0_M_S2; 20]).unwrap();
-    let left = Walls { left: Some(Wall::at(0.0)), right: None };
+    let left = Walls {
+        left: Some(Wall::at(0.0)),
+        right: None,
+    };
     // A positive ü drives θ negative, to the left.
-    assert_eq!(rock(&block, under(&push), &between(left)).unwrap().outcome, Outcome::NoUplift);
+    assert_eq!(
+        rock(&block, under(&push), &between(left)).unwrap().outcome,
+        Outcome::NoUplift
+    );
     let got = rock(&block, under(&push), &between(left.mirrored())).unwrap();
     assert!(got.outcome == Outcome::Unresolved && got.final_rotation_rad < 0.0);
 }
@@ -301,7 +381,13 @@ fn uplift_is_only_away_from_a_touching_wall() {
 #[test]
 fn a_touching_wall_throws_the_block_back() {
     let block = Block::uniform(2.0, 0.5).unwrap();
-    let walls = Walls { left: Some(Wall { restitution_ratio: 0.4, ..Wall::at(0.0) }), right: None };
+    let walls = Walls {
+        left: Some(Wall {
+            restitution_ratio: 0.4,
+            ..Wall::at(0.0)
+        }),
+        right: None,
+    };
     let got = rock(&block, Base::default(), &free(0.1, 0.0, 20.0, walls)).unwrap();
     let r = block.landing_ratio();
     let (impact, wall) = (got.impacts[0], got.wall_impacts[0]);
@@ -313,7 +399,13 @@ fn a_touching_wall_throws_the_block_back() {
     assert!(got.at_rest && got.impacts.len() == got.wall_impacts.len());
     // A start towards the wall is thrown back, lands on the floor and goes on to the other side.
     let got = rock(&block, Base::default(), &free(0.0, -1.0, 0.05, walls)).unwrap();
-    assert_eq!((got.wall_impacts[0].omega_after_rad_s, got.impacts[0].omega_after_rad_s), (0.4, 0.4 * r));
+    assert_eq!(
+        (
+            got.wall_impacts[0].omega_after_rad_s,
+            got.impacts[0].omega_after_rad_s
+        ),
+        (0.4, 0.4 * r)
+    );
     assert!(got.final_rotation_rad > 0.0);
 }
 
@@ -330,9 +422,9 @@ fn a_recorded_history_passes_through_the_impacts_on_walls() {
     for impact in &got.wall_impacts {
         for omega in [impact.omega_before_rad_s, impact.omega_after_rad_s] {
             // Roundings of the sum of a start and a step, and of a velocity times and over the step.
-            let near = points
-                .iter()
-                .any(|p| (p.time_s - impact.time_s).abs() < 1e-13 && (p.omega_rad_s - omega).abs() < 1e-13);
+            let near = points.iter().any(|p| {
+                (p.time_s - impact.time_s).abs() < 1e-13 && (p.omega_rad_s - omega).abs() < 1e-13
+            });
             assert!(near, "{impact:?} {omega}");
         }
     }
@@ -342,17 +434,51 @@ fn a_recorded_history_passes_through_the_impacts_on_walls() {
 fn walls_that_make_no_sense_are_refused() {
     let block = Block::uniform(2.0, 0.5).unwrap();
     let with = |options: RockingOptions| rock(&block, Base::default(), &options).unwrap_err();
-    let start = |wall: Wall| free(0.1, 0.0, 1.0, Walls { left: None, right: Some(wall) });
-    assert!(matches!(with(start(Wall::at(-0.1))), RockingError::Wall(WallError::Gap { .. })));
-    let elastic = Wall { restitution_ratio: 1.0, ..Wall::at(0.1) };
-    assert!(matches!(with(start(elastic)), RockingError::Wall(WallError::Restitution { .. })));
+    let start = |wall: Wall| {
+        free(
+            0.1,
+            0.0,
+            1.0,
+            Walls {
+                left: None,
+                right: Some(wall),
+            },
+        )
+    };
+    assert!(matches!(
+        with(start(Wall::at(-0.1))),
+        RockingError::Wall(WallError::Gap { .. })
+    ));
+    let elastic = Wall {
+        restitution_ratio: 1.0,
+        ..Wall::at(0.1)
+    };
+    assert!(matches!(
+        with(start(elastic)),
+        RockingError::Wall(WallError::Restitution { .. })
+    ));
     let error = with(start(Wall::at(0.1)));
-    assert!(matches!(error, RockingError::BeyondWall { side: Side::Right, .. }), "{error}");
-    let linear = RockingOptions { model: RockingModel::Linearised, ..start(Wall::at(1.0)) };
+    assert!(
+        matches!(
+            error,
+            RockingError::BeyondWall {
+                side: Side::Right,
+                ..
+            }
+        ),
+        "{error}"
+    );
+    let linear = RockingOptions {
+        model: RockingModel::Linearised,
+        ..start(Wall::at(1.0))
+    };
     assert_eq!(with(linear), RockingError::LinearisedWall);
     // At the wall itself it may start: past its balance point it leans.
     let angle = both(0.9).contacts(&block).unwrap()[0].unwrap().angle_rad;
-    let options = RockingOptions { accuracy: Accuracy::Tight, ..free(angle, 0.0, 1.0, both(0.9)) };
+    let options = RockingOptions {
+        accuracy: Accuracy::Tight,
+        ..free(angle, 0.0, 1.0, both(0.9))
+    };
     let got = rock(&block, Base::default(), &options).unwrap();
     assert!(got.leaning && got.final_rotation_rad == angle && got.wall_impacts.is_empty());
     assert_eq!(got.outcome, Outcome::Leaned);

@@ -33,8 +33,16 @@ pub enum ExportFormat {
 /// Formats by name.
 pub const FORMATS: Choices<ExportFormat> = &[
     (ExportFormat::Csv, "csv", "fragility.csv alone"),
-    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ with a complete calculation for pelicun"),
-    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ with complete jobs for the OpenQuake engine"),
+    (
+        ExportFormat::Pelicun,
+        "pelicun",
+        "a folder pelicun/ with a complete calculation for pelicun",
+    ),
+    (
+        ExportFormat::OpenQuake,
+        "openquake",
+        "a folder openquake/ with complete jobs for the OpenQuake engine",
+    ),
 ];
 
 /// A folder for another program.
@@ -82,12 +90,17 @@ const MAX_REALIZATIONS: u32 = 1_000_000;
 /// An inventory that cannot be read as one of quantities and costs.
 pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
     if let Some(many) = request.realizations.filter(|many| *many > MAX_REALIZATIONS) {
-        let message = format!("{many} realizations are too many: each is a row of the demands of pelicun");
+        let message =
+            format!("{many} realizations are too many: each is a row of the demands of pelicun");
         let hint = format!("give at most {MAX_REALIZATIONS}");
         return Err(Problem::value(message, hint).of(&["realizations"]).into());
     }
     if request.format != ExportFormat::Csv {
-        request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
+        request
+            .inventory
+            .as_deref()
+            .map(|path| load_costs(path, &request.list))
+            .transpose()?;
     }
     Ok(())
 }
@@ -98,19 +111,35 @@ pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
 /// Fits or measures that the program does not have; a demand, a site or an inventory that is missing or
 /// wrong.
 pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Exported, Problems> {
-    let demand = request.demand.as_deref().map(|text| report.table.measure.quantity(text)).transpose();
+    let demand = request
+        .demand
+        .as_deref()
+        .map(|text| report.table.measure.quantity(text))
+        .transpose();
     let demand = demand.map_err(|problem| problem.named("demand"))?;
     let mut warnings = Vec::new();
     let (folder, ids) = match request.format {
-        ExportFormat::Csv => return Ok(Exported { files: Vec::new(), warnings }),
+        ExportFormat::Csv => {
+            return Ok(Exported {
+                files: Vec::new(),
+                warnings,
+            });
+        }
         ExportFormat::Pelicun => ("pelicun", &PELICUN_IDS),
         ExportFormat::OpenQuake => ("openquake", &OPENQUAKE_IDS),
     };
     check_fit(report, request)?;
-    let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
+    let costs = request
+        .inventory
+        .as_deref()
+        .map(|path| load_costs(path, &request.list))
+        .transpose()?;
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let objects = objects(report, request, costs.as_ref(), ids, &mut warnings)?;
-    let listed = Listed { objects: &objects, currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()) };
+    let listed = Listed {
+        objects: &objects,
+        currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()),
+    };
     let id_table = id_table(&objects, ids, folder, &mut warnings)?;
     let mut files = match request.format {
         ExportFormat::Csv => Vec::new(),
@@ -128,15 +157,30 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 .as_ref()
                 .map(|source| {
                     let (measure, at) = (report.table.measure, report.at);
-                    hazard_of(source, HazardPlace::OfOutcomes(at), request.site_deg, Some((measure, at)))
+                    hazard_of(
+                        source,
+                        HazardPlace::OfOutcomes(at),
+                        request.site_deg,
+                        Some((measure, at)),
+                    )
                 })
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
-            openquake::files(report, request, &listed, demand, hazard.as_ref(), &mut warnings)?
+            openquake::files(
+                report,
+                request,
+                &listed,
+                demand,
+                hazard.as_ref(),
+                &mut warnings,
+            )?
         }
     };
     files.extend(id_table);
-    let files = files.into_iter().map(|(name, bytes)| (format!("{folder}/{name}"), bytes)).collect();
+    let files = files
+        .into_iter()
+        .map(|(name, bytes)| (format!("{folder}/{name}"), bytes))
+        .collect();
     Ok(Exported { files, warnings })
 }
 
@@ -149,7 +193,10 @@ struct Listed<'a> {
 /// The curves of an object, as another program gets them.
 enum Shape {
     /// Median and β of exceeding, if it has a tolerance, and of overturning.
-    Lognormal { exceeds: Option<(f64, f64)>, overturns: (f64, f64) },
+    Lognormal {
+        exceeds: Option<(f64, f64)>,
+        overturns: (f64, f64),
+    },
     /// Probabilities at common intensities.
     Points(Points),
 }
@@ -180,7 +227,9 @@ impl ExportObject<'_> {
     /// What `metadata.json` says of it.
     fn metadata(&self, report: &FragilityReport) -> Value {
         let curves = match &self.shape {
-            Shape::Lognormal { exceeds, overturns } => json!({"exceeds": exceeds, "overturns": overturns}),
+            Shape::Lognormal { exceeds, overturns } => {
+                json!({"exceeds": exceeds, "overturns": overturns})
+            }
             Shape::Points(points) => json!({"points": points.levels.len()}),
         };
         json!({
@@ -200,27 +249,45 @@ fn objects<'a>(
     style: &IdStyle,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<ExportObject<'a>>, Problem> {
-    let names: Vec<&str> = report.objects.iter().map(|object| object.id.as_str()).collect();
+    let names: Vec<&str> = report
+        .objects
+        .iter()
+        .map(|object| object.id.as_str())
+        .collect();
     let ids = plain_ids(&names, style);
     let mut objects = Vec::new();
     for (object, id) in report.objects.iter().zip(ids) {
         let cost = costs.and_then(|costs| costs.rows.iter().find(|row| row.id == object.id));
         if costs.is_some() && cost.is_none() {
-            warnings.push(format!("{}: not in the inventory, so one object without costs is exported", object.id));
+            warnings.push(format!(
+                "{}: not in the inventory, so one object without costs is exported",
+                object.id
+            ));
         }
         let quantity = cost.map_or(1.0, |cost| cost.quantity);
         if quantity == 0.0 {
-            warnings.push(format!("{}: its quantity is 0, so it is not exported", object.id));
+            warnings.push(format!(
+                "{}: its quantity is 0, so it is not exported",
+                object.id
+            ));
             continue;
         }
         let shape = if request.is_discrete {
             Shape::Points(Points::of(object, report.request.shock.is_some())?)
         } else {
-            let overturns = exported(object, LimitState::Overturns, request.beta)?.ok_or_else(|| {
-                let message = format!("object {} has no curve of overturning", shorten(&object.id));
-                Problem::value(message, "run it at more intensities, or leave out the object")
-            })?;
-            Shape::Lognormal { exceeds: exported(object, LimitState::Exceeds, request.beta)?, overturns }
+            let overturns =
+                exported(object, LimitState::Overturns, request.beta)?.ok_or_else(|| {
+                    let message =
+                        format!("object {} has no curve of overturning", shorten(&object.id));
+                    Problem::value(
+                        message,
+                        "run it at more intensities, or leave out the object",
+                    )
+                })?;
+            Shape::Lognormal {
+                exceeds: exported(object, LimitState::Exceeds, request.beta)?,
+                overturns,
+            }
         };
         objects.push(ExportObject {
             object,
@@ -233,7 +300,10 @@ fn objects<'a>(
         });
     }
     if objects.is_empty() {
-        return Err(Problem::new(ProblemKind::Missing, "no object is left to export").hint("correct the quantities"));
+        return Err(
+            Problem::new(ProblemKind::Missing, "no object is left to export")
+                .hint("correct the quantities"),
+        );
     }
     Ok(objects)
 }
@@ -251,29 +321,50 @@ struct IdStyle {
 
 /// pelicun joins ids, locations and directions with hyphens, so an id would end at its first
 /// hyphen.
-const PELICUN_IDS: IdStyle = IdStyle { program: "pelicun", start: "FS.", fine: "_.", longest: None };
+const PELICUN_IDS: IdStyle = IdStyle {
+    program: "pelicun",
+    start: "FS.",
+    fine: "_.",
+    longest: None,
+};
 /// Ids of assets have at most 50 characters (`ASSET_ID_LENGTH`, OpenQuake 3.26); ids of functions
 /// have no quotation marks.
-const OPENQUAKE_IDS: IdStyle = IdStyle { program: "OpenQuake", start: "", fine: "_-", longest: Some(50) };
+const OPENQUAKE_IDS: IdStyle = IdStyle {
+    program: "OpenQuake",
+    start: "",
+    fine: "_-",
+    longest: Some(50),
+};
 
 impl IdStyle {
     fn words(&self) -> String {
         let others: Vec<String> = self.fine.chars().map(String::from).collect();
-        let longest = self.longest.map_or(String::new(), |most| format!(", and at most {most} characters"));
-        format!("letters from a to z, digits, {}{longest}", others.join(" and "))
+        let longest = self.longest.map_or(String::new(), |most| {
+            format!(", and at most {most} characters")
+        });
+        format!(
+            "letters from a to z, digits, {}{longest}",
+            others.join(" and ")
+        )
     }
 
     /// The id with all other characters replaced by `_`, and cut off if it is too long.
     fn plain(&self, id: &str) -> String {
         let is_fine = |c: char| c.is_ascii_alphanumeric() || self.fine.contains(c);
         let plain = id.chars().map(|c| if is_fine(c) { c } else { '_' });
-        self.start.chars().chain(plain).take(self.longest.unwrap_or(usize::MAX)).collect()
+        self.start
+            .chars()
+            .chain(plain)
+            .take(self.longest.unwrap_or(usize::MAX))
+            .collect()
     }
 
     /// An id with a number at its end, no longer than allowed.
     fn numbered(&self, id: &str, number: usize) -> String {
         let end = format!("_{number}");
-        let room = self.longest.map_or(usize::MAX, |most| most.saturating_sub(end.len()));
+        let room = self
+            .longest
+            .map_or(usize::MAX, |most| most.saturating_sub(end.len()));
         id.chars().take(room).chain(end.chars()).collect()
     }
 }
@@ -283,8 +374,12 @@ impl IdStyle {
 fn plain_ids(ids: &[&str], style: &IdStyle) -> Vec<String> {
     let plain: Vec<String> = ids.iter().map(|id| style.plain(id)).collect();
     let is_kept = |(id, plain): (&&str, &String)| plain.strip_prefix(style.start) == Some(*id);
-    let mut used: BTreeSet<String> =
-        ids.iter().zip(&plain).filter(|pair| is_kept(*pair)).map(|(_, plain)| plain.clone()).collect();
+    let mut used: BTreeSet<String> = ids
+        .iter()
+        .zip(&plain)
+        .filter(|pair| is_kept(*pair))
+        .map(|(_, plain)| plain.clone())
+        .collect();
     let mut unique = |(id, plain): (&&str, &String)| {
         let mut id_there = plain.clone();
         if !is_kept((id, plain)) {
@@ -306,9 +401,12 @@ fn id_table(
     folder: &str,
     warnings: &mut Vec<String>,
 ) -> Result<Option<(String, Vec<u8>)>, Problem> {
-    let is_changed = |one: &&ExportObject| one.id.strip_prefix(style.start) != Some(one.object.id.as_str());
+    let is_changed =
+        |one: &&ExportObject| one.id.strip_prefix(style.start) != Some(one.object.id.as_str());
     let changed: Vec<&ExportObject> = objects.iter().filter(is_changed).collect();
-    let Some(first) = changed.first() else { return Ok(None) };
+    let Some(first) = changed.first() else {
+        return Ok(None);
+    };
     let verb = if changed.len() == 1 { "was" } else { "were" };
     warnings.push(format!(
         "{} {verb} changed for {}, such as \"{}\" to \"{}\": it accepts only {}; {folder}/ids.csv lists both",
@@ -318,16 +416,27 @@ fn id_table(
         first.id,
         style.words()
     ));
-    let rows = objects.iter().map(|one| vec![one.object.id.clone(), one.id.clone()]);
-    Ok(Some(("ids.csv".to_owned(), csv(&["id", "exported_id"], rows)?)))
+    let rows = objects
+        .iter()
+        .map(|one| vec![one.object.id.clone(), one.id.clone()]);
+    Ok(Some((
+        "ids.csv".to_owned(),
+        csv(&["id", "exported_id"], rows)?,
+    )))
 }
 
 /// Median and β of a limit state for another program; a state without β takes that of the user.
 ///
 /// # Errors
 /// A state without a median, or without β where the user gives none.
-fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> Result<Option<(f64, f64)>, Problem> {
-    let Some(kind) = object.fit.curve(state) else { return Ok(None) };
+fn exported(
+    object: &ObjectFragility,
+    state: LimitState,
+    beta: Option<f64>,
+) -> Result<Option<(f64, f64)>, Problem> {
+    let Some(kind) = object.fit.curve(state) else {
+        return Ok(None);
+    };
     if let CurveKind::Lognormal { median, beta } = kind {
         return Ok(Some((median, beta)));
     }
@@ -336,7 +445,10 @@ fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> R
         (Some(median), Some(beta)) => Ok(Some((median, beta))),
         (Some(_), None) => {
             let message = format!("object {id}: {state} is a step, which has no beta");
-            Err(Problem::value(message, "give a β for such states, such as `beta = 0.25`, or run more intensities"))
+            Err(Problem::value(
+                message,
+                "give a β for such states, such as `beta = 0.25`, or run more intensities",
+            ))
         }
         (None, _) => {
             let message = format!("object {id}: {state} has no curve ({})", kind.name());
@@ -356,14 +468,14 @@ fn check_fit(report: &FragilityReport, request: &ExportRequest) -> Result<(), Pr
     }
     if report.request.shock.is_some() {
         let message = "a fit of shocks has no lognormal curve of exceeding";
-        let hint =
-            "export its points with `discrete = true`, or leave out `tolerance`, so that the outcomes are fitted";
+        let hint = "export its points with `discrete = true`, or leave out `tolerance`, so that the outcomes are fitted";
         return Err(Problem::value(message, hint).of(&["tolerance"]));
     }
     if report.request.fit == FitKind::Ordered {
         return Ok(());
     }
-    let message = "separate fits may cross, and other programs change crossing curves without a warning";
+    let message =
+        "separate fits may cross, and other programs change crossing curves without a warning";
     Err(Problem::value(message, "export with `fit = \"ordered\"`").of(&["fit"]))
 }
 
@@ -381,7 +493,10 @@ mod tests {
     fn ids_are_plain_and_unique() {
         let ids = ["CAB-01", "CAB_01", "Schrank Ä", "a.b"];
         // An id that is accepted as it is does not change.
-        assert_eq!(plain_ids(&ids, &PELICUN_IDS), ["FS.CAB_01_2", "FS.CAB_01", "FS.Schrank__", "FS.a.b"]);
+        assert_eq!(
+            plain_ids(&ids, &PELICUN_IDS),
+            ["FS.CAB_01_2", "FS.CAB_01", "FS.Schrank__", "FS.a.b"]
+        );
     }
 
     /// Spaces, umlauts, slashes, quotation marks, digits at the beginning, ids longer than 50
@@ -390,16 +505,40 @@ mod tests {
     fn openquake_gets_ids_that_it_accepts() {
         let (long, longer) = ("x".repeat(60), format!("{}y", "x".repeat(60)));
         let exact = "z".repeat(50);
-        let ids = ["2 racks/Ä", "2_racks__", "it's", "a\"b#c", &long, &longer, &exact, "007", "a_b_c", "", "ß"];
+        let ids = [
+            "2 racks/Ä",
+            "2_racks__",
+            "it's",
+            "a\"b#c",
+            &long,
+            &longer,
+            &exact,
+            "007",
+            "a_b_c",
+            "",
+            "ß",
+        ];
         let found = plain_ids(&ids, &OPENQUAKE_IDS);
         let is_fine = |id: &String| {
-            (1..=50).contains(&id.len()) && id.bytes().all(|b| b.is_ascii_alphanumeric() || b"_-".contains(&b))
+            (1..=50).contains(&id.len())
+                && id
+                    .bytes()
+                    .all(|b| b.is_ascii_alphanumeric() || b"_-".contains(&b))
         };
         let unique: BTreeSet<&String> = found.iter().collect();
         assert_eq!(unique.len(), ids.len(), "{found:?}");
-        assert!(found.iter().enumerate().all(|(i, id)| ids[i].is_empty() || is_fine(id)), "{found:?}");
+        assert!(
+            found
+                .iter()
+                .enumerate()
+                .all(|(i, id)| ids[i].is_empty() || is_fine(id)),
+            "{found:?}"
+        );
         assert_eq!(found[..4], ["2_racks___2", "2_racks__", "it_s", "a_b_c_2"]);
-        assert_eq!((found[4].as_str(), found[5].as_str()), (&*"x".repeat(50), &*format!("{}_2", "x".repeat(48))));
+        assert_eq!(
+            (found[4].as_str(), found[5].as_str()),
+            (&*"x".repeat(50), &*format!("{}_2", "x".repeat(48)))
+        );
         assert_eq!([&found[6], &found[7], &found[8]], [&*exact, "007", "a_b_c"]);
     }
 
@@ -408,11 +547,20 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         let rows = ["a", "b", "c"].map(|id| {
-            [(0.1, "rocked"), (0.2, "overturned"), (0.3, "rocked"), (0.4, "overturned")]
-                .map(|(x, outcome)| format!("{id},m{x},{x},{outcome}\n"))
-                .concat()
+            [
+                (0.1, "rocked"),
+                (0.2, "overturned"),
+                (0.3, "rocked"),
+                (0.4, "overturned"),
+            ]
+            .map(|(x, outcome)| format!("{id},m{x},{x},{outcome}\n"))
+            .concat()
         });
-        std::fs::write(path("o.csv"), format!("object,motion,sa_avg(0.2:2) [g],outcome\n{}", rows.concat())).unwrap();
+        std::fs::write(
+            path("o.csv"),
+            format!("object,motion,sa_avg(0.2:2) [g],outcome\n{}", rows.concat()),
+        )
+        .unwrap();
         std::fs::write(path("i.csv"), inventory).unwrap();
         let report = fragility(FragilityRequest {
             outcomes: path("o.csv"),
@@ -441,24 +589,40 @@ mod tests {
     }
 
     fn text_of(exported: &Exported, name: &str) -> String {
-        let bytes = exported.files.iter().find(|file| file.0 == format!("openquake/{name}")).unwrap();
+        let bytes = exported
+            .files
+            .iter()
+            .find(|file| file.0 == format!("openquake/{name}"))
+            .unwrap();
         String::from_utf8(bytes.1.clone()).unwrap()
     }
 
     /// The last column, the value of all pieces of an object.
     fn values(exported: &Exported) -> Vec<String> {
         let text = text_of(exported, "exposure.csv");
-        text.lines().skip(1).map(|line| line.rsplit(',').next().unwrap().to_owned()).collect()
+        text.lines()
+            .skip(1)
+            .map(|line| line.rsplit(',').next().unwrap().to_owned())
+            .collect()
     }
 
     /// Beside costs an object without one is worth nothing that is known; without any cost each
     /// counts 1.
     #[test]
     fn a_value_is_an_amount_or_a_count() {
-        let some = for_openquake("id,quantity,repair_cost [AUD],replacement_cost [AUD]\na,2,,900\nb,3,50,\nc,1,,\n");
+        let some = for_openquake(
+            "id,quantity,repair_cost [AUD],replacement_cost [AUD]\na,2,,900\nb,3,50,\nc,1,,\n",
+        );
         assert_eq!(values(&some), ["1800", "0", "0"]);
-        let said = "b and 1 more: no replacement_cost in the inventory, so exposure.csv has the value 0";
-        assert!(some.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", some.warnings);
+        let said =
+            "b and 1 more: no replacement_cost in the inventory, so exposure.csv has the value 0";
+        assert!(
+            some.warnings
+                .iter()
+                .any(|warning| warning.starts_with(said)),
+            "{:?}",
+            some.warnings
+        );
         let none = for_openquake("id,quantity\na,2\nb,3\nc,1\n");
         assert_eq!(values(&none), ["2", "3", "1"]);
         assert!(none.warnings.is_empty(), "{:?}", none.warnings);
@@ -471,10 +635,23 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
-        let read = hazard_of(&HazardSource::File(path), HazardPlace::Stated(None), None, None).unwrap();
-        assert_eq!((read.measure.name(), read.at), ("sa_avg(0.2:2)".to_owned(), At::Ground));
+        let read = hazard_of(
+            &HazardSource::File(path),
+            HazardPlace::Stated(None),
+            None,
+            None,
+        )
+        .unwrap();
+        assert_eq!(
+            (read.measure.name(), read.at),
+            ("sa_avg(0.2:2)".to_owned(), At::Ground)
+        );
         // λ = k0 at the reference; points are joined by power laws, so that only their digits
         // differ.
-        assert!((read.hazard.annual_rate(0.3) / 1e-3 - 1.0).abs() < 1e-6, "{}", read.hazard.annual_rate(0.3));
+        assert!(
+            (read.hazard.annual_rate(0.3) / 1e-3 - 1.0).abs() < 1e-6,
+            "{}",
+            read.hazard.annual_rate(0.3)
+        );
     }
 }

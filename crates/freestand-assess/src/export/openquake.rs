@@ -31,7 +31,10 @@ fn imt_of(measure: Measure, at: At) -> Result<(String, f64), Problem> {
     let name = measure.name();
     let refused = || {
         let message = format!("OpenQuake has no measure {name} of the {}", at.name());
-        Problem::value(message, "fit the outcomes against a measure of the ground, such as pgv, with `at = \"ground\"`")
+        Problem::value(
+            message,
+            "fit the outcomes against a measure of the ground, such as pgv, with `at = \"ground\"`",
+        )
     };
     match (measure, at) {
         (_, At::Floor) => Err(refused()),
@@ -50,7 +53,10 @@ fn moments((median, beta): (f64, f64)) -> (f64, f64) {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }
 
 /// The function of one object. `exceeds` repeats `overturns` where there is no tolerance, because
@@ -61,7 +67,9 @@ fn function(object: &ExportObject, imt: &str, factor: f64) -> String {
         Shape::Lognormal { exceeds, overturns } => {
             let params = |state: &str, curve: (f64, f64)| {
                 let (mean, stddev) = moments((factor * curve.0, curve.1));
-                format!("      <params ls=\"{state}\" mean=\"{mean:.16e}\" stddev=\"{stddev:.16e}\"/>\n")
+                format!(
+                    "      <params ls=\"{state}\" mean=\"{mean:.16e}\" stddev=\"{stddev:.16e}\"/>\n"
+                )
             };
             // A level below minIML would be raised to it.
             format!(
@@ -72,11 +80,17 @@ fn function(object: &ExportObject, imt: &str, factor: f64) -> String {
             )
         }
         Shape::Points(points) => {
-            let list = |values: &mut dyn Iterator<Item = f64>| values.map(shortest).collect::<Vec<_>>().join(" ");
+            let list = |values: &mut dyn Iterator<Item = f64>| {
+                values.map(shortest).collect::<Vec<_>>().join(" ")
+            };
             // Below the first level OpenQuake has the probability of that level, so that one at
             // almost 0 comes first.
             let first = points.levels.first().map_or(1e-6, |level| 1e-6 * level);
-            let imls = list(&mut std::iter::once(first).chain(points.levels.iter().copied()).map(|x| factor * x));
+            let imls = list(
+                &mut std::iter::once(first)
+                    .chain(points.levels.iter().copied())
+                    .map(|x| factor * x),
+            );
             let poes = |state: &str, curve: &[f64]| {
                 let all = list(&mut std::iter::once(0.0).chain(curve.iter().copied()));
                 format!("      <poes ls=\"{state}\">{all}</poes>\n")
@@ -84,7 +98,10 @@ fn function(object: &ExportObject, imt: &str, factor: f64) -> String {
             format!(
                 "    <fragilityFunction id=\"{id}\" format=\"discrete\">\n      <imls imt=\"{imt}\">{imls}</imls>\n{}{}    \
                  </fragilityFunction>\n",
-                poes("exceeds", points.exceeds.as_ref().unwrap_or(&points.overturns)),
+                poes(
+                    "exceeds",
+                    points.exceeds.as_ref().unwrap_or(&points.overturns)
+                ),
                 poes("overturns", &points.overturns)
             )
         }
@@ -99,10 +116,16 @@ fn replacement(object: &ExportObject) -> Option<f64> {
 /// where no object has any cost, so that the values count objects. Beside costs in a currency 1
 /// would be an amount of it, so that it is 0, with a warning.
 fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
-    if !objects.iter().any(|object| object.cost.is_some_and(CostRow::has_costs)) {
+    if !objects
+        .iter()
+        .any(|object| object.cost.is_some_and(CostRow::has_costs))
+    {
         return (1.0, None);
     }
-    let without: Vec<&ExportObject> = objects.iter().filter(|object| replacement(object).is_none()).collect();
+    let without: Vec<&ExportObject> = objects
+        .iter()
+        .filter(|object| replacement(object).is_none())
+        .collect();
     let warning = without.split_first().map(|(first, rest)| {
         let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
         format!(
@@ -131,19 +154,28 @@ fn site_of(object: &ExportObject, request: &ExportRequest) -> Result<(f64, f64),
 fn levels(hazard: &Hazard, objects: &[ExportObject]) -> Vec<(f64, f64)> {
     let (from, to) = match hazard {
         Hazard::Points(points) => {
-            let of = |point: Option<&freestand::risk::HazardPoint>| point.map_or(1.0, |point| point.intensity);
+            let of = |point: Option<&freestand::risk::HazardPoint>| {
+                point.map_or(1.0, |point| point.intensity)
+            };
             let exponent = points.last_chunk().map_or(f64::INFINITY, |[low, high]| {
                 (low.annual_rate / high.annual_rate).ln() / (high.intensity / low.intensity).ln()
             });
-            (of(points.first()), of(points.last()) * BEYOND.powf(1.0 / exponent).min(MAX_BEYOND))
+            (
+                of(points.first()),
+                of(points.last()) * BEYOND.powf(1.0 / exponent).min(MAX_BEYOND),
+            )
         }
         Hazard::PowerLaw { exponent, .. } => objects
             .iter()
             .map(|object| extent(&object.shape, *exponent))
-            .fold((f64::INFINITY, 0.0_f64), |(low, high), (from, to)| (low.min(from), high.max(to))),
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), (from, to)| {
+                (low.min(from), high.max(to))
+            }),
     };
     let share = |i: usize| i as f64 / LEVELS as f64;
-    let mut levels: Vec<f64> = (0..=LEVELS).map(|i| from * (to / from).powf(share(i))).collect();
+    let mut levels: Vec<f64> = (0..=LEVELS)
+        .map(|i| from * (to / from).powf(share(i)))
+        .collect();
     if let Hazard::Points(points) = hazard {
         // Rounding must not put the ends beyond the curve.
         levels.retain(|x| *x > from && *x < to);
@@ -151,7 +183,10 @@ fn levels(hazard: &Hazard, objects: &[ExportObject]) -> Vec<(f64, f64)> {
     }
     levels.sort_by(f64::total_cmp);
     levels.dedup_by(|a, b| *a <= *b * (1.0 + 1e-9));
-    let mut rates: Vec<(f64, f64)> = levels.into_iter().map(|x| (x, hazard.annual_rate(x))).collect();
+    let mut rates: Vec<(f64, f64)> = levels
+        .into_iter()
+        .map(|x| (x, hazard.annual_rate(x)))
+        .collect();
     rates.retain(|(_, rate)| *rate <= MAX_RATE);
     if let Some(&(x, rate)) = rates.last() {
         rates.push((x * (1.0 + 1e-6), 1e-9 * rate));
@@ -165,11 +200,19 @@ fn extent(shape: &Shape, exponent: f64) -> (f64, f64) {
         Shape::Lognormal { exceeds, overturns } => {
             let low = exceeds.unwrap_or(*overturns);
             let centre = |(median, beta): (f64, f64)| median * (-exponent * beta * beta).exp();
-            (centre(low) * (-REACH * low.1).exp(), overturns.0 * (REACH * overturns.1).exp())
+            (
+                centre(low) * (-REACH * low.1).exp(),
+                overturns.0 * (REACH * overturns.1).exp(),
+            )
         }
         Shape::Points(points) => {
             let seen = points.exceeds.as_ref().unwrap_or(&points.overturns);
-            let first = points.levels.iter().zip(seen).find(|(_, p)| **p > 0.0).map(|(x, _)| *x);
+            let first = points
+                .levels
+                .iter()
+                .zip(seen)
+                .find(|(_, p)| **p > 0.0)
+                .map(|(x, _)| *x);
             let last = points.levels.last().copied().unwrap_or(1.0);
             (first.unwrap_or(last) / 10.0, last)
         }
@@ -185,20 +228,36 @@ fn hazard_csv(
     levels: &[(f64, f64)],
 ) -> Result<Vec<u8>, Problem> {
     let names = ["lon", "lat", "depth"].map(str::to_owned).into_iter();
-    let header: Vec<String> =
-        names.chain(levels.iter().map(|(x, _)| format!("poe-{}", shortest(factor * x)))).collect();
-    let poes: Vec<String> = levels.iter().map(|(_, rate)| shortest(-(-rate).exp_m1())).collect();
+    let header: Vec<String> = names
+        .chain(
+            levels
+                .iter()
+                .map(|(x, _)| format!("poe-{}", shortest(factor * x))),
+        )
+        .collect();
+    let poes: Vec<String> = levels
+        .iter()
+        .map(|(_, rate)| shortest(-(-rate).exp_m1()))
+        .collect();
     let row = |(lon, lat): &(f64, f64)| {
-        [shortest(*lon), shortest(*lat), "0".to_owned()].into_iter().chain(poes.iter().cloned()).collect::<Vec<_>>()
+        [shortest(*lon), shortest(*lat), "0".to_owned()]
+            .into_iter()
+            .chain(poes.iter().cloned())
+            .collect::<Vec<_>>()
     };
-    let table = csv(&header.iter().map(String::as_str).collect::<Vec<_>>(), sites.iter().map(row))?;
+    let table = csv(
+        &header.iter().map(String::as_str).collect::<Vec<_>>(),
+        sites.iter().map(row),
+    )?;
     let commas = ",".repeat(header.len() - 1);
     // OpenQuake has no periods of AvgSA; it keeps what it does not know, and we read it.
     let periods = match measure {
         Measure::SaAverage { .. } => format!(", {AVERAGE_KEY}='{}'", measure.name()),
         _ => String::new(),
     };
-    let mut text = format!("#{commas}\"kind='mean', investigation_time=1.0, imt='{imt}'{periods}\"\n").into_bytes();
+    let mut text =
+        format!("#{commas}\"kind='mean', investigation_time=1.0, imt='{imt}'{periods}\"\n")
+            .into_bytes();
     text.extend(table);
     Ok(text)
 }
@@ -224,10 +283,17 @@ pub(super) fn files(
 ) -> Result<Files, Problem> {
     let (imt, factor) = imt_of(report.table.measure, report.at)?;
     if demand.is_none() && hazard.is_none() {
-        let problem = Problem::new(ProblemKind::Missing, "a scenario of OpenQuake needs `demand`");
-        return Err(problem.hint("give `demand = \"0.4 m/s\"`, or a hazard curve with `hazard`").of(&["demand"]));
+        let problem = Problem::new(
+            ProblemKind::Missing,
+            "a scenario of OpenQuake needs `demand`",
+        );
+        return Err(problem
+            .hint("give `demand = \"0.4 m/s\"`, or a hazard curve with `hazard`")
+            .of(&["demand"]));
     }
-    hazard.map_or(Ok(()), |hazard| hazard.check(report.table.measure, report.at))?;
+    hazard.map_or(Ok(()), |hazard| {
+        hazard.check(report.table.measure, report.at)
+    })?;
     let (unpriced, warning) = value_without_cost(listed.objects);
     warnings.extend(warning);
     let mut functions = String::new();
@@ -240,7 +306,12 @@ pub(super) fn files(
         let numbers = [lon, lat].map(shortest);
         let value = [object.quantity, object.quantity * value].map(shortest);
         let id = || std::iter::once(object.id.clone());
-        assets.push(id().chain(numbers).chain(id()).chain(value).collect::<Vec<String>>());
+        assets.push(
+            id().chain(numbers)
+                .chain(id())
+                .chain(value)
+                .collect::<Vec<String>>(),
+        );
         if !sites.contains(&(lon, lat)) {
             sites.push((lon, lat));
         }
@@ -250,7 +321,10 @@ pub(super) fn files(
          <fragilityModel id=\"freestand\" assetCategory=\"contents\" lossCategory=\"contents\">\n    \
          <description>{}</description>\n    <limitStates>exceeds overturns</limitStates>\n{functions}  \
          </fragilityModel>\n</nrml>\n",
-        escaped(&format!("fragilities of free-standing objects by freestand {}", env!("CARGO_PKG_VERSION")))
+        escaped(&format!(
+            "fragilities of free-standing objects by freestand {}",
+            env!("CARGO_PKG_VERSION")
+        ))
     );
     let currency = escaped(listed.currency.unwrap_or("USD"));
     let exposure = format!(
@@ -270,10 +344,19 @@ pub(super) fn files(
                 asset_hazard_distance = 20\n";
     if let Some(demand) = demand {
         let level = shortest(factor * demand);
-        let rows = (0..sites.len()).map(|site| ["0", &site.to_string(), "0", &level].map(str::to_owned).to_vec());
-        files.push(("gmf.csv".to_owned(), csv(&["rlzi", "sid", "eid", &format!("gmv_{imt}")], rows)?));
-        let listed: Vec<String> =
-            sites.iter().map(|(lon, lat)| format!("{} {}", shortest(*lon), shortest(*lat))).collect();
+        let rows = (0..sites.len()).map(|site| {
+            ["0", &site.to_string(), "0", &level]
+                .map(str::to_owned)
+                .to_vec()
+        });
+        files.push((
+            "gmf.csv".to_owned(),
+            csv(&["rlzi", "sid", "eid", &format!("gmv_{imt}")], rows)?,
+        ));
+        let listed: Vec<String> = sites
+            .iter()
+            .map(|(lon, lat)| format!("{} {}", shortest(*lon), shortest(*lat)))
+            .collect();
         let job = format!(
             "[general]\ndescription = free-standing objects, one scenario\ncalculation_mode = scenario_damage\n\n\
              [geometry]\nsites = {}\n\n[hazard]\ngmfs_csv = gmf.csv\nnumber_of_ground_motion_fields = 1\n\n{risk}",
@@ -283,7 +366,10 @@ pub(super) fn files(
     }
     if let Some(hazard) = hazard {
         let levels = levels(&hazard.hazard, listed.objects);
-        files.push(("hazard.csv".to_owned(), hazard_csv(report.table.measure, (&imt, factor), &sites, &levels)?));
+        files.push((
+            "hazard.csv".to_owned(),
+            hazard_csv(report.table.measure, (&imt, factor), &sites, &levels)?,
+        ));
         let job = format!(
             "[general]\ndescription = free-standing objects, {RISK_YEARS} years\ncalculation_mode = \
              classical_damage\n\n[hazard]\nhazard_curves_csv = hazard.csv\ninvestigation_time = 1\n\n{risk}\
@@ -306,7 +392,10 @@ pub(super) fn files(
         })),
         "sources": sources(report),
     });
-    files.push(("metadata.json".to_owned(), document("freestand.openquake/1", &metadata, &[])?.into_bytes()));
+    files.push((
+        "metadata.json".to_owned(),
+        document("freestand.openquake/1", &metadata, &[])?.into_bytes(),
+    ));
     Ok(files)
 }
 
@@ -324,32 +413,66 @@ mod tests {
     fn moments_are_those_of_the_median() {
         let (mean, stddev) = moments((30.0, 0.25));
         let beta = (1.0 + (stddev / mean).powi(2)).ln().sqrt();
-        assert!((beta - 0.25).abs() < 1e-14 && (mean * (-0.5 * beta * beta).exp() - 30.0).abs() < 1e-12);
+        assert!(
+            (beta - 0.25).abs() < 1e-14 && (mean * (-0.5 * beta * beta).exp() - 30.0).abs() < 1e-12
+        );
     }
 
     #[test]
     fn only_measures_of_the_ground_are_exported() {
-        assert_eq!(imt_of(Measure::Pgv, At::Ground), Ok(("PGV".to_owned(), 100.0)));
-        assert_eq!(imt_of(Measure::Sa { period_s: 0.5 }, At::Ground).map(|imt| imt.0), Ok("SA(0.5)".to_owned()));
-        for (measure, at) in [(Measure::Pfv, At::Floor), (Measure::Sa { period_s: 0.5 }, At::Floor)] {
-            assert!(imt_of(measure, at).unwrap_err().hint.is_some_and(|hint| hint.contains("pgv")));
+        assert_eq!(
+            imt_of(Measure::Pgv, At::Ground),
+            Ok(("PGV".to_owned(), 100.0))
+        );
+        assert_eq!(
+            imt_of(Measure::Sa { period_s: 0.5 }, At::Ground).map(|imt| imt.0),
+            Ok("SA(0.5)".to_owned())
+        );
+        for (measure, at) in [
+            (Measure::Pfv, At::Floor),
+            (Measure::Sa { period_s: 0.5 }, At::Floor),
+        ] {
+            assert!(
+                imt_of(measure, at)
+                    .unwrap_err()
+                    .hint
+                    .is_some_and(|hint| hint.contains("pgv"))
+            );
         }
     }
 
     /// At least 300 levels, the points of the curve among them, and its tail at its last point.
     #[test]
     fn a_hazard_has_many_levels_and_its_tail() {
-        let point = |intensity, annual_rate| freestand::risk::HazardPoint { intensity, annual_rate };
-        let hazard = Hazard::points(vec![point(0.01, 40.0), point(0.1, 1e-2), point(1.0, 1e-4)]).unwrap();
+        let point = |intensity, annual_rate| freestand::risk::HazardPoint {
+            intensity,
+            annual_rate,
+        };
+        let hazard =
+            Hazard::points(vec![point(0.01, 40.0), point(0.1, 1e-2), point(1.0, 1e-4)]).unwrap();
         let levels = levels(&hazard, &[]);
-        assert!(levels.len() >= 300 && levels.iter().any(|(x, _)| *x == 0.1), "{}", levels.len());
-        assert!(levels.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 > pair[1].1));
+        assert!(
+            levels.len() >= 300 && levels.iter().any(|(x, _)| *x == 0.1),
+            "{}",
+            levels.len()
+        );
+        assert!(
+            levels
+                .windows(2)
+                .all(|pair| pair[0].0 < pair[1].0 && pair[0].1 > pair[1].1)
+        );
         assert!(levels[0].1 <= MAX_RATE, "{:?}", levels[0]);
         assert!(levels.contains(&(1.0, 1e-4)));
         // k = 2: a ten thousandth at 100 times the intensity. Rounding keeps the last step of 600 out.
         let (end, tail) = (levels[levels.len() - 2], levels[levels.len() - 1]);
-        assert!(end.0 > 98.0 && end.0 <= 100.0 && (end.1 * end.0 * end.0 / 1e-4 - 1.0).abs() < 1e-9, "{end:?}");
+        assert!(
+            end.0 > 98.0 && end.0 <= 100.0 && (end.1 * end.0 * end.0 / 1e-4 - 1.0).abs() < 1e-9,
+            "{end:?}"
+        );
         // A product of two rounded numbers.
-        assert!(tail.0 < 100.0 + 2e-4 && (tail.1 / end.1 / 1e-9 - 1.0).abs() < 1e-12, "{tail:?}");
+        assert!(
+            tail.0 < 100.0 + 2e-4 && (tail.1 / end.1 / 1e-9 - 1.0).abs() < 1e-12,
+            "{tail:?}"
+        );
     }
 }

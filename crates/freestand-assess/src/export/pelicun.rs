@@ -71,13 +71,21 @@ fn demand_of(measure: Measure) -> Result<Demand, Problem> {
         Measure::Pgv => known("Peak Ground Velocity", "mps", "PGV", Place::Ground),
         Measure::Sa { period_s } => {
             let period = shortest(period_s);
-            known(&format!("Spectral Acceleration|{period}"), "g", &format!("SA_{period}"), Place::Same)
+            known(
+                &format!("Spectral Acceleration|{period}"),
+                "g",
+                &format!("SA_{period}"),
+                Place::Same,
+            )
         }
         Measure::VelocityRatio => ratio("Rocking Velocity Ratio", "RVR"),
         Measure::AccelerationRatio => ratio("Rocking Acceleration Ratio", "RAR"),
         Measure::SaAverage { .. } => {
             let message = "pelicun has no average of spectral accelerations";
-            return Err(Problem::value(message, "fit the outcomes against another measure"));
+            return Err(Problem::value(
+                message,
+                "fit the outcomes against another measure",
+            ));
         }
     })
 }
@@ -113,23 +121,49 @@ fn multilinear(levels: &[f64], probabilities: &[f64]) -> String {
     if let Some(&(x, _)) = points.last().filter(|point| point.1 < 1.0) {
         points.push((FAR * x.max(f64::MIN_POSITIVE), 1.0));
     }
-    let list = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|point| shortest(of(point))).collect::<Vec<_>>();
-    format!("{}|{}", list(&|point| point.0).join(","), list(&|point| point.1).join(","))
+    let list = |of: &dyn Fn(&(f64, f64)) -> f64| {
+        points
+            .iter()
+            .map(|point| shortest(of(point)))
+            .collect::<Vec<_>>()
+    };
+    format!(
+        "{}|{}",
+        list(&|point| point.0).join(","),
+        list(&|point| point.1).join(",")
+    )
 }
 
 /// Family, two parameters and weights of a limit state.
 type State = [String; 4];
 
 fn states(shape: &Shape) -> [State; 2] {
-    let lognormal =
-        |(median, beta): (f64, f64)| ["lognormal".to_owned(), shortest(median), shortest(beta), String::new()];
+    let lognormal = |(median, beta): (f64, f64)| {
+        [
+            "lognormal".to_owned(),
+            shortest(median),
+            shortest(beta),
+            String::new(),
+        ]
+    };
     let none = || [const { String::new() }; 4];
     match shape {
-        Shape::Lognormal { exceeds: Some(exceeds), overturns } => [lognormal(*exceeds), lognormal(*overturns)],
-        Shape::Lognormal { exceeds: None, overturns } => [lognormal(*overturns), none()],
+        Shape::Lognormal {
+            exceeds: Some(exceeds),
+            overturns,
+        } => [lognormal(*exceeds), lognormal(*overturns)],
+        Shape::Lognormal {
+            exceeds: None,
+            overturns,
+        } => [lognormal(*overturns), none()],
         Shape::Points(points) => {
             let state = |curve: &[f64]| {
-                ["multilinear_CDF".to_owned(), multilinear(&points.levels, curve), String::new(), String::new()]
+                [
+                    "multilinear_CDF".to_owned(),
+                    multilinear(&points.levels, curve),
+                    String::new(),
+                    String::new(),
+                ]
             };
             match &points.exceeds {
                 Some(exceeds) => [state(exceeds), state(&points.overturns)],
@@ -142,16 +176,39 @@ fn states(shape: &Shape) -> [State; 2] {
 /// Rows of `consequence_repair.csv`: what the damage states of one object cost, and how long they
 /// last. An empty family is a fixed value.
 fn consequences(object: &ExportObject) -> Vec<Vec<String>> {
-    let Some(cost) = object.cost else { return Vec::new() };
+    let Some(cost) = object.cost else {
+        return Vec::new();
+    };
     let row = |name: &str, unit: &str, exceeds: f64, overturns: f64| {
-        let (first, second) =
-            if object.shape.has_exceeds() { (exceeds, shortest(overturns)) } else { (overturns, String::new()) };
+        let (first, second) = if object.shape.has_exceeds() {
+            (exceeds, shortest(overturns))
+        } else {
+            (overturns, String::new())
+        };
         let id = format!("{}-{name}", object.id);
-        [&id, "0", "1 EA", unit, "", &shortest(first), "", "", &second, ""].map(str::to_owned).to_vec()
+        [
+            &id,
+            "0",
+            "1 EA",
+            unit,
+            "",
+            &shortest(first),
+            "",
+            "",
+            &second,
+            "",
+        ]
+        .map(str::to_owned)
+        .to_vec()
     };
     let mut rows = Vec::new();
     if cost.repair.is_some() || cost.replacement.is_some() {
-        rows.push(row("Cost", DOLLARS, cost.repair.unwrap_or(0.0), cost.replacement.unwrap_or(0.0)));
+        rows.push(row(
+            "Cost",
+            DOLLARS,
+            cost.repair.unwrap_or(0.0),
+            cost.replacement.unwrap_or(0.0),
+        ));
     }
     if let Some(days) = cost.downtime_days {
         rows.push(row("Time", "worker_day", 0.0, days));
@@ -184,15 +241,40 @@ pub(super) fn files(
     for object in listed.objects {
         if object.quantity.fract() != 0.0 || object.quantity > MAX_BLOCKS {
             let (id, quantity) = (shorten(&object.object.id), shortest(object.quantity));
-            let message = format!("object {id}: pelicun counts up to {MAX_BLOCKS} objects one by one, not {quantity}");
-            return Err(Problem::value(message, "correct the column quantity of the inventory"));
+            let message = format!(
+                "object {id}: pelicun counts up to {MAX_BLOCKS} objects one by one, not {quantity}"
+            );
+            return Err(Problem::value(
+                message,
+                "correct the column quantity of the inventory",
+            ));
         }
         // Demand-Directional 0 would multiply the demand by 1.2.
-        let head = [object.id.as_str(), "0", demand.kind.as_str(), demand.unit, "0", "1"].map(str::to_owned);
-        fragilities.push(head.into_iter().chain(states(&object.shape).into_iter().flatten()).collect());
+        let head = [
+            object.id.as_str(),
+            "0",
+            demand.kind.as_str(),
+            demand.unit,
+            "0",
+            "1",
+        ]
+        .map(str::to_owned);
+        fragilities.push(
+            head.into_iter()
+                .chain(states(&object.shape).into_iter().flatten())
+                .collect(),
+        );
         let (location, demand_location) = demand.place.locations(object.floor);
         let (place, quantity) = (location.to_string(), shortest(object.quantity));
-        let component = [&object.id, "ea", &place, "1", &quantity, &quantity, &object.object.id];
+        let component = [
+            &object.id,
+            "ea",
+            &place,
+            "1",
+            &quantity,
+            &quantity,
+            &object.object.id,
+        ];
         components.push(component.map(ToString::to_string).to_vec());
         consequences.extend(self::consequences(object));
         locations.push(demand_location);
@@ -204,19 +286,49 @@ pub(super) fn files(
         let of = |i: usize| names.iter().map(move |name| format!("{i}-{name}"));
         (1..=2).flat_map(of).collect::<Vec<String>>()
     };
-    let head = ["ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional"];
+    let head = [
+        "ID",
+        "Incomplete",
+        "Demand-Type",
+        "Demand-Unit",
+        "Demand-Offset",
+        "Demand-Directional",
+    ];
     let limit_states = states(&["Family", "Theta_0", "Theta_1", "DamageStateWeights"]);
     let limit_states = limit_states.iter().map(|name| format!("LS{name}"));
-    let header: Vec<String> = head.map(str::to_owned).into_iter().chain(limit_states).collect();
-    let quantities = ["ID", "Units", "Location", "Direction", "Theta_0", "Blocks", "Comment"];
+    let header: Vec<String> = head
+        .map(str::to_owned)
+        .into_iter()
+        .chain(limit_states)
+        .collect();
+    let quantities = [
+        "ID",
+        "Units",
+        "Location",
+        "Direction",
+        "Theta_0",
+        "Blocks",
+        "Comment",
+    ];
     let levels: Vec<f64> = match level {
         Some(value) => vec![value; request.realizations.unwrap_or(DEFAULT_REALIZATIONS) as usize],
-        None => report.table.runs.iter().map(|run| run.run.intensity).collect(),
+        None => report
+            .table
+            .runs
+            .iter()
+            .map(|run| run.run.intensity)
+            .collect(),
     };
     let mut files = vec![
         ("fragility.csv".to_owned(), table(&header, fragilities)?),
-        ("CMP_QNT.csv".to_owned(), csv(&quantities, components.into_iter())?),
-        ("demand.csv".to_owned(), demands(&demand, &locations, &levels)?),
+        (
+            "CMP_QNT.csv".to_owned(),
+            csv(&quantities, components.into_iter())?,
+        ),
+        (
+            "demand.csv".to_owned(),
+            demands(&demand, &locations, &levels)?,
+        ),
     ];
     let has_costs = !consequences.is_empty();
     if has_costs {
@@ -224,7 +336,10 @@ pub(super) fn files(
         let damage_states = damage_states.iter().map(|name| format!("DS{name}"));
         let head = ["ID", "Incomplete", "Quantity-Unit", "DV-Unit"].map(str::to_owned);
         let header: Vec<String> = head.into_iter().chain(damage_states).collect();
-        files.push(("consequence_repair.csv".to_owned(), table(&header, consequences)?));
+        files.push((
+            "consequence_repair.csv".to_owned(),
+            table(&header, consequences)?,
+        ));
         if let Some(currency) = listed.currency.filter(|currency| *currency != DOLLARS) {
             warnings.push(format!(
                 "pelicun writes every cost as {DOLLARS}, but these costs are in {currency}, as in the inventory"
@@ -232,7 +347,15 @@ pub(super) fn files(
         }
     }
     let seed = report.request.seed;
-    let config = config(&demand, &Job { realizations: levels.len(), seed, stories, has_costs });
+    let config = config(
+        &demand,
+        &Job {
+            realizations: levels.len(),
+            seed,
+            stories,
+            has_costs,
+        },
+    );
     let text = serde_json::to_string_pretty(&config)
         .map_err(|error| Problem::new(ProblemKind::Computation, format!("config.json: {error}")))?;
     files.push(("config.json".to_owned(), format!("{text}\n").into_bytes()));
@@ -243,23 +366,36 @@ pub(super) fn files(
         "currency": listed.currency,
         "sources": sources(report),
     });
-    files.push(("metadata.json".to_owned(), document("freestand.pelicun/1", &metadata, warnings)?.into_bytes()));
+    files.push((
+        "metadata.json".to_owned(),
+        document("freestand.pelicun/1", &metadata, warnings)?.into_bytes(),
+    ));
     Ok(files)
 }
 
 fn table(header: &[String], rows: Vec<Vec<String>>) -> Result<Vec<u8>, Problem> {
-    csv(&header.iter().map(String::as_str).collect::<Vec<_>>(), rows.into_iter())
+    csv(
+        &header.iter().map(String::as_str).collect::<Vec<_>>(),
+        rows.into_iter(),
+    )
 }
 
 /// `demand.csv`: a column for each floor in use, a row for each realization.
 fn demands(demand: &Demand, locations: &[u32], levels: &[f64]) -> Result<Vec<u8>, Problem> {
-    let columns = locations.iter().map(|location| format!("1-{}-{location}-1", demand.acronym));
+    let columns = locations
+        .iter()
+        .map(|location| format!("1-{}-{location}-1", demand.acronym));
     let header: Vec<String> = std::iter::once(String::new()).chain(columns).collect();
     let row = |first: String, cell: String| {
-        std::iter::once(first).chain(std::iter::repeat_n(cell, locations.len())).collect::<Vec<String>>()
+        std::iter::once(first)
+            .chain(std::iter::repeat_n(cell, locations.len()))
+            .collect::<Vec<String>>()
     };
     let units = row("Units".to_owned(), demand.unit.to_owned());
-    let rows = levels.iter().enumerate().map(|(i, value)| row(i.to_string(), shortest(*value)));
+    let rows = levels
+        .iter()
+        .enumerate()
+        .map(|(i, value)| row(i.to_string(), shortest(*value)));
     table(&header, std::iter::once(units).chain(rows).collect())
 }
 
@@ -272,7 +408,9 @@ struct Job {
 }
 
 fn config(demand: &Demand, job: &Job) -> Value {
-    let custom = demand.custom.map(|(kind, acronym)| json!({kind: {"Acronym": acronym, "UnitType": "unitless"}}));
+    let custom = demand
+        .custom
+        .map(|(kind, acronym)| json!({kind: {"Acronym": acronym, "UnitType": "unitless"}}));
     let mut options = json!({
         "Seed": job.seed,
         "Sampling": {"SamplingMethod": "LHS", "SampleSize": job.realizations, "PreserveRawOrder": true},
@@ -318,9 +456,18 @@ mod tests {
     /// pelicun wants 0 at first, 1 at last, and a rise that its six digits show between.
     #[test]
     fn points_rise_from_0_to_1() {
-        assert_eq!(multilinear(&[0.1, 0.2, 0.4, 0.8], &[0.0, 0.0, 0.5, 1.0]), "0.2,0.4,0.8|0,0.5,1");
-        assert_eq!(multilinear(&[1.0, 2.0, 3.0], &[0.25, 0.25, 0.5]), "0,1,2,3,3000000|0,0.25,0.25001,0.5,1");
-        assert_eq!(multilinear(&[1.0, 2.0, 3.0, 4.0], &[0.25; 4]), "0,1,4,4000000|0,0.25,0.25001,1");
+        assert_eq!(
+            multilinear(&[0.1, 0.2, 0.4, 0.8], &[0.0, 0.0, 0.5, 1.0]),
+            "0.2,0.4,0.8|0,0.5,1"
+        );
+        assert_eq!(
+            multilinear(&[1.0, 2.0, 3.0], &[0.25, 0.25, 0.5]),
+            "0,1,2,3,3000000|0,0.25,0.25001,0.5,1"
+        );
+        assert_eq!(
+            multilinear(&[1.0, 2.0, 3.0, 4.0], &[0.25; 4]),
+            "0,1,4,4000000|0,0.25,0.25001,1"
+        );
         assert_eq!(multilinear(&[1.0], &[0.0]), "1,1000000|0,1");
     }
 
@@ -328,7 +475,19 @@ mod tests {
     fn floors_become_locations() {
         assert_eq!(demand_of(Measure::Pfv).unwrap().place.locations(3), (4, 3));
         assert_eq!(demand_of(Measure::Pga).unwrap().place.locations(3), (0, 0));
-        assert_eq!(demand_of(Measure::VelocityRatio).unwrap().place.locations(0), (1, 1));
-        assert!(demand_of(Measure::SaAverage { from_s: 0.2, to_s: 2.0 }).is_err());
+        assert_eq!(
+            demand_of(Measure::VelocityRatio)
+                .unwrap()
+                .place
+                .locations(0),
+            (1, 1)
+        );
+        assert!(
+            demand_of(Measure::SaAverage {
+                from_s: 0.2,
+                to_s: 2.0
+            })
+            .is_err()
+        );
     }
 }

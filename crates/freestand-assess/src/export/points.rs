@@ -36,42 +36,82 @@ impl Points {
             Some(two_stage) => {
                 let overturns = object.fit.curve(LimitState::Overturns);
                 let known = [Some(two_stage.rocks), Some(two_stage.overturns), overturns];
-                if known.into_iter().flatten().any(|kind| matches!(kind, CurveKind::NotIncreasing { .. })) {
+                if known
+                    .into_iter()
+                    .flatten()
+                    .any(|kind| matches!(kind, CurveKind::NotIncreasing { .. }))
+                {
                     let id = shorten(&object.id);
-                    let message = format!("object {id} rocks or overturns no more often under stronger motions");
-                    let hint =
-                        "leave out `tolerance`, so that the shares of runs are exported, or run more intensities";
+                    let message = format!(
+                        "object {id} rocks or overturns no more often under stronger motions"
+                    );
+                    let hint = "leave out `tolerance`, so that the shares of runs are exported, or run more intensities";
                     return Err(Problem::value(message, hint));
                 }
                 let levels = sampled(object.outcomes.levels());
                 let of = |p: &dyn Fn(f64) -> f64| -> Vec<f64> {
                     // Rounding alone would make a curve fall.
-                    levels.iter().scan(0.0_f64, |most, x| Some(raise(most, p(*x)))).collect()
+                    levels
+                        .iter()
+                        .scan(0.0_f64, |most, x| Some(raise(most, p(*x))))
+                        .collect()
                 };
                 let overturns = of(&|x| overturns.map_or(0.0, |kind| kind.least_probability(x)));
                 let exceeds = of(&|x| two_stage.probability(x));
-                let exceeds = exceeds.iter().zip(&overturns).map(|(one, other)| one.max(*other)).collect();
-                Ok(Self { levels, exceeds: Some(exceeds), overturns })
+                let exceeds = exceeds
+                    .iter()
+                    .zip(&overturns)
+                    .map(|(one, other)| one.max(*other))
+                    .collect();
+                Ok(Self {
+                    levels,
+                    exceeds: Some(exceeds),
+                    overturns,
+                })
             }
             None => {
                 let seen = |state| {
                     let seen = empirical(&object.outcomes, state);
-                    if object.outcomes.sampling() == Sampling::Own { stepped(&seen) } else { rising(&seen) }
+                    if object.outcomes.sampling() == Sampling::Own {
+                        stepped(&seen)
+                    } else {
+                        rising(&seen)
+                    }
                 };
                 let overturns = seen(LimitState::Overturns);
-                let exceeds = object.fit.curve(LimitState::Exceeds).map(|_| seen(LimitState::Exceeds));
-                let mut levels: Vec<f64> =
-                    overturns.iter().chain(exceeds.iter().flatten()).map(|point| point.0).collect();
+                let exceeds = object
+                    .fit
+                    .curve(LimitState::Exceeds)
+                    .map(|_| seen(LimitState::Exceeds));
+                let mut levels: Vec<f64> = overturns
+                    .iter()
+                    .chain(exceeds.iter().flatten())
+                    .map(|point| point.0)
+                    .collect();
                 if levels.is_empty() {
                     levels = object.outcomes.levels().to_vec();
                 }
                 levels.sort_by(f64::total_cmp);
                 levels.dedup();
-                let of = |curve: &[(f64, f64)]| levels.iter().map(|x| between(curve, *x)).collect::<Vec<f64>>();
+                let of = |curve: &[(f64, f64)]| {
+                    levels
+                        .iter()
+                        .map(|x| between(curve, *x))
+                        .collect::<Vec<f64>>()
+                };
                 let overturned = of(&overturns);
-                let exceeded = exceeds
-                    .map(|curve| of(&curve).iter().zip(&overturned).map(|(one, other)| one.max(*other)).collect());
-                Ok(Self { exceeds: exceeded, overturns: overturned, levels })
+                let exceeded = exceeds.map(|curve| {
+                    of(&curve)
+                        .iter()
+                        .zip(&overturned)
+                        .map(|(one, other)| one.max(*other))
+                        .collect()
+                });
+                Ok(Self {
+                    exceeds: exceeded,
+                    overturns: overturned,
+                    levels,
+                })
             }
         }
     }
@@ -83,9 +123,14 @@ fn raise(most: &mut f64, value: f64) -> f64 {
 }
 
 fn sampled(levels: &[f64]) -> Vec<f64> {
-    let (from, to) = (levels.first().copied().unwrap_or(1.0) / BEYOND, levels.last().copied().unwrap_or(1.0) * BEYOND);
+    let (from, to) = (
+        levels.first().copied().unwrap_or(1.0) / BEYOND,
+        levels.last().copied().unwrap_or(1.0) * BEYOND,
+    );
     let count = ((to / from).ln() / STEP.ln()).ceil();
-    (0..=count as usize).map(|i| from * (to / from).powf(i as f64 / count)).collect()
+    (0..=count as usize)
+        .map(|i| from * (to / from).powf(i as f64 / count))
+        .collect()
 }
 
 /// Shares that rise with the intensity, nearest to those that were seen: neighbours that fall are
@@ -105,7 +150,9 @@ fn rising(seen: &[Empirical]) -> Vec<(f64, f64)> {
         }
         pools.push(pool);
     }
-    let shares = pools.iter().flat_map(|&(trials, reached, levels)| std::iter::repeat_n(reached / trials, levels));
+    let shares = pools
+        .iter()
+        .flat_map(|&(trials, reached, levels)| std::iter::repeat_n(reached / trials, levels));
     seen.iter().map(|one| one.intensity).zip(shares).collect()
 }
 
@@ -120,7 +167,10 @@ fn stepped(capacities: &[Empirical]) -> Vec<(f64, f64)> {
     let mut before = 0.0;
     for (i, one) in capacities.iter().enumerate() {
         // Of equal capacities the last counts all of them.
-        if capacities.get(i + 1).is_some_and(|next| next.intensity == one.intensity) {
+        if capacities
+            .get(i + 1)
+            .is_some_and(|next| next.intensity == one.intensity)
+        {
             continue;
         }
         let share = one.reached / one.trials;
@@ -137,7 +187,11 @@ fn stepped(capacities: &[Empirical]) -> Vec<(f64, f64)> {
 /// The probability on straight lines, from 0 at the intensity 0.
 fn between(curve: &[(f64, f64)], x: f64) -> f64 {
     let after = curve.partition_point(|point| point.0 < x);
-    let low = after.checked_sub(1).and_then(|i| curve.get(i)).copied().unwrap_or((0.0, 0.0));
+    let low = after
+        .checked_sub(1)
+        .and_then(|i| curve.get(i))
+        .copied()
+        .unwrap_or((0.0, 0.0));
     match curve.get(after) {
         Some(&(to, p)) if to > low.0 => low.1 + (p - low.1) * (x - low.0) / (to - low.0),
         Some(&(_, p)) => p,
@@ -155,7 +209,12 @@ mod tests {
     /// the ceiling.
     fn by_shock(rocks: CurveKind, overturns: CurveKind) -> ObjectFragility {
         let class = OutcomeClass::Overturned;
-        let runs = [0.1, 0.2].map(|intensity| Run { motion: Some(0), intensity, class, weight: 1.0 });
+        let runs = [0.1, 0.2].map(|intensity| Run {
+            motion: Some(0),
+            intensity,
+            class,
+            weight: 1.0,
+        });
         let curve = |limit_state, kind| Curve { limit_state, kind };
         ObjectFragility {
             capacities: Vec::new(),
@@ -165,12 +224,21 @@ mod tests {
             reasons: Vec::new(),
             fit: Fit {
                 kind: FitKind::Ordered,
-                curves: vec![curve(LimitState::Rocks, rocks), curve(LimitState::Overturns, overturns)],
+                curves: vec![
+                    curve(LimitState::Rocks, rocks),
+                    curve(LimitState::Overturns, overturns),
+                ],
                 log_likelihood: 0.0,
                 score_per_run: 0.0,
             },
             caution: None,
-            two_stage: Some(TwoStage { rocks, overturns, shock: None, ceiling_g: 1.0, tolerance_g: 2.0 }),
+            two_stage: Some(TwoStage {
+                rocks,
+                overturns,
+                shock: None,
+                ceiling_g: 1.0,
+                tolerance_g: 2.0,
+            }),
             no_two_stage: None,
             goodness: None,
             bootstrap: None,
@@ -187,24 +255,59 @@ mod tests {
         let all = CurveKind::All { upper: 0.1 };
         let points = Points::of(&by_shock(all, all), true).unwrap();
         let pairs = points.levels.iter().zip(&points.overturns);
-        assert!(pairs.clone().all(|(x, p)| *p == f64::from(u8::from(*x >= 0.1))), "{points:?}");
+        assert!(
+            pairs
+                .clone()
+                .all(|(x, p)| *p == f64::from(u8::from(*x >= 0.1))),
+            "{points:?}"
+        );
         assert!(pairs.filter(|(_, p)| **p == 1.0).count() > 10);
         assert_eq!(points.exceeds, Some(points.overturns.clone()));
-        let unknown = CurveKind::NotIncreasing { lower: 0.1, upper: 0.2 };
+        let unknown = CurveKind::NotIncreasing {
+            lower: 0.1,
+            upper: 0.2,
+        };
         let problem = Points::of(&by_shock(all, unknown), true).unwrap_err();
-        assert!(problem.message.contains("object a rocks or overturns no more often"), "{problem}");
+        assert!(
+            problem
+                .message
+                .contains("object a rocks or overturns no more often"),
+            "{problem}"
+        );
     }
 
     fn seen(of: &[(f64, f64)]) -> Vec<Empirical> {
-        of.iter().map(|&(intensity, reached)| Empirical { intensity, trials: 10.0, reached }).collect()
+        of.iter()
+            .map(|&(intensity, reached)| Empirical {
+                intensity,
+                trials: 10.0,
+                reached,
+            })
+            .collect()
     }
 
     /// 2, 5, 3, 4 of 10: the last three are joined at their mean, 4 of 10.
     #[test]
     fn shares_that_fall_are_joined() {
-        let risen = rising(&seen(&[(1.0, 2.0), (2.0, 5.0), (3.0, 3.0), (4.0, 4.0), (5.0, 9.0)]));
-        assert_eq!(risen, [(1.0, 0.2), (2.0, 0.4), (3.0, 0.4), (4.0, 0.4), (5.0, 0.9)]);
-        assert_eq!((between(&risen, 0.5), between(&risen, 4.5), between(&risen, 50.0)), (0.1, 0.65, 0.9));
+        let risen = rising(&seen(&[
+            (1.0, 2.0),
+            (2.0, 5.0),
+            (3.0, 3.0),
+            (4.0, 4.0),
+            (5.0, 9.0),
+        ]));
+        assert_eq!(
+            risen,
+            [(1.0, 0.2), (2.0, 0.4), (3.0, 0.4), (4.0, 0.4), (5.0, 0.9)]
+        );
+        assert_eq!(
+            (
+                between(&risen, 0.5),
+                between(&risen, 4.5),
+                between(&risen, 50.0)
+            ),
+            (0.1, 0.65, 0.9)
+        );
         assert_eq!(between(&[], 1.0), 0.0);
     }
 
@@ -213,7 +316,10 @@ mod tests {
     fn capacities_are_steps() {
         let points = stepped(&seen(&[(2.0, 1.0), (4.0, 2.0), (4.0, 3.0)]));
         let at = |x| between(&points, x);
-        assert_eq!([0.5, 1.99, 2.0, 3.99, 4.0, 9.0].map(at), [0.0, 0.0, 0.1, 0.1, 0.3, 0.3]);
+        assert_eq!(
+            [0.5, 1.99, 2.0, 3.99, 4.0, 9.0].map(at),
+            [0.0, 0.0, 0.1, 0.1, 0.3, 0.3]
+        );
         assert!(points.windows(2).all(|pair| pair[0].0 < pair[1].0));
     }
 
@@ -221,6 +327,10 @@ mod tests {
     fn samples_are_near_each_other() {
         let levels = sampled(&[0.1, 1.0]);
         assert!((levels[0] - 0.02).abs() < 1e-15 && (levels[levels.len() - 1] - 5.0).abs() < 1e-12);
-        assert!(levels.windows(2).all(|pair| pair[1] / pair[0] < 1.0200001 && pair[1] > pair[0]));
+        assert!(
+            levels
+                .windows(2)
+                .all(|pair| pair[1] / pair[0] < 1.0200001 && pair[1] > pair[0])
+        );
     }
 }

@@ -20,8 +20,7 @@ pub(crate) const CAPACITY: &str = "capacity";
 /// The column of outcomes and curves with the name of a [`TooMild`].
 pub(crate) const CAUTION: &str = "caution";
 
-const HINT: &str =
-    "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
+const HINT: &str = "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
 
 /// The curves of one object.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,13 +45,19 @@ pub struct ObjectCurves {
 impl ObjectCurves {
     /// The curve of a limit state.
     pub(crate) fn curve(&self, state: LimitState) -> Option<CurveKind> {
-        self.curves.iter().find(|curve| curve.limit_state == state).map(|curve| curve.kind)
+        self.curves
+            .iter()
+            .find(|curve| curve.limit_state == state)
+            .map(|curve| curve.kind)
     }
 
     /// Between which intensities of the runs the capacities of a limit state are; empty where that is not
     /// known.
     pub(crate) fn capacities(&self, state: LimitState) -> &[Capacity] {
-        self.capacities.iter().find(|one| one.0 == state).map_or(&[], |one| &one.1)
+        self.capacities
+            .iter()
+            .find(|one| one.0 == state)
+            .map_or(&[], |one| &one.1)
     }
 }
 
@@ -61,7 +66,13 @@ impl ObjectCurves {
 pub(crate) fn capacities_text(found: &[Capacity]) -> String {
     let end = |x: Option<f64>| x.map_or(String::new(), shortest);
     let one = |one: &Capacity| {
-        format!("{}{}..{}={}", if one.is_lowest { "<" } else { "" }, end(one.from), end(one.to), shortest(one.share))
+        format!(
+            "{}{}..{}={}",
+            if one.is_lowest { "<" } else { "" },
+            end(one.from),
+            end(one.to),
+            shortest(one.share)
+        )
     };
     found.iter().map(one).collect::<Vec<_>>().join("; ")
 }
@@ -70,16 +81,29 @@ pub(crate) fn capacities_text(found: &[Capacity]) -> String {
 fn capacities_of(text: &str, factor: f64) -> Option<Vec<Capacity>> {
     let end = |text: &str| match text {
         "" => Some(None),
-        text => text.parse::<f64>().ok().filter(|x| *x > 0.0 && x.is_finite()).map(|x| Some(factor * x)),
+        text => text
+            .parse::<f64>()
+            .ok()
+            .filter(|x| *x > 0.0 && x.is_finite())
+            .map(|x| Some(factor * x)),
     };
     let one = |text: &str| {
         let text = text.trim();
         let (ends, share) = text.strip_prefix('<').unwrap_or(text).split_once('=')?;
         let (from, to) = ends.split_once("..")?;
-        let share = share.parse::<f64>().ok().filter(|share| (0.0..=1.0).contains(share))?;
+        let share = share
+            .parse::<f64>()
+            .ok()
+            .filter(|share| (0.0..=1.0).contains(share))?;
         let (from, to) = (end(from)?, end(to)?);
-        let is_rising = from.zip(to).is_none_or(|(from, to)| from <= to) && (from.is_some() || to.is_some());
-        is_rising.then_some(Capacity { from, to, share, is_lowest: text.starts_with('<') })
+        let is_rising =
+            from.zip(to).is_none_or(|(from, to)| from <= to) && (from.is_some() || to.is_some());
+        is_rising.then_some(Capacity {
+            from,
+            to,
+            share,
+            is_lowest: text.starts_with('<'),
+        })
     };
     text.split(';').map(one).collect()
 }
@@ -93,13 +117,17 @@ impl ObjectCurves {
     pub(crate) fn contradiction(&self) -> Option<String> {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for curve in &self.curves {
-            let (median, beta) = (curve.kind.median().unwrap_or(f64::NAN), curve.kind.beta().unwrap_or(0.0));
+            let (median, beta) = (
+                curve.kind.median().unwrap_or(f64::NAN),
+                curve.kind.beta().unwrap_or(0.0),
+            );
             // Three standard deviations hold all but 0.1 % of either side; of a step a little beyond it.
             let reach = (3.0 * beta).exp().max(1.1);
             (least, most) = (least.min(median / reach), most.max(median * reach));
         }
-        let levels: Vec<f64> =
-            (0..=GRID).map(|i| least * (most / least).powf(f64::from(i) / f64::from(GRID))).collect();
+        let levels: Vec<f64> = (0..=GRID)
+            .map(|i| least * (most / least).powf(f64::from(i) / f64::from(GRID)))
+            .collect();
         let pairs = self.curves.iter().zip(self.curves.iter().skip(1));
         pairs.into_iter().find_map(|(mild, severe)| {
             let excess = |x: f64| Some(severe.kind.probability(x)? - mild.kind.probability(x)?);
@@ -128,20 +156,35 @@ impl ObjectCurves {
 /// What [`ObjectCurves::contradiction`] says of the first object, and which others have one too.
 pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<String> {
     const NAMED: usize = 3;
-    let mut found = curves.iter().filter_map(|one| Some((shorten(&one.id), one.contradiction()?)));
+    let mut found = curves
+        .iter()
+        .filter_map(|one| Some((shorten(&one.id), one.contradiction()?)));
     let (_, first) = found.next()?;
     let others: Vec<String> = found.map(|(id, _)| id).collect();
-    let also = if others.is_empty() { String::new() } else { format!(" (also {})", some(&others, NAMED)) };
+    let also = if others.is_empty() {
+        String::new()
+    } else {
+        format!(" (also {})", some(&others, NAMED))
+    };
     Some(first + &also)
 }
 
 /// Which objects may fail more often than their curves say: one sentence for each reason.
-pub(crate) fn cautions<'a>(objects: impl Iterator<Item = (&'a str, Option<TooMild>)> + Clone) -> Vec<String> {
+pub(crate) fn cautions<'a>(
+    objects: impl Iterator<Item = (&'a str, Option<TooMild>)> + Clone,
+) -> Vec<String> {
     let said = TOO_MILD.iter().filter_map(|(why, _, words)| {
-        let mut ids = objects.clone().filter(|(_, caution)| *caution == Some(*why)).map(|(id, _)| id);
+        let mut ids = objects
+            .clone()
+            .filter(|(_, caution)| *caution == Some(*why))
+            .map(|(id, _)| id);
         let first = ids.next()?;
         let many = 1 + ids.count();
-        let (verb, they) = if many == 1 { ("is", "it") } else { ("are", "they") };
+        let (verb, they) = if many == 1 {
+            ("is", "it")
+        } else {
+            ("are", "they")
+        };
         Some(format!(
             "{} {verb} {words}; {they} may fail more often than the curves say, for example {}",
             counted(many, "object"),
@@ -153,13 +196,21 @@ pub(crate) fn cautions<'a>(objects: impl Iterator<Item = (&'a str, Option<TooMil
 
 /// The reason in the column `caution`; `None` without the column or in an empty cell.
 pub(super) fn caution_of(table: &Table, row: &Row) -> Result<Option<TooMild>, Problem> {
-    let Some(column) = table.given(row, CAUTION) else { return Ok(None) };
+    let Some(column) = table.given(row, CAUTION) else {
+        return Ok(None);
+    };
     let text = table.text(row, column);
-    let found = TOO_MILD.iter().find(|(_, name, _)| *name == text).map(|(why, ..)| *why);
+    let found = TOO_MILD
+        .iter()
+        .find(|(_, name, _)| *name == text)
+        .map(|(why, ..)| *why);
     found.map(Some).ok_or_else(|| {
         let names: Vec<&str> = TOO_MILD.iter().map(|one| one.1).collect();
         let message = format!("\"{}\" is not a caution", shorten(text));
-        table.cell_problem(row, column, &message).hint(format!("write {}, or leave the cell empty", names.join(", ")))
+        table.cell_problem(row, column, &message).hint(format!(
+            "write {}, or leave the cell empty",
+            names.join(", ")
+        ))
     })
 }
 
@@ -180,9 +231,14 @@ pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Proble
 fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
     let mut problems = RowProblems::default();
     let table = Table::read(bytes, path, HINT, &mut problems)?;
-    let [id, im, unit, at, state] = ["id", "im", "im_unit", "at", "limit_state"].map(|name| table.needed(name));
+    let [id, im, unit, at, state] =
+        ["id", "im", "im_unit", "at", "limit_state"].map(|name| table.needed(name));
     let (id, im, unit, at, state) = (id?, im?, unit?, at?, state?);
-    let (kind, median, beta) = (table.needed("kind")?, table.needed("median")?, table.needed("beta")?);
+    let (kind, median, beta) = (
+        table.needed("kind")?,
+        table.needed("median")?,
+        table.needed("beta")?,
+    );
     let mut objects: Vec<ObjectCurves> = Vec::new();
     let mut places: HashMap<String, usize> = HashMap::new();
     let mut add = |row: &Row| -> Result<(), Problem> {
@@ -191,23 +247,43 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             table.cell_problem(row, column, &message).hint(hint)
         };
         let name = table.filled(row, id)?;
-        let measure = Measure::parse(table.filled(row, im)?)
-            .ok_or_else(|| bad(im, "an intensity measure", &format!("write one of {MEASURES}, without the unit")))?;
-        let factor = measure.factor_from(Some(table.filled(row, unit)?)).map_err(|problem| {
-            table.cell_problem(row, unit, &problem.message).hint(problem.hint.unwrap_or_default())
+        let measure = Measure::parse(table.filled(row, im)?).ok_or_else(|| {
+            bad(
+                im,
+                "an intensity measure",
+                &format!("write one of {MEASURES}, without the unit"),
+            )
         })?;
+        let factor = measure
+            .factor_from(Some(table.filled(row, unit)?))
+            .map_err(|problem| {
+                table
+                    .cell_problem(row, unit, &problem.message)
+                    .hint(problem.hint.unwrap_or_default())
+            })?;
         let place = At::parse(table.filled(row, at)?);
-        let place = place.ok_or_else(|| bad(at, "a place of a measure", "write ground or floor"))?;
-        measure.at(Some(place)).map_err(|problem| table.cell_problem(row, at, &problem.message))?;
+        let place =
+            place.ok_or_else(|| bad(at, "a place of a measure", "write ground or floor"))?;
+        measure
+            .at(Some(place))
+            .map_err(|problem| table.cell_problem(row, at, &problem.message))?;
         let text = table.filled(row, state)?;
-        let limit_state = LimitState::ALL.into_iter().find(|state| state.name() == text);
-        let limit_state =
-            limit_state.ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
+        let limit_state = LimitState::ALL
+            .into_iter()
+            .find(|state| state.name() == text);
+        let limit_state = limit_state
+            .ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
         let kind = kind_of(&table, row, (kind, median, beta), factor)?;
         let curve = Curve { limit_state, kind };
         let found = table.given(row, CAPACITY).map(|column| {
             let hint = "write it as freestand fragility does, or leave the cell empty";
-            let wrong = || bad(column, "a list of capacities such as \"0.1..0.2=0.5; 0.2..=0.5\"", hint);
+            let wrong = || {
+                bad(
+                    column,
+                    "a list of capacities such as \"0.1..0.2=0.5; 0.2..=0.5\"",
+                    hint,
+                )
+            };
             capacities_of(table.text(row, column), factor).ok_or_else(wrong)
         });
         let found = found.transpose()?.map(|found| (limit_state, found));
@@ -224,10 +300,18 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
                 line: row.line,
             }),
             Some(object) if object.measure != measure || object.at != place => {
-                return Err(table.cell_problem(row, im, "this object has another intensity measure above"));
+                return Err(table.cell_problem(
+                    row,
+                    im,
+                    "this object has another intensity measure above",
+                ));
             }
             Some(object) if object.curve(limit_state).is_some() => {
-                return Err(table.cell_problem(row, state, "this limit state of the object appears twice"));
+                return Err(table.cell_problem(
+                    row,
+                    state,
+                    "this limit state of the object appears twice",
+                ));
             }
             Some(object) => {
                 object.curves.push(curve);
@@ -258,15 +342,19 @@ fn kind_of(
         }
         let column = table.needed("upper")?;
         let below = shorten(table.text(row, table.needed("lower")?));
-        let message = format!("{} is below the lower intensity {below}", shorten(table.text(row, column)));
+        let message = format!(
+            "{} is below the lower intensity {below}",
+            shorten(table.text(row, column))
+        );
         let hint = "lower is the intensity up to which no run reached the limit state, upper the one from which every \
                     run did: exchange them";
         Err(table.cell_problem(row, column, &message).hint(hint))
     };
     match table.filled(row, kind)? {
-        "lognormal" => {
-            Ok(CurveKind::Lognormal { median: factor * table.positive(row, median)?, beta: table.positive(row, beta)? })
-        }
+        "lognormal" => Ok(CurveKind::Lognormal {
+            median: factor * table.positive(row, median)?,
+            beta: table.positive(row, beta)?,
+        }),
         "step" => match (table.column("lower"), table.column("upper")) {
             (Some(_), Some(_)) => {
                 let (lower, upper) = (bound("lower")?, bound("upper")?);
@@ -275,25 +363,45 @@ fn kind_of(
             }
             _ => {
                 let median = factor * table.positive(row, median)?;
-                Ok(CurveKind::Step { lower: median, upper: median })
+                Ok(CurveKind::Step {
+                    lower: median,
+                    upper: median,
+                })
             }
         },
         "bounds" => {
             let optional = |name: &str| -> Result<Option<f64>, Problem> {
-                let is_given = table.column(name).is_some_and(|column| !table.text(row, column).is_empty());
+                let is_given = table
+                    .column(name)
+                    .is_some_and(|column| !table.text(row, column).is_empty());
                 is_given.then(|| bound(name)).transpose()
             };
             let (lower, upper) = (optional("lower")?, optional("upper")?);
             // One of them must be there.
-            let lower = if upper.is_none() { Some(bound("lower")?) } else { lower };
+            let lower = if upper.is_none() {
+                Some(bound("lower")?)
+            } else {
+                lower
+            };
             in_order(lower, upper)?;
             Ok(CurveKind::Bounds { lower, upper })
         }
-        "none" => Ok(CurveKind::None { lower: bound("lower")? }),
-        "all" => Ok(CurveKind::All { upper: bound("upper")? }),
-        "not-increasing" => Ok(CurveKind::NotIncreasing { lower: bound("lower")?, upper: bound("upper")? }),
+        "none" => Ok(CurveKind::None {
+            lower: bound("lower")?,
+        }),
+        "all" => Ok(CurveKind::All {
+            upper: bound("upper")?,
+        }),
+        "not-increasing" => Ok(CurveKind::NotIncreasing {
+            lower: bound("lower")?,
+            upper: bound("upper")?,
+        }),
         other => Err(table
-            .cell_problem(row, kind, &format!("\"{}\" is not a kind of curve", shorten(other)))
+            .cell_problem(
+                row,
+                kind,
+                &format!("\"{}\" is not a kind of curve", shorten(other)),
+            )
             .hint("write lognormal, step, bounds, none, all or not-increasing")),
     }
 }
@@ -319,32 +427,62 @@ mod tests {
         ))
         .unwrap();
         assert_eq!(curves.len(), 1);
-        assert_eq!(curves[0].curve(LimitState::Overturns), Some(CurveKind::Lognormal { median: 0.5, beta: 0.25 }));
-        assert_eq!(curves[0].curves[0].kind, CurveKind::Step { lower: 0.3, upper: 0.3 });
+        assert_eq!(
+            curves[0].curve(LimitState::Overturns),
+            Some(CurveKind::Lognormal {
+                median: 0.5,
+                beta: 0.25
+            })
+        );
+        assert_eq!(
+            curves[0].curves[0].kind,
+            CurveKind::Step {
+                lower: 0.3,
+                upper: 0.3
+            }
+        );
     }
 
     /// ln x = (1.5 ln 0.5 − 0.1 ln 0.6)/1.4, x = 0.4935; below it P(overturns) is the larger one.
     #[test]
     fn curves_that_contradict_each_other_are_named() {
         let of = |exceeds: &str, overturns: &str| {
-            let row = |state: &str, curve: &str| format!("shelf,pgv,m/s,ground,{state},lognormal,{curve}\n");
-            let text = format!("{HEAD}\n{}{}", row("exceeds", exceeds), row("overturns", overturns));
+            let row = |state: &str, curve: &str| {
+                format!("shelf,pgv,m/s,ground,{state},lognormal,{curve}\n")
+            };
+            let text = format!(
+                "{HEAD}\n{}{}",
+                row("exceeds", exceeds),
+                row("overturns", overturns)
+            );
             read_text(&text).unwrap()[0].contradiction()
         };
         let said = of("0.5,0.1", "0.6,1.5").unwrap();
-        assert!(said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"), "{said}");
-        assert!(of("0.6,0.3", "0.5,0.3").unwrap().contains("they do not cross"));
+        assert!(
+            said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"),
+            "{said}"
+        );
+        assert!(
+            of("0.6,0.3", "0.5,0.3")
+                .unwrap()
+                .contains("they do not cross")
+        );
         assert_eq!(of("0.3,0.3", "0.6,0.3"), None);
     }
 
     #[test]
     fn contradictions_of_many_objects_are_one_sentence() {
         let rows = |id: &str| {
-            format!("{id},pgv,m/s,ground,exceeds,lognormal,0.5,0.1\n{id},pgv,m/s,ground,overturns,lognormal,0.6,1.5\n")
+            format!(
+                "{id},pgv,m/s,ground,exceeds,lognormal,0.5,0.1\n{id},pgv,m/s,ground,overturns,lognormal,0.6,1.5\n"
+            )
         };
         let text: String = (1..=9).map(|number| rows(&format!("o{number}"))).collect();
         let said = contradictions(&read_text(&format!("{HEAD}\n{text}")).unwrap()).unwrap();
-        assert!(said.starts_with("o1: between ") && said.ends_with(" (also o2, o3, o4 and 5 more)"), "{said}");
+        assert!(
+            said.starts_with("o1: between ") && said.ends_with(" (also o2, o3, o4 and 5 more)"),
+            "{said}"
+        );
     }
 
     /// Capacities of a cell are those that were written, in the unit of the measure.
@@ -352,15 +490,25 @@ mod tests {
     fn capacities_are_written_and_read() {
         let text = "<..10=0.125; <5..10=0.125; 20..40=0.5; 40..=0.25";
         let head = format!("{HEAD},capacity");
-        let row = |cell: &str| format!("{head}\na,pgv,cm/s,ground,overturns,lognormal,30,0.3,{cell}\n");
+        let row =
+            |cell: &str| format!("{head}\na,pgv,cm/s,ground,overturns,lognormal,30,0.3,{cell}\n");
         let curves = read_text(&row(text)).unwrap();
         let found = curves[0].capacities(LimitState::Overturns);
-        assert_eq!(capacities_text(found), "<..0.1=0.125; <0.05..0.1=0.125; 0.2..0.4=0.5; 0.4..=0.25");
-        assert_eq!((found[1].is_lowest, found[2].is_lowest, found[3].to), (true, false, None));
+        assert_eq!(
+            capacities_text(found),
+            "<..0.1=0.125; <0.05..0.1=0.125; 0.2..0.4=0.5; 0.4..=0.25"
+        );
+        assert_eq!(
+            (found[1].is_lowest, found[2].is_lowest, found[3].to),
+            (true, false, None)
+        );
         assert!(read_text(&row("")).unwrap()[0].capacities.is_empty());
         for wrong in ["x", "2..1=0.5", "1..2=2", "..=1", "1..2"] {
             let problem = read_text(&row(wrong)).unwrap_err();
-            assert!(problem.to_string().contains("f.csv:2: column 9") && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.to_string().contains("f.csv:2: column 9") && problem.hint.is_some(),
+                "{problem}"
+            );
         }
     }
 
@@ -368,16 +516,27 @@ mod tests {
     #[test]
     fn a_caution_belongs_to_the_object() {
         let head = format!("{HEAD},caution");
-        let row =
-            |id: &str, state: &str, caution: &str| format!("{id},pgv,m/s,ground,{state},lognormal,1,1,{caution}\n");
-        let rows = row("a", "rocks", "") + &row("a", "overturns", "rolls-or-slides") + &row("b", "rocks", "");
+        let row = |id: &str, state: &str, caution: &str| {
+            format!("{id},pgv,m/s,ground,{state},lognormal,1,1,{caution}\n")
+        };
+        let rows = row("a", "rocks", "")
+            + &row("a", "overturns", "rolls-or-slides")
+            + &row("b", "rocks", "");
         let curves = read_text(&format!("{head}\n{rows}")).unwrap();
-        assert_eq!([curves[0].caution, curves[1].caution], [Some(TooMild::Glides), None]);
+        assert_eq!(
+            [curves[0].caution, curves[1].caution],
+            [Some(TooMild::Glides), None]
+        );
         let said = cautions(curves.iter().map(|one| (one.id.as_str(), one.caution)));
-        assert!(said.len() == 1 && said[0].starts_with("1 object is free to roll or slide"), "{said:?}");
+        assert!(
+            said.len() == 1 && said[0].starts_with("1 object is free to roll or slide"),
+            "{said:?}"
+        );
         let problem = read_text(&format!("{head}\n{}", row("a", "rocks", "rolls"))).unwrap_err();
         assert!(
-            problem.to_string().contains("f.csv:2: column 9 (\"caution\"): \"rolls\" is not a caution"),
+            problem
+                .to_string()
+                .contains("f.csv:2: column 9 (\"caution\"): \"rolls\" is not a caution"),
             "{problem}"
         );
     }
@@ -390,10 +549,26 @@ mod tests {
         ))
         .unwrap();
         let kind = |state| curves[0].curve(state);
-        assert_eq!(kind(LimitState::Overturns), Some(CurveKind::Bounds { lower: Some(0.3), upper: None }));
-        assert_eq!(kind(LimitState::Rocks), Some(CurveKind::Bounds { lower: None, upper: Some(0.2) }));
-        let problem = read_text(&format!("{head}\na,pgv,m/s,ground,overturns,bounds,,,,\n")).unwrap_err();
-        assert!(problem.to_string().contains("f.csv:2: column 9"), "{problem}");
+        assert_eq!(
+            kind(LimitState::Overturns),
+            Some(CurveKind::Bounds {
+                lower: Some(0.3),
+                upper: None
+            })
+        );
+        assert_eq!(
+            kind(LimitState::Rocks),
+            Some(CurveKind::Bounds {
+                lower: None,
+                upper: Some(0.2)
+            })
+        );
+        let problem =
+            read_text(&format!("{head}\na,pgv,m/s,ground,overturns,bounds,,,,\n")).unwrap_err();
+        assert!(
+            problem.to_string().contains("f.csv:2: column 9"),
+            "{problem}"
+        );
     }
 
     /// At least as often as the upper end and at most as often as the lower one: exchanged, that is
@@ -401,36 +576,72 @@ mod tests {
     #[test]
     fn ends_that_are_exchanged_are_refused() {
         let head = format!("{HEAD},lower,upper");
-        let of = |kind: &str, ends: &str| read_text(&format!("{head}\na,pgv,m/s,ground,overturns,{kind},,,{ends}\n"));
+        let of = |kind: &str, ends: &str| {
+            read_text(&format!(
+                "{head}\na,pgv,m/s,ground,overturns,{kind},,,{ends}\n"
+            ))
+        };
         for kind in ["step", "bounds"] {
             let problem = of(kind, "0.5,0.2").unwrap_err();
             let said = "f.csv:2: column 10 (\"upper\"): 0.2 is below the lower intensity 0.5";
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{kind}: {problem}");
-            assert!(of(kind, "0.2,0.5").is_ok() && of(kind, "0.2,0.2").is_ok(), "{kind}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{kind}: {problem}"
+            );
+            assert!(
+                of(kind, "0.2,0.5").is_ok() && of(kind, "0.2,0.2").is_ok(),
+                "{kind}"
+            );
         }
     }
 
     #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
         let cases = [
-            ("a,pgx,m/s,ground,overturns,lognormal,1,1", "f.csv:2: column 2 (\"im\"): \"pgx\" is not"),
+            (
+                "a,pgx,m/s,ground,overturns,lognormal,1,1",
+                "f.csv:2: column 2 (\"im\"): \"pgx\" is not",
+            ),
             ("a,pgv,g,ground,overturns,lognormal,1,1", "column 3"),
             ("a,pgv,m/s,floor,overturns,lognormal,1,1", "column 4"),
             ("a,pgv,m/s,ground,falls,lognormal,1,1", "column 5"),
             ("a,pgv,m/s,ground,overturns,normal,1,1", "column 6"),
             ("a,pgv,m/s,ground,overturns,lognormal,0,1", "column 7"),
-            ("a,pgv,m/s,ground,overturns,lognormal,1,", "column 8 (\"beta\"): the cell is empty"),
-            ("a,pgv,m/s,ground,overturns,none,,", "there is no column \"lower\""),
+            (
+                "a,pgv,m/s,ground,overturns,lognormal,1,",
+                "column 8 (\"beta\"): the cell is empty",
+            ),
+            (
+                "a,pgv,m/s,ground,overturns,none,,",
+                "there is no column \"lower\"",
+            ),
         ];
         for (row, said) in cases {
             let problem = read_text(&format!("{HEAD}\n{row}\n")).unwrap_err();
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
         let rows: String = cases.iter().map(|(row, _)| format!("{row}\n")).collect();
         let all = read_all(&format!("{HEAD}\n{rows}")).unwrap_err();
-        let lines: Vec<Option<usize>> = all.problems.iter().take(7).map(|problem| problem.line).collect();
-        assert_eq!((all.len(), lines), (cases.len(), (2..9).map(Some).collect()), "all rows at once");
+        let lines: Vec<Option<usize>> = all
+            .problems
+            .iter()
+            .take(7)
+            .map(|problem| problem.line)
+            .collect();
+        assert_eq!(
+            (all.len(), lines),
+            (cases.len(), (2..9).map(Some).collect()),
+            "all rows at once"
+        );
         let row = "a,pgv,m/s,ground,overturns,lognormal,1,1";
-        assert!(read_text(&format!("{HEAD}\n{row}\n{row}\n")).unwrap_err().message.contains("twice"));
+        assert!(
+            read_text(&format!("{HEAD}\n{row}\n{row}\n"))
+                .unwrap_err()
+                .message
+                .contains("twice")
+        );
     }
 }

@@ -7,7 +7,9 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::counted;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns, draw};
-use freestand_output::figure::style::{Axis, axes, curve_style, hollow, line, plain, plain_ticks, round_step};
+use freestand_output::figure::style::{
+    Axis, axes, curve_style, hollow, line, plain, plain_ticks, round_step,
+};
 use freestand_output::figure::{Figure, FigureError};
 
 use super::{FragilityReport, ObjectFragility};
@@ -29,18 +31,34 @@ pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureEr
         .into_iter()
         .filter(|state| {
             let by_shock = *state == LimitState::Exceeds;
-            shown.iter().any(|object| object.fit.curve(*state).is_some() || by_shock && object.two_stage.is_some())
+            shown.iter().any(|object| {
+                object.fit.curve(*state).is_some() || by_shock && object.two_stage.is_some()
+            })
         })
         .collect();
     let legend = states.iter().map(|state| {
         let style = curve_style(place(*state));
-        let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
-        Entry { sign, words: state.name().to_owned() }
+        let sign = Sign::Line {
+            colour: style.colour,
+            width_px: 2.0,
+            dash: style.dash,
+        };
+        Entry {
+            sign,
+            words: state.name().to_owned(),
+        }
     });
     let rest = match report.objects.len().saturating_sub(MAX_PANELS) {
         0 => String::new(),
         more => {
-            format!(" {} not shown.", if more == 1 { "1 object is".to_owned() } else { format!("{more} objects are") })
+            format!(
+                " {} not shown.",
+                if more == 1 {
+                    "1 object is".to_owned()
+                } else {
+                    format!("{more} objects are")
+                }
+            )
         }
     };
     draw(Page {
@@ -59,22 +77,40 @@ pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureEr
 }
 
 pub(super) fn place(state: LimitState) -> usize {
-    LimitState::ALL.iter().position(|other| *other == state).unwrap_or(0)
+    LimitState::ALL
+        .iter()
+        .position(|other| *other == state)
+        .unwrap_or(0)
 }
 
 fn panel(object: &ObjectFragility, measure: &str) -> Panel {
     let levels = object.outcomes.levels();
-    let (least, most) = (levels.first().copied().unwrap_or(1.0), levels.last().copied().unwrap_or(1.0));
+    let (least, most) = (
+        levels.first().copied().unwrap_or(1.0),
+        levels.last().copied().unwrap_or(1.0),
+    );
     let step = round_step(most / 5.0);
     let to = step * (most / step - 1e-9).ceil();
-    let x = Axis { from: 0.0, to, step: Some(step), label: plain(measure) };
-    let y = Axis { from: 0.0, to: 1.0, step: Some(0.2), label: "Probability".to_owned() };
+    let x = Axis {
+        from: 0.0,
+        to,
+        step: Some(step),
+        label: plain(measure),
+    };
+    let y = Axis {
+        from: 0.0,
+        to: 1.0,
+        step: Some(0.2),
+        label: "Probability".to_owned(),
+    };
     let at = |i: usize| to * (i as f64 + 0.5) / POINTS as f64;
     let mut plots = Vec::new();
     for curve in &object.fit.curves {
         let style = curve_style(place(curve.limit_state));
         let drawn = |kind: CurveKind| -> Vec<(f64, f64)> {
-            (0..POINTS).filter_map(|i| Some((at(i), kind.probability(at(i))?))).collect()
+            (0..POINTS)
+                .filter_map(|i| Some((at(i), kind.probability(at(i))?)))
+                .collect()
         };
         let sure = match curve.kind {
             CurveKind::None { lower } => vec![(0.0, 0.0), (lower, 0.0)],
@@ -82,21 +118,39 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
             kind => drawn(kind),
         };
         plots.push(line(&sure, style.colour, 2.0, style.dash));
-        if let (CurveKind::Lognormal { beta, .. }, Some((ends, _))) = (curve.kind, object.interval(curve.limit_state)) {
+        if let (CurveKind::Lognormal { beta, .. }, Some((ends, _))) =
+            (curve.kind, object.interval(curve.limit_state))
+        {
             for median in [ends.0, ends.1] {
-                plots.push(line(&drawn(CurveKind::Lognormal { median, beta }), style.colour, 0.7, None));
+                plots.push(line(
+                    &drawn(CurveKind::Lognormal { median, beta }),
+                    style.colour,
+                    0.7,
+                    None,
+                ));
             }
         }
         let seen: Vec<(f64, f64)> = empirical(&object.outcomes, curve.limit_state)
             .iter()
             .map(|seen| (seen.intensity, seen.reached / seen.trials))
             .collect();
-        let shape = if seen.len() > 40 { MarkerShape::Circle } else { style.marker };
-        plots.extend(hollow(&seen, style.colour, shape, if seen.len() > 40 { 2.6 } else { 4.0 }));
+        let shape = if seen.len() > 40 {
+            MarkerShape::Circle
+        } else {
+            style.marker
+        };
+        plots.extend(hollow(
+            &seen,
+            style.colour,
+            shape,
+            if seen.len() > 40 { 2.6 } else { 4.0 },
+        ));
     }
     if let Some(two_stage) = &object.two_stage {
         let style = curve_style(place(LimitState::Exceeds));
-        let drawn: Vec<(f64, f64)> = (0..POINTS).map(|i| (at(i), two_stage.probability(at(i)))).collect();
+        let drawn: Vec<(f64, f64)> = (0..POINTS)
+            .map(|i| (at(i), two_stage.probability(at(i))))
+            .collect();
         plots.push(line(&drawn, style.colour, 2.0, style.dash));
     }
     let mut layout = axes(x, y).with_title(plain(&shorten(&object.id)));

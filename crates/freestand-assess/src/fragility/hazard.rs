@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand::code_spectrum::{SiteClass, SubsoilClass, near_fault_ratio, probability_factors, return_period_factors};
+use freestand::code_spectrum::{
+    SiteClass, SubsoilClass, near_fault_ratio, probability_factors, return_period_factors,
+};
 use freestand::risk::{Hazard, HazardError, HazardPoint};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
@@ -67,15 +69,25 @@ impl HazardGiven {
     pub fn source(self) -> Result<HazardSource, Problem> {
         self.check_used()?;
         let needed = |key: &'static str, example: &'static str| {
-            move || Problem::value(format!("the hazard needs `{key}`"), format!("give `{key}`, such as {example}"))
+            move || {
+                Problem::value(
+                    format!("the hazard needs `{key}`"),
+                    format!("give `{key}`, such as {example}"),
+                )
+            }
         };
         match (self.file, self.power_law, self.code) {
             (Some(path), None, None) => Ok(HazardSource::File(path)),
-            (None, Some(text), None) => Ok(HazardSource::PowerLaw { text, measure: self.measure }),
+            (None, Some(text), None) => Ok(HazardSource::PowerLaw {
+                text,
+                measure: self.measure,
+            }),
             (None, None, Some(code)) => Ok(HazardSource::Code {
                 code,
                 site: self.site.ok_or_else(needed("site", "De"))?,
-                hazard_factor: self.hazard_factor.ok_or_else(needed("hazard_factor", "0.12"))?,
+                hazard_factor: self
+                    .hazard_factor
+                    .ok_or_else(needed("hazard_factor", "0.12"))?,
                 fault_distance_km: self.fault_distance_m.map(|distance_m| distance_m / 1e3),
                 measure: self.measure,
             }),
@@ -95,7 +107,11 @@ impl HazardGiven {
     /// Refuses values that the source would ignore.
     fn check_used(&self) -> Result<(), Problem> {
         let refused = |key: &'static str, source: &str| {
-            Err(Problem::value(format!("{source} does not use `{key}`"), format!("leave out `{key}`")).of(&[key]))
+            Err(Problem::value(
+                format!("{source} does not use `{key}`"),
+                format!("leave out `{key}`"),
+            )
+            .of(&[key]))
         };
         if self.file.is_some() && self.measure.is_some() {
             return refused("hazard_im", "a hazard file, which names its measure,");
@@ -106,8 +122,13 @@ impl HazardGiven {
             (self.fault_distance_m.is_some(), "fault_distance"),
         ];
         let has_source = self.file.is_some() || self.power_law.is_some();
-        match (self.code, of_code.into_iter().find(|(is_given, _)| *is_given)) {
-            (None, Some((_, key))) if has_source => refused(key, "a hazard that does not come from a code"),
+        match (
+            self.code,
+            of_code.into_iter().find(|(is_given, _)| *is_given),
+        ) {
+            (None, Some((_, key))) if has_source => {
+                refused(key, "a hazard that does not come from a code")
+            }
             (Some(HazardCode::As1170_4), _) if self.fault_distance_m.is_some() => {
                 refused("fault_distance", "AS 1170.4")
             }
@@ -127,8 +148,16 @@ pub enum HazardCode {
 
 /// Codes by name.
 pub const HAZARD_CODES: Choices<HazardCode> = &[
-    (HazardCode::As1170_4, "as1170.4", "AS 1170.4, edition 2007: k_p Z C_h(T)"),
-    (HazardCode::Nzs1170_5, "nzs1170.5", "NZS 1170.5:2004: R Z C_h(T) N(T, D)"),
+    (
+        HazardCode::As1170_4,
+        "as1170.4",
+        "AS 1170.4, edition 2007: k_p Z C_h(T)",
+    ),
+    (
+        HazardCode::Nzs1170_5,
+        "nzs1170.5",
+        "NZS 1170.5:2004: R Z C_h(T) N(T, D)",
+    ),
 ];
 
 /// A hazard with its measure.
@@ -149,10 +178,14 @@ impl MeasuredHazard {
         }
         let named = |measure: Measure, at: At| format!("{} of the {}", measure.name(), at.name());
         let (of_hazard, of_outcomes) = (named(self.measure, self.at), named(measure, at));
-        let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_outcomes}");
+        let message =
+            format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_outcomes}");
         let hint = "give a hazard curve for the measure of the outcomes, or outcomes for the measure of the curve";
         let problem = Problem::value(message, hint).of(&["hazard"]);
-        Err(self.file.iter().fold(problem, |problem, file| problem.in_file(&file.path)))
+        Err(self
+            .file
+            .iter()
+            .fold(problem, |problem, file| problem.in_file(&file.path)))
     }
 
     pub(crate) fn facts(&self) -> Facts<'static> {
@@ -160,15 +193,26 @@ impl MeasuredHazard {
             Hazard::Points(points) => Some(
                 points
                     .iter()
-                    .map(|point| Facts::default().key("im", point.intensity).key("annual_rate", point.annual_rate))
+                    .map(|point| {
+                        Facts::default()
+                            .key("im", point.intensity)
+                            .key("annual_rate", point.annual_rate)
+                    })
                     .collect(),
             ),
             Hazard::PowerLaw { .. } => None,
         };
         let law = match self.hazard {
-            Hazard::PowerLaw { rate, reference, exponent } => {
-                Some(Facts::default().key("k0", rate).key("k", exponent).key("reference", reference))
-            }
+            Hazard::PowerLaw {
+                rate,
+                reference,
+                exponent,
+            } => Some(
+                Facts::default()
+                    .key("k0", rate)
+                    .key("k", exponent)
+                    .key("reference", reference),
+            ),
             Hazard::Points(_) => None,
         };
         Facts::default()
@@ -216,20 +260,39 @@ pub(crate) fn hazard_of(
     };
     // Where the measure is that of the fragilities, so is its place.
     let place_of = |given: Option<Measure>| match place {
-        HazardPlace::Stated(at) => HazardPlace::Stated(at.or(of_curves.filter(|_| given.is_none()).map(|one| one.1))),
+        HazardPlace::Stated(at) => {
+            HazardPlace::Stated(at.or(of_curves.filter(|_| given.is_none()).map(|one| one.1)))
+        }
         of_outcomes @ HazardPlace::OfOutcomes(_) => of_outcomes,
     };
     match source {
         HazardSource::File(path) => from_file(&load(path)?, path, place, site_deg),
         HazardSource::PowerLaw { text, measure } => {
             let (measure, place) = (measure_of(*measure)?, place_of(*measure));
-            let hazard = power_law(text, measure).map_err(|problem| problem.named("hazard_power"))?;
+            let hazard =
+                power_law(text, measure).map_err(|problem| problem.named("hazard_power"))?;
             let at = place.of(measure)?;
-            Ok(MeasuredHazard { hazard, measure, at, file: None, warnings: Vec::new() })
+            Ok(MeasuredHazard {
+                hazard,
+                measure,
+                at,
+                file: None,
+                warnings: Vec::new(),
+            })
         }
-        HazardSource::Code { code, site, hazard_factor, fault_distance_km, measure } => {
-            Ok(of_code(*code, site, *hazard_factor, *fault_distance_km, measure_of(*measure)?)?)
-        }
+        HazardSource::Code {
+            code,
+            site,
+            hazard_factor,
+            fault_distance_km,
+            measure,
+        } => Ok(of_code(
+            *code,
+            site,
+            *hazard_factor,
+            *fault_distance_km,
+            measure_of(*measure)?,
+        )?),
     }
 }
 
@@ -244,10 +307,16 @@ fn from_file(
 ) -> Result<MeasuredHazard, Problems> {
     let mut problems = RowProblems::default();
     let table = Table::read(bytes, path, HINT, &mut problems)?;
-    let is_openquake = table.headings.iter().any(|heading| heading.name.starts_with("poe-"));
+    let is_openquake = table
+        .headings
+        .iter()
+        .any(|heading| heading.name.starts_with("poe-"));
     let file = Some(InputFile::new(path, bytes));
     if is_openquake {
-        return Ok(MeasuredHazard { file, ..openquake(&table, problems, place, site_deg)? });
+        return Ok(MeasuredHazard {
+            file,
+            ..openquake(&table, problems, place, site_deg)?
+        });
     }
     let rates = table.needed("annual_rate")?;
     let (column, measure, factor) = measure_of(&table)?;
@@ -255,18 +324,31 @@ fn from_file(
     let points = table.each_row(problems, |row, problems| {
         let intensity = problems.keep(table.positive(row, column));
         let annual_rate = problems.keep(table.positive(row, rates));
-        let point = HazardPoint { intensity: factor * intensity?, annual_rate: annual_rate? };
+        let point = HazardPoint {
+            intensity: factor * intensity?,
+            annual_rate: annual_rate?,
+        };
         if let Some((above, last)) = before.replace((row, point))
             && let Err(error) = Hazard::points(vec![last, point])
         {
-            let column = if matches!(error, HazardError::NotFalling { .. }) { rates } else { column };
+            let column = if matches!(error, HazardError::NotFalling { .. }) {
+                rates
+            } else {
+                column
+            };
             problems.push(disorder(&table, (above, column), (row, column), error));
             return None;
         }
         Some(point)
     })?;
     let hazard = Hazard::points(points).map_err(|error| table.header_problem(error.to_string()))?;
-    Ok(MeasuredHazard { hazard, measure, at: place.of(measure)?, file, warnings: Vec::new() })
+    Ok(MeasuredHazard {
+        hazard,
+        measure,
+        at: place.of(measure)?,
+        file,
+        warnings: Vec::new(),
+    })
 }
 
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
@@ -306,13 +388,24 @@ fn openquake(
     };
     let lost = |key: &str| {
         let message = format!("the comment above the headings does not state {key}");
-        table.header_problem(message).hint("give the file as OpenQuake wrote it, with its first line")
+        table
+            .header_problem(message)
+            .hint("give the file as OpenQuake wrote it, with its first line")
     };
     let years = stated("investigation_time").ok_or_else(|| lost("investigation_time"))?;
-    let years = years.parse::<f64>().ok().filter(|years| *years > 0.0 && years.is_finite()).ok_or_else(|| {
-        let message = format!("the investigation_time \"{}\" is not a number of years above 0", shorten(&years));
-        table.header_problem(message).hint("give the file as OpenQuake wrote it, with its first line")
-    })?;
+    let years = years
+        .parse::<f64>()
+        .ok()
+        .filter(|years| *years > 0.0 && years.is_finite())
+        .ok_or_else(|| {
+            let message = format!(
+                "the investigation_time \"{}\" is not a number of years above 0",
+                shorten(&years)
+            );
+            table
+                .header_problem(message)
+                .hint("give the file as OpenQuake wrote it, with its first line")
+        })?;
     let imt = stated("imt").ok_or_else(|| lost("imt"))?;
     let (measure, factor) = match imt.as_str() {
         "PGA" => (Measure::Pga, 1.0),
@@ -321,7 +414,8 @@ fn openquake(
             // OpenQuake takes the periods from the job and does not write them: without them
             // nothing tells whether it is the measure of the outcomes.
             let text = stated(AVERAGE_KEY).unwrap_or_default();
-            let measure = Measure::parse(&text).filter(|measure| matches!(measure, Measure::SaAverage { .. }));
+            let measure = Measure::parse(&text)
+                .filter(|measure| matches!(measure, Measure::SaAverage { .. }));
             let measure = measure.ok_or_else(|| {
                 let message = if text.is_empty() {
                     format!("the comment above the headings does not state the periods of AvgSA as {AVERAGE_KEY}")
@@ -336,11 +430,20 @@ fn openquake(
             })?;
             (measure, 1.0)
         }
-        other => match other.starts_with("SA").then(|| Measure::parse(other)).flatten() {
+        other => match other
+            .starts_with("SA")
+            .then(|| Measure::parse(other))
+            .flatten()
+        {
             Some(measure) => (measure, 1.0),
             None => {
-                let message = format!("the measure {} is not one of PGA, PGV, SA and AvgSA", shorten(other));
-                let problem = table.header_problem(message).hint("export hazard curves of PGA, PGV, SA or AvgSA");
+                let message = format!(
+                    "the measure {} is not one of PGA, PGV, SA and AvgSA",
+                    shorten(other)
+                );
+                let problem = table
+                    .header_problem(message)
+                    .hint("export hazard curves of PGA, PGV, SA or AvgSA");
                 return Err(problem.into());
             }
         },
@@ -350,37 +453,66 @@ fn openquake(
     let (mut points, mut certain, mut equal): (Vec<HazardPoint>, usize, usize) = (Vec::new(), 0, 0);
     let mut before: Option<usize> = None;
     for (column, heading) in table.headings.iter().enumerate() {
-        let Some(text) = heading.name.strip_prefix("poe-") else { continue };
-        let level = text.parse::<f64>().ok().filter(|level| *level > 0.0 && level.is_finite()).ok_or_else(|| {
-            let message = format!("column {}: \"{}\" states no intensity", column + 1, shorten(&heading.name));
-            table.header_problem(message).hint("write poe- and an intensity above 0, such as poe-0.1")
-        });
+        let Some(text) = heading.name.strip_prefix("poe-") else {
+            continue;
+        };
+        let level = text
+            .parse::<f64>()
+            .ok()
+            .filter(|level| *level > 0.0 && level.is_finite())
+            .ok_or_else(|| {
+                let message = format!(
+                    "column {}: \"{}\" states no intensity",
+                    column + 1,
+                    shorten(&heading.name)
+                );
+                table
+                    .header_problem(message)
+                    .hint("write poe- and an intensity above 0, such as poe-0.1")
+            });
         let poe = table.non_negative(row, column).and_then(|poe| {
             let hint = "write the probability that the intensity is exceeded, from 0 to 1";
-            let problem = || table.cell_problem(row, column, &format!("{poe} is not a probability")).hint(hint);
+            let problem = || {
+                table
+                    .cell_problem(row, column, &format!("{poe} is not a probability"))
+                    .hint(hint)
+            };
             if poe > 1.0 { Err(problem()) } else { Ok(poe) }
         });
-        let (Some(level), Some(poe)) = (problems.keep(level), problems.keep(poe)) else { continue };
+        let (Some(level), Some(poe)) = (problems.keep(level), problems.keep(poe)) else {
+            continue;
+        };
         if poe == 1.0 {
             certain += 1;
             continue;
         } else if poe == 0.0 {
             continue;
         }
-        let point = HazardPoint { intensity: factor * level, annual_rate: -(-poe).ln_1p() / years };
+        let point = HazardPoint {
+            intensity: factor * level,
+            annual_rate: -(-poe).ln_1p() / years,
+        };
         let last = points.last().copied();
         // OpenQuake writes seven digits, so neighbours may have the same rate: the stronger motions
         // are then as frequent as the weaker ones, and their point is kept.
-        if last.is_some_and(|last| last.annual_rate == point.annual_rate && last.intensity < point.intensity) {
+        if last.is_some_and(|last| {
+            last.annual_rate == point.annual_rate && last.intensity < point.intensity
+        }) {
             equal += 1;
             points.pop();
         } else if let (Some(last), Some(above)) = (last, before)
             && let Err(error) = Hazard::points(vec![last, point])
         {
             problems.push(match error {
-                HazardError::NotFalling { .. } => disorder(table, (row, above), (row, column), error),
+                HazardError::NotFalling { .. } => {
+                    disorder(table, (row, above), (row, column), error)
+                }
                 _ => {
-                    let message = format!("column {}: {}", column + 1, disorder_of_levels(table, above, column));
+                    let message = format!(
+                        "column {}: {}",
+                        column + 1,
+                        disorder_of_levels(table, above, column)
+                    );
                     table
                         .header_problem(message)
                         .hint("sort the columns by rising intensity, and give each intensity once")
@@ -398,31 +530,53 @@ fn openquake(
             counted(points.len(), "intensity"),
             if points.len() == 1 { "has" } else { "have" }
         );
-        let hint = "export the curve with weaker or stronger intensities, or a shorter investigation time";
+        let hint =
+            "export the curve with weaker or stronger intensities, or a shorter investigation time";
         return Err(table.row_problem(row, message).hint(hint).into());
     }
-    let left_out =
-        |count: usize, why: &str| (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")));
+    let left_out = |count: usize, why: &str| {
+        (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")))
+    };
     let warnings = [
         left_out(certain, "the probability is 1, so the rate is not known"),
-        left_out(equal, "the next, stronger intensity has the same probability"),
+        left_out(
+            equal,
+            "the next, stronger intensity has the same probability",
+        ),
     ];
-    let hazard = Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
+    let hazard =
+        Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
     let warnings = warnings.into_iter().flatten().collect();
-    Ok(MeasuredHazard { hazard, measure, at: place.of(measure)?, file: None, warnings })
+    Ok(MeasuredHazard {
+        hazard,
+        measure,
+        at: place.of(measure)?,
+        file: None,
+        warnings,
+    })
 }
 
 fn disorder_of_levels(table: &Table, before: usize, here: usize) -> String {
-    let [before, here] = [before, here].map(|i| table.headings.get(i).map_or("", |heading| heading.name.as_str()));
+    let [before, here] = [before, here].map(|i| {
+        table
+            .headings
+            .get(i)
+            .map_or("", |heading| heading.name.as_str())
+    });
     format!("\"{}\" is not above \"{}\"", shorten(here), shorten(before))
 }
 
 impl Table {
     /// The row of a site, or the only one.
-    fn row_of_site(&self, rows: RowProblems, site_deg: Option<(f64, f64)>) -> Result<&Row, Problems> {
+    fn row_of_site(
+        &self,
+        rows: RowProblems,
+        site_deg: Option<(f64, f64)>,
+    ) -> Result<&Row, Problems> {
         let columns = [(self.needed("lon")?, 360.0), (self.needed("lat")?, 90.0)];
         let sites = self.each_row(rows, |row, problems| {
-            let [lon, lat] = columns.map(|(column, most)| problems.keep(self.degrees(row, column, most)));
+            let [lon, lat] =
+                columns.map(|(column, most)| problems.keep(self.degrees(row, column, most)));
             Some((row, lon?, lat?))
         })?;
         // Coordinates are written with five decimals.
@@ -434,14 +588,22 @@ impl Table {
             ([(row, _, _)], _) => Ok(row),
             (found, Some((_, lon, lat))) => {
                 let message = match (site_deg, found.len()) {
-                    (Some((lon, lat)), 0) => format!("the file has no site at {},{}", shortest(lon), shortest(lat)),
+                    (Some((lon, lat)), 0) => format!(
+                        "the file has no site at {},{}",
+                        shortest(lon),
+                        shortest(lat)
+                    ),
                     (_, many) => format!("the file has {}", counted(many, "site")),
                 };
                 let example = format!("{},{}", shortest(*lon), shortest(*lat));
-                let hint = format!("name one site of the file, such as `site_coordinates = \"{example}\"`");
+                let hint = format!(
+                    "name one site of the file, such as `site_coordinates = \"{example}\"`"
+                );
                 Err(self.header_problem(message).hint(hint).into())
             }
-            (_, None) => Err(self.header_problem("the file has no site".to_owned()).into()),
+            (_, None) => Err(self
+                .header_problem("the file has no site".to_owned())
+                .into()),
         }
     }
 }
@@ -453,23 +615,37 @@ pub(crate) fn number_and_unit(text: &str) -> Option<(f64, &str)> {
     let longest = text.find(|c| !is_part(c)).unwrap_or(text.len());
     // `3000EUR`: the E belongs to the unit.
     let ends = (1..=longest).rev();
-    let found = ends.filter_map(|end| Some((text.get(..end)?.parse::<f64>().ok()?, text.get(end..)?.trim())));
+    let found = ends.filter_map(|end| {
+        Some((
+            text.get(..end)?.parse::<f64>().ok()?,
+            text.get(end..)?.trim(),
+        ))
+    });
     found.into_iter().find(|(number, _)| number.is_finite())
 }
 
 /// `k0=1e-4 /yr, k=2.5, reference=1 m/s`.
 fn power_law(text: &str, measure: Measure) -> Result<Hazard, Problem> {
-    let unit = if measure.unit() == "1" { String::new() } else { format!(" {}", measure.unit()) };
+    let unit = if measure.unit() == "1" {
+        String::new()
+    } else {
+        format!(" {}", measure.unit())
+    };
     let example = format!("write \"k0=1e-4 /yr, k=2.5, reference=1{unit}\"");
     let bad = |message: String| Problem::value(message, example.clone());
     let (mut rate, mut exponent, mut reference) = (None, None, None);
     let mut seen: Vec<&str> = Vec::new();
     for part in text.split(',') {
-        let (key, value) =
-            part.split_once('=').ok_or_else(|| bad(format!("\"{}\" is not key=value", shorten(part.trim()))))?;
+        let (key, value) = part
+            .split_once('=')
+            .ok_or_else(|| bad(format!("\"{}\" is not key=value", shorten(part.trim()))))?;
         let found = number_and_unit(value).filter(|(number, _)| *number > 0.0);
-        let (number, unit) =
-            found.ok_or_else(|| bad(format!("\"{}\" is not a number above 0", shorten(value.trim()))))?;
+        let (number, unit) = found.ok_or_else(|| {
+            bad(format!(
+                "\"{}\" is not a number above 0",
+                shorten(value.trim())
+            ))
+        })?;
         let key = key.trim();
         if seen.contains(&key) {
             return Err(bad(format!("{key} appears twice")));
@@ -483,7 +659,12 @@ fn power_law(text: &str, measure: Measure) -> Result<Hazard, Problem> {
                 let factor = measure.factor_from((!unit.is_empty()).then_some(unit));
                 reference = Some(number * factor.map_err(|problem| bad(problem.message))?);
             }
-            (other, _) => return Err(bad(format!("\"{}\" is not k0, k or reference", shorten(other)))),
+            (other, _) => {
+                return Err(bad(format!(
+                    "\"{}\" is not k0, k or reference",
+                    shorten(other)
+                )));
+            }
         }
     }
     let missing = |name: &str| bad(format!("{name} is missing"));
@@ -506,21 +687,29 @@ fn of_code(
         Measure::Sa { period_s } => period_s,
         _ => {
             let message = format!("a code has no {}", measure.name());
-            return Err(
-                Problem::value(message, "give `hazard_im = \"pga\"` or `hazard_im = \"sa(0.5)\"`").of(&["hazard_im"])
-            );
+            return Err(Problem::value(
+                message,
+                "give `hazard_im = \"pga\"` or `hazard_im = \"sa(0.5)\"`",
+            )
+            .of(&["hazard_im"]));
         }
     };
     let class = |error: freestand::code_spectrum::CodeSpectrumError| {
         Problem::value(error.to_string(), "name the class as the code does").named("site")
     };
     let (shape, factors): (f64, &[(u32, f64)]) = match code {
-        HazardCode::As1170_4 => {
-            (SiteClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), probability_factors())
-        }
-        HazardCode::Nzs1170_5 => {
-            (SubsoilClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), return_period_factors())
-        }
+        HazardCode::As1170_4 => (
+            SiteClass::parse(site)
+                .map_err(class)?
+                .shape_factor_ratio(period_s),
+            probability_factors(),
+        ),
+        HazardCode::Nzs1170_5 => (
+            SubsoilClass::parse(site)
+                .map_err(class)?
+                .shape_factor_ratio(period_s),
+            return_period_factors(),
+        ),
     };
     let near = |factor: f64| match (code, fault_distance_km) {
         (HazardCode::Nzs1170_5, Some(km)) => near_fault_ratio(period_s, km, factor),
@@ -530,14 +719,21 @@ fn of_code(
         intensity: factor * hazard_factor * shape * near(factor),
         annual_rate: 1.0 / f64::from(years),
     });
-    let hazard = Hazard::points(points.collect())
-        .map_err(|error| Problem::value(error.to_string(), "give a hazard factor above 0").named("hazard_factor"))?;
+    let hazard = Hazard::points(points.collect()).map_err(|error| {
+        Problem::value(error.to_string(), "give a hazard factor above 0").named("hazard_factor")
+    })?;
     let warnings = vec![
         "the rates are those of design accelerations of a code, without its minimum and maximum: they are not a hazard \
          study of the site"
             .to_owned(),
     ];
-    Ok(MeasuredHazard { hazard, measure, at: At::Ground, file: None, warnings })
+    Ok(MeasuredHazard {
+        hazard,
+        measure,
+        at: At::Ground,
+        file: None,
+        warnings,
+    })
 }
 
 #[cfg(test)]
@@ -547,7 +743,12 @@ mod tests {
     use super::*;
 
     fn file(text: &str) -> Result<MeasuredHazard, Problems> {
-        from_file(text.as_bytes(), Path::new("h.csv"), HazardPlace::Stated(None), None)
+        from_file(
+            text.as_bytes(),
+            Path::new("h.csv"),
+            HazardPlace::Stated(None),
+            None,
+        )
     }
 
     /// The only problem.
@@ -571,11 +772,20 @@ mod tests {
                 "pgv [m/s],annual_rate\n0.1,0.02\n0.2,0.02\n",
                 "h.csv:3: column 2 (\"annual_rate\"): the rate 0.02 is not below 0.02",
             ),
-            ("pgv [m/s],annual_rate\n0.1,0\n0.2,0.02\n", "h.csv:2: column 2"),
+            (
+                "pgv [m/s],annual_rate\n0.1,0\n0.2,0.02\n",
+                "h.csv:2: column 2",
+            ),
             ("pgv [m/s],annual_rate\n0.1,0.02\n", "at least two points"),
-            ("pgv [m/s],rate\n0.1,0.02\n", "there is no column \"annual_rate\""),
+            (
+                "pgv [m/s],rate\n0.1,0.02\n",
+                "there is no column \"annual_rate\"",
+            ),
             ("pgv,annual_rate\n0.1,0.02\n", "pgv has no unit"),
-            ("rate,annual_rate\n0.1,0.02\n", "there is no column with an intensity measure"),
+            (
+                "rate,annual_rate\n0.1,0.02\n",
+                "there is no column with an intensity measure",
+            ),
             (
                 "pgv [m/s],pga [g],annual_rate\n0.1,0.1,0.02\n0.2,0.2,0.01\n",
                 "h.csv:1: there are two intensity measures, pgv and pga",
@@ -583,13 +793,29 @@ mod tests {
         ];
         for (text, said) in cases {
             let problem = only(file(text));
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
         // The hint is that of the unit, not that of the whole table.
-        assert!(only(file("pgv,annual_rate\n0.1,0.02\n")).hint.is_some_and(|hint| hint.contains("pgv [m/s]")));
+        assert!(
+            only(file("pgv,annual_rate\n0.1,0.02\n"))
+                .hint
+                .is_some_and(|hint| hint.contains("pgv [m/s]"))
+        );
         let ugly = "pgv [m/s],annual_rate\n0.05,3\n0.1,0.02\n0.1,0.01\n0.3,0\nx,\n0.4,0.05\n";
-        let lines: Vec<Option<usize>> = file(ugly).unwrap_err().problems.iter().map(|one| one.line).collect();
-        assert_eq!(lines, [Some(4), Some(5), Some(6), Some(6), Some(7)], "all bad rows at once");
+        let lines: Vec<Option<usize>> = file(ugly)
+            .unwrap_err()
+            .problems
+            .iter()
+            .map(|one| one.line)
+            .collect();
+        assert_eq!(
+            lines,
+            [Some(4), Some(5), Some(6), Some(6), Some(7)],
+            "all bad rows at once"
+        );
         // Motions may be more frequent than once a year.
         assert!(file("pgv [m/s],annual_rate\n0.001,30\n0.1,0.02\n").is_ok());
     }
@@ -601,85 +827,171 @@ mod tests {
 
     #[test]
     fn curves_of_openquake_become_rates() {
-        let read = |site| from_file(OPENQUAKE.as_bytes(), Path::new("h.csv"), HazardPlace::Stated(None), site);
+        let read = |site| {
+            from_file(
+                OPENQUAKE.as_bytes(),
+                Path::new("h.csv"),
+                HazardPlace::Stated(None),
+                site,
+            )
+        };
         let read_one = read(Some((151.2, -33.9))).unwrap();
-        let Hazard::Points(points) = &read_one.hazard else { panic!() };
-        assert_eq!((points.len(), read_one.measure, read_one.warnings.len()), (2, Measure::Pgv, 1));
+        let Hazard::Points(points) = &read_one.hazard else {
+            panic!()
+        };
+        assert_eq!(
+            (points.len(), read_one.measure, read_one.warnings.len()),
+            (2, Measure::Pgv, 1)
+        );
         assert!((points[0].intensity - 0.1).abs() < 1e-15);
         assert!((points[0].annual_rate + 0.9_f64.ln() / 50.0).abs() < 1e-15);
         assert!(only(read(None)).message.contains("2 sites"));
         let elsewhere = only(read(Some((0.0, 0.0))));
         assert!(elsewhere.message.contains("no site at 0,0"), "{elsewhere}");
-        assert!(elsewhere.hint.is_some_and(|hint| hint.contains("151.2,-33.9")));
+        assert!(
+            elsewhere
+                .hint
+                .is_some_and(|hint| hint.contains("151.2,-33.9"))
+        );
     }
 
     /// OpenQuake does not write the periods of AvgSA: they must be added, as our exports do.
     #[test]
     fn averages_of_openquake_need_their_periods() {
-        let of = |imt: &str| file(&OPENQUAKE.replace("imt='PGV'", imt).replace("150.0,-33.0,0.0,0.9,0.1,0.0\n", ""));
+        let of = |imt: &str| {
+            file(
+                &OPENQUAKE
+                    .replace("imt='PGV'", imt)
+                    .replace("150.0,-33.0,0.0,0.9,0.1,0.0\n", ""),
+            )
+        };
         let read = of("imt='AvgSA', measure='sa_avg(0.2:2)'").unwrap();
-        assert_eq!((read.measure, read.at), (Measure::SaAverage { from_s: 0.2, to_s: 2.0 }, At::Ground));
-        let Hazard::Points(points) = &read.hazard else { panic!() };
+        assert_eq!(
+            (read.measure, read.at),
+            (
+                Measure::SaAverage {
+                    from_s: 0.2,
+                    to_s: 2.0
+                },
+                At::Ground
+            )
+        );
+        let Hazard::Points(points) = &read.hazard else {
+            panic!()
+        };
         assert_eq!(points[0].intensity, 10.0);
         for (imt, said) in [
-            ("imt='AvgSA'", "does not state the periods of AvgSA as measure"),
-            ("imt='AvgSA', measure='0.2:2'", "\"0.2:2\" of AvgSA does not state its periods"),
+            (
+                "imt='AvgSA'",
+                "does not state the periods of AvgSA as measure",
+            ),
+            (
+                "imt='AvgSA', measure='0.2:2'",
+                "\"0.2:2\" of AvgSA does not state its periods",
+            ),
             ("imt='AvgSA', measure='pga'", "\"pga\" of AvgSA"),
             ("imt='IA'", "not one of PGA, PGV, SA and AvgSA"),
         ] {
             let problem = only(of(imt));
-            assert!(problem.message.contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.message.contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
     }
 
     #[test]
     fn ugly_curves_of_openquake_are_refused_or_mended_aloud() {
         let file = |comment: &str, levels: &str, row: &str| {
-            file(&format!("#,,,,\"kind='mean', {comment}imt='PGA'\"\nlon,lat,depth,{levels}\n{row}\n"))
+            file(&format!(
+                "#,,,,\"kind='mean', {comment}imt='PGA'\"\nlon,lat,depth,{levels}\n{row}\n"
+            ))
         };
         let ten = "investigation_time=10.0, ";
         let cases = [
-            (file("", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"), "h.csv:2: the comment above the headings does not state"),
-            (file("investigation_time=0, ", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"), "\"0\" is not a number of years"),
+            (
+                file("", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"),
+                "h.csv:2: the comment above the headings does not state",
+            ),
+            (
+                file("investigation_time=0, ", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"),
+                "\"0\" is not a number of years",
+            ),
             (
                 file(ten, "poe-0.1,poe-0.2", "1,2,0,0.1,0.5"),
                 "h.csv:3: column 5 (\"poe-0.2\"): the rate 0.5 is not below",
             ),
-            (file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: the column \"poe-0.1\" appears twice"),
-            (file(ten, "poe-0.2,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: column 5: \"poe-0.1\" is not above"),
+            (
+                file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"),
+                "h.csv:2: the column \"poe-0.1\" appears twice",
+            ),
+            (
+                file(ten, "poe-0.2,poe-0.1", "1,2,0,0.5,0.1"),
+                "h.csv:2: column 5: \"poe-0.1\" is not above",
+            ),
             (
                 file(ten, "poe-0.1,poe-0.2", "1,2,0,0.5,1.5"),
                 "h.csv:3: column 5 (\"poe-0.2\"): 1.5 is not a probability",
             ),
-            (file(ten, "poe-0.1,poe-x", "1,2,0,0.5,0.1"), "h.csv:2: column 5: \"poe-x\" states no intensity"),
-            (file(ten, "poe-0.1,poe-0.2", "1,200,0,0.5,0.1"), "h.csv:3: column 2"),
-            (file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,1,0.5,0"), "h.csv:3: 1 intensity of the site has"),
+            (
+                file(ten, "poe-0.1,poe-x", "1,2,0,0.5,0.1"),
+                "h.csv:2: column 5: \"poe-x\" states no intensity",
+            ),
+            (
+                file(ten, "poe-0.1,poe-0.2", "1,200,0,0.5,0.1"),
+                "h.csv:3: column 2",
+            ),
+            (
+                file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,1,0.5,0"),
+                "h.csv:3: 1 intensity of the site has",
+            ),
         ];
         for (read, said) in cases {
             let problem = only(read);
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
         // Equal probabilities: the stronger intensity has the rate.
         let flat = file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,0.5,0.5,0.1").unwrap();
-        let Hazard::Points(points) = &flat.hazard else { panic!() };
-        assert_eq!((points.len(), points[0].intensity, flat.warnings.len()), (2, 0.2, 1));
+        let Hazard::Points(points) = &flat.hazard else {
+            panic!()
+        };
+        assert_eq!(
+            (points.len(), points[0].intensity, flat.warnings.len()),
+            (2, 0.2, 1)
+        );
         assert!((points[0].annual_rate - 0.5_f64.ln().abs() / 10.0).abs() < 1e-15);
     }
 
     #[test]
     fn power_laws_have_three_keys_with_units() {
         let law = power_law("k0=1e-4 /yr, k=2.5, reference=100 cm/s", Measure::Pgv).unwrap();
-        assert_eq!(law, Hazard::PowerLaw { rate: 1e-4, reference: 1.0, exponent: 2.5 });
+        assert_eq!(
+            law,
+            Hazard::PowerLaw {
+                rate: 1e-4,
+                reference: 1.0,
+                exponent: 2.5
+            }
+        );
         for (text, said) in [
             ("k0=1e-4, k=2.5, reference=1 m/s", "k0 needs the unit"),
             ("k0=1e-4 /yr, k=2.5", "reference is missing"),
             ("k0=1e-4 /yr, k=2.5, reference=1", "pgv has no unit"),
-            ("k0=1e-4 /yr, k=-2.5, reference=1 m/s", "not a number above 0"),
+            (
+                "k0=1e-4 /yr, k=-2.5, reference=1 m/s",
+                "not a number above 0",
+            ),
             ("k0", "is not key=value"),
             ("q=3", "is not k0"),
         ] {
             let problem = power_law(text, Measure::Pgv).unwrap_err();
-            assert!(problem.message.contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.message.contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
     }
 
@@ -693,30 +1005,75 @@ mod tests {
             ..HazardGiven::default()
         };
         assert!(code.clone().source().is_ok());
-        let file = HazardGiven { file: Some("h.csv".into()), ..HazardGiven::default() };
+        let file = HazardGiven {
+            file: Some("h.csv".into()),
+            ..HazardGiven::default()
+        };
         for (given, said) in [
-            (HazardGiven { fault_distance_m: Some(3e3), ..code }, "AS 1170.4 does not use `fault_distance`"),
-            (HazardGiven { measure: Some(Measure::Pga), ..file.clone() }, "does not use `hazard_im`"),
-            (HazardGiven { hazard_factor: Some(0.1), ..file }, "does not use `hazard_factor`"),
+            (
+                HazardGiven {
+                    fault_distance_m: Some(3e3),
+                    ..code
+                },
+                "AS 1170.4 does not use `fault_distance`",
+            ),
+            (
+                HazardGiven {
+                    measure: Some(Measure::Pga),
+                    ..file.clone()
+                },
+                "does not use `hazard_im`",
+            ),
+            (
+                HazardGiven {
+                    hazard_factor: Some(0.1),
+                    ..file
+                },
+                "does not use `hazard_factor`",
+            ),
         ] {
             let problem = given.source().unwrap_err();
-            assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.message.contains(said) && problem.hint.is_some(),
+                "{problem}"
+            );
         }
     }
 
     /// Sydney, rock: 0.08 g every 500 years, 1.8 times as much every 2500.
     #[test]
     fn the_return_periods_of_a_code_are_points() {
-        let hazard = of_code(HazardCode::As1170_4, "Be", 0.08, None, Measure::Pga).unwrap().hazard;
+        let hazard = of_code(HazardCode::As1170_4, "Be", 0.08, None, Measure::Pga)
+            .unwrap()
+            .hazard;
         assert!((hazard.annual_rate(0.08) - 1.0 / 500.0).abs() < 1e-15);
         assert!((hazard.annual_rate(0.08 * 1.8) * 2500.0 - 1.0).abs() < 1e-12);
-        let new_zealand = of_code(HazardCode::Nzs1170_5, "C", 0.4, None, Measure::Sa { period_s: 0.5 }).unwrap().hazard;
+        let new_zealand = of_code(
+            HazardCode::Nzs1170_5,
+            "C",
+            0.4,
+            None,
+            Measure::Sa { period_s: 0.5 },
+        )
+        .unwrap()
+        .hazard;
         assert!((new_zealand.annual_rate(0.8) - 1.0 / 500.0).abs() < 1e-15);
         // Near a fault every point is the spectrum of the code, which ignores the fault up to 250 years.
-        let near = of_code(HazardCode::Nzs1170_5, "C", 0.4, Some(2.0), Measure::Sa { period_s: 2.0 }).unwrap().hazard;
+        let near = of_code(
+            HazardCode::Nzs1170_5,
+            "C",
+            0.4,
+            Some(2.0),
+            Measure::Sa { period_s: 2.0 },
+        )
+        .unwrap()
+        .hazard;
         for years in [100, 250, 500, 1000] {
             let code = Nzs1170_5::new(SubsoilClass::C, 0.4, years, Some(2.0)).unwrap();
-            assert!((near.annual_rate(code.sa_g(2.0)) * f64::from(years) - 1.0).abs() < 1e-12, "{years}");
+            assert!(
+                (near.annual_rate(code.sa_g(2.0)) * f64::from(years) - 1.0).abs() < 1e-12,
+                "{years}"
+            );
         }
         assert!(of_code(HazardCode::As1170_4, "X", 0.08, None, Measure::Pga).is_err());
         assert!(of_code(HazardCode::As1170_4, "Be", 0.08, None, Measure::Pgv).is_err());

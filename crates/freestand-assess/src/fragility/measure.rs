@@ -25,7 +25,9 @@ impl At {
 
     /// The place with a name.
     pub fn parse(text: &str) -> Option<Self> {
-        [Self::Ground, Self::Floor].into_iter().find(|at| at.name() == text)
+        [Self::Ground, Self::Floor]
+            .into_iter()
+            .find(|at| at.name() == text)
     }
 }
 
@@ -59,13 +61,17 @@ pub enum Measure {
 }
 
 /// What is expected of a measure, for hints.
-pub(crate) const MEASURES: &str =
-    "pga [g], pgv [m/s], pfa [g], pfv [m/s], sa(0.5) [g], sa_avg(0.2:2) [g], velocity_ratio, acceleration_ratio";
+pub(crate) const MEASURES: &str = "pga [g], pgv [m/s], pfa [g], pfv [m/s], sa(0.5) [g], sa_avg(0.2:2) [g], velocity_ratio, acceleration_ratio";
 
 impl Measure {
     /// The measure with a name, `pfv` or `sa(0.5)`.
     pub fn parse(text: &str) -> Option<Self> {
-        let period = |text: &str| text.trim().parse::<f64>().ok().filter(|period| *period > 0.0 && period.is_finite());
+        let period = |text: &str| {
+            text.trim()
+                .parse::<f64>()
+                .ok()
+                .filter(|period| *period > 0.0 && period.is_finite())
+        };
         let text = text.trim().to_lowercase();
         match text.as_str() {
             "pga" => Some(Self::Pga),
@@ -77,7 +83,9 @@ impl Measure {
             text => {
                 let (name, inside) = text.strip_suffix(')')?.split_once('(')?;
                 match name {
-                    "sa" => Some(Self::Sa { period_s: period(inside)? }),
+                    "sa" => Some(Self::Sa {
+                        period_s: period(inside)?,
+                    }),
                     "sa_avg" => {
                         let (from, to) = inside.split_once(':')?;
                         let (from_s, to_s) = (period(from)?, period(to)?);
@@ -97,7 +105,9 @@ impl Measure {
             Self::Pfa => "pfa".to_owned(),
             Self::Pfv => "pfv".to_owned(),
             Self::Sa { period_s } => format!("sa({})", shortest(period_s)),
-            Self::SaAverage { from_s, to_s } => format!("sa_avg({}:{})", shortest(from_s), shortest(to_s)),
+            Self::SaAverage { from_s, to_s } => {
+                format!("sa_avg({}:{})", shortest(from_s), shortest(to_s))
+            }
             Self::VelocityRatio => "velocity_ratio".to_owned(),
             Self::AccelerationRatio => "acceleration_ratio".to_owned(),
         }
@@ -141,7 +151,9 @@ impl Measure {
     pub fn place(self) -> Option<At> {
         match self {
             Self::Pga | Self::Pgv => Some(At::Ground),
-            Self::Pfa | Self::Pfv | Self::VelocityRatio | Self::AccelerationRatio => Some(At::Floor),
+            Self::Pfa | Self::Pfv | Self::VelocityRatio | Self::AccelerationRatio => {
+                Some(At::Floor)
+            }
             Self::Sa { .. } | Self::SaAverage { .. } => None,
         }
     }
@@ -153,10 +165,17 @@ impl Measure {
     pub(crate) fn at(self, given: Option<At>) -> Result<At, Problem> {
         match (self.place(), given) {
             (Some(place), Some(given)) if place != given => {
-                let message =
-                    format!("{} is a measure of the {}, not of the {}", self.name(), place.name(), given.name());
-                Err(Problem::value(message, format!("leave out `at`, or write `at = \"{}\"`", place.name()))
-                    .of(&["at"]))
+                let message = format!(
+                    "{} is a measure of the {}, not of the {}",
+                    self.name(),
+                    place.name(),
+                    given.name()
+                );
+                Err(Problem::value(
+                    message,
+                    format!("leave out `at`, or write `at = \"{}\"`", place.name()),
+                )
+                .of(&["at"]))
             }
             (place, given) => Ok(place.or(given).unwrap_or(At::Ground)),
         }
@@ -168,7 +187,11 @@ impl Measure {
     /// No number above 0, or a unit of something else.
     pub(crate) fn quantity(self, text: &str) -> Result<f64, Problem> {
         let value = parse_positive(text, self.dimension(), "the intensity")?;
-        Ok(if self.dimension() == Dimension::Acceleration { value / G0_M_S2 } else { value })
+        Ok(if self.dimension() == Dimension::Acceleration {
+            value / G0_M_S2
+        } else {
+            value
+        })
     }
 
     /// Intensities as a grid or a list with units, in the unit of outputs.
@@ -176,8 +199,15 @@ impl Measure {
     /// # Errors
     /// A grid that cannot be read, or a unit of something else.
     pub(crate) fn quantities(self, text: &str) -> Result<Vec<f64>, Problem> {
-        let to_output = if self.dimension() == Dimension::Acceleration { 1.0 / G0_M_S2 } else { 1.0 };
-        Ok(parse_grid(text, self.dimension())?.into_iter().map(|value| value * to_output).collect())
+        let to_output = if self.dimension() == Dimension::Acceleration {
+            1.0 / G0_M_S2
+        } else {
+            1.0
+        };
+        Ok(parse_grid(text, self.dimension())?
+            .into_iter()
+            .map(|value| value * to_output)
+            .collect())
     }
 
     /// The factor from a unit to that of outputs.
@@ -193,9 +223,14 @@ impl Measure {
             (Some(symbol), _) if symbol == self.unit() => Ok(1.0),
             (Some(symbol), _) => {
                 let unit = lookup(symbol).filter(|unit| unit.dimension == dimension);
-                let unit = unit.ok_or_else(|| wrong(format!("{} cannot be in \"{symbol}\"", self.name())))?;
+                let unit = unit
+                    .ok_or_else(|| wrong(format!("{} cannot be in \"{symbol}\"", self.name())))?;
                 let in_si = parse_in_unit("1", unit)?;
-                Ok(if dimension == Dimension::Acceleration { in_si / G0_M_S2 } else { in_si })
+                Ok(if dimension == Dimension::Acceleration {
+                    in_si / G0_M_S2
+                } else {
+                    in_si
+                })
             }
         }
     }
@@ -207,7 +242,16 @@ mod tests {
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        for name in ["pga", "pgv", "pfa", "pfv", "sa(0.5)", "sa_avg(0.2:2)", "velocity_ratio", "acceleration_ratio"] {
+        for name in [
+            "pga",
+            "pgv",
+            "pfa",
+            "pfv",
+            "sa(0.5)",
+            "sa_avg(0.2:2)",
+            "velocity_ratio",
+            "acceleration_ratio",
+        ] {
             assert_eq!(Measure::parse(name).unwrap().name(), name);
         }
         for bad in ["pgd", "sa", "sa()", "sa(-1)", "sa_avg(2:1)", "sa(0.5", ""] {
@@ -224,6 +268,9 @@ mod tests {
         assert_eq!(factor(Measure::VelocityRatio, None), Ok(1.0));
         assert!(factor(Measure::Pfv, None).is_err() && factor(Measure::Pfv, Some("g")).is_err());
         assert!(Measure::Pfv.at(Some(At::Ground)).is_err());
-        assert_eq!(Measure::Sa { period_s: 1.0 }.at(Some(At::Floor)), Ok(At::Floor));
+        assert_eq!(
+            Measure::Sa { period_s: 1.0 }.at(Some(At::Floor)),
+            Ok(At::Floor)
+        );
     }
 }

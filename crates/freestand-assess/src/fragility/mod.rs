@@ -12,8 +12,9 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use freestand::fragility::{
-    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes, ShockFitError,
-    ShockRun, TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
+    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes,
+    ShockFitError, ShockRun, TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical,
+    fit_curves, fit_shock, goodness,
 };
 use freestand::risk::{Capacity, capacities};
 use freestand_input::file::InputFile;
@@ -37,13 +38,18 @@ pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
 pub use runs::{
-    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, KeepRuns, Limits,
-    METHODS, Method, Quality, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject,
+    KeepRuns, Limits, METHODS, Method, Quality, RunObjects, RunsReport, RunsRequest, file_name,
+    fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
 pub const FITS: Choices<FitKind> = &[
-    (FitKind::Ordered, "ordered", "one β for all limit states of an object: curves cannot cross"),
+    (
+        FitKind::Ordered,
+        "ordered",
+        "one β for all limit states of an object: curves cannot cross",
+    ),
     (FitKind::Separate, "separate", "each limit state by itself"),
 ];
 
@@ -58,9 +64,21 @@ pub enum FitMethod {
 
 /// The names of the ways to fit runs.
 pub const FIT_METHODS: Choices<FitMethod> = &[
-    (FitMethod::Curves(FitKind::Ordered), "ordered", "one β for all limit states of an object: curves cannot cross"),
-    (FitMethod::Curves(FitKind::Separate), "separate", "each limit state by itself"),
-    (FitMethod::TwoStage, TWO_STAGE, "as ordered, with the limit state exceeds from the shocks below the ceiling"),
+    (
+        FitMethod::Curves(FitKind::Ordered),
+        "ordered",
+        "one β for all limit states of an object: curves cannot cross",
+    ),
+    (
+        FitMethod::Curves(FitKind::Separate),
+        "separate",
+        "each limit state by itself",
+    ),
+    (
+        FitMethod::TwoStage,
+        TWO_STAGE,
+        "as ordered, with the limit state exceeds from the shocks below the ceiling",
+    ),
 ];
 
 impl FitMethod {
@@ -178,10 +196,15 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
 ///
 /// # Errors
 /// As [`fragility`], and if the caller stopped it.
-pub fn fragility_watched(request: FragilityRequest, progress: Progress) -> Result<FragilityReport, Problems> {
+pub fn fragility_watched(
+    request: FragilityRequest,
+    progress: Progress,
+) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
     let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
-    request.shock.map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
+    request
+        .shock
+        .map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
     let limits = vec![request.shock; table.objects.len()];
     fitted(request, table, (METHOD, &limits), progress)
 }
@@ -191,8 +214,11 @@ pub const MAX_REPLICATES: u32 = 100_000;
 
 /// Refuses more samples than memory has room for.
 fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
-    let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else { return Ok(()) };
-    let message = format!("{many} samples are too many: each is kept, and a 95 % interval needs about 1000");
+    let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else {
+        return Ok(());
+    };
+    let message =
+        format!("{many} samples are too many: each is kept, and a 95 % interval needs about 1000");
     Err(Problem::value(message, format!("give at most {MAX_REPLICATES}")).of(&["bootstrap"]))
 }
 
@@ -201,7 +227,11 @@ fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
 /// # Errors
 /// The caller stopped the work.
 pub(crate) fn go_on(progress: Progress) -> Result<(), Problem> {
-    match progress(Step { stage: None, done: 0, total: 0 }) {
+    match progress(Step {
+        stage: None,
+        done: 0,
+        total: 0,
+    }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped()),
     }
@@ -218,9 +248,19 @@ fn fitted(
     let at = table.measure.at(request.at)?;
     let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
     let is_wanted = || go_on(progress).is_ok();
-    let shocks = if limits.iter().any(Option::is_some) { table.shocks() } else { Vec::new() };
+    let shocks = if limits.iter().any(Option::is_some) {
+        table.shocks()
+    } else {
+        Vec::new()
+    };
     // Within an object the samples are calculated in parallel.
-    let each = table.objects.iter().zip(table.by_object()?).zip(table.uplifts()).zip(limits).enumerate();
+    let each = table
+        .objects
+        .iter()
+        .zip(table.by_object()?)
+        .zip(table.uplifts())
+        .zip(limits)
+        .enumerate();
     let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
         go_on(progress)?;
         let mut states = outcomes.limit_states();
@@ -230,7 +270,10 @@ fn fitted(
         }
         let mut fit = fit_curves(&outcomes, &states, request.fit);
         let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
-        let (two_stage, no_two_stage) = match limits.map(|limits| two_stage(shocks, &fit, limits)).transpose() {
+        let (two_stage, no_two_stage) = match limits
+            .map(|limits| two_stage(shocks, &fit, limits))
+            .transpose()
+        {
             Ok(found) => (found, None),
             Err(error) if method == METHOD => {
                 return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
@@ -242,16 +285,33 @@ fn fitted(
                 (None, Some(error.to_string()))
             }
         };
-        let goodness = goodness(&outcomes, &fit, (replicates.min(MAX_SIMULATED), request.seed), &is_wanted);
+        let goodness = goodness(
+            &outcomes,
+            &fit,
+            (replicates.min(MAX_SIMULATED), request.seed),
+            &is_wanted,
+        );
         let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
-            .then(|| bootstrap(&outcomes, &states, request.fit, (replicates, request.seed), &is_wanted))
+            .then(|| {
+                bootstrap(
+                    &outcomes,
+                    &states,
+                    request.fit,
+                    (replicates, request.seed),
+                    &is_wanted,
+                )
+            })
             .flatten();
         go_on(progress)?;
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
         let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
         Ok(ObjectFragility {
             id: id.clone(),
-            capacities: fit.curves.iter().map(|curve| found(curve.limit_state)).collect(),
+            capacities: fit
+                .curves
+                .iter()
+                .map(|curve| found(curve.limit_state))
+                .collect(),
             outcomes,
             unresolved,
             reasons: table.reasons.get(i).cloned().unwrap_or_default(),
@@ -267,14 +327,32 @@ fn fitted(
         })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    let mut warnings = cautions(objects.iter().map(|one: &ObjectFragility| (one.id.as_str(), one.caution)));
+    let mut warnings = cautions(
+        objects
+            .iter()
+            .map(|one: &ObjectFragility| (one.id.as_str(), one.caution)),
+    );
     warnings.extend(gathered(&objects));
-    Ok(FragilityReport { request, table, at, objects, warnings, method })
+    Ok(FragilityReport {
+        request,
+        table,
+        at,
+        objects,
+        warnings,
+        method,
+    })
 }
 
 /// The probability of exceeding a tolerance, from the shocks of an object (each with its line).
-fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Result<TwoStage, ShockFitError> {
-    let ShockLimits { tolerance_g, ceiling_g } = limits;
+fn two_stage(
+    shocks: &[(usize, ShockRun)],
+    fit: &Fit,
+    limits: ShockLimits,
+) -> Result<TwoStage, ShockFitError> {
+    let ShockLimits {
+        tolerance_g,
+        ceiling_g,
+    } = limits;
     let runs: Vec<ShockRun> = shocks.iter().map(|(_, run)| *run).collect();
     let shock = match fit_shock(&runs, ceiling_g) {
         Ok(shock) => Some(shock),
@@ -284,14 +362,24 @@ fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Re
     };
     let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
     let (rocks, overturns) = (curve(LimitState::Rocks), curve(LimitState::Overturns));
-    Ok(TwoStage { rocks, overturns, shock, ceiling_g, tolerance_g })
+    Ok(TwoStage {
+        rocks,
+        overturns,
+        shock,
+        ceiling_g,
+        tolerance_g,
+    })
 }
 
 /// What to do about shocks that cannot be fitted.
 fn shock_hint(error: ShockFitError) -> &'static str {
     match error {
-        ShockFitError::Shock { .. } => "give the `ceiling` of this object, the ceiling_g that freestand shock states",
-        ShockFitError::TooFew { .. } => "add runs that rocked, with their shock in the column edge_acceleration [g]",
+        ShockFitError::Shock { .. } => {
+            "give the `ceiling` of this object, the ceiling_g that freestand shock states"
+        }
+        ShockFitError::TooFew { .. } => {
+            "add runs that rocked, with their shock in the column edge_acceleration [g]"
+        }
         ShockFitError::NoMaximum => "fit the outcomes with `fit = \"ordered\"`",
     }
 }
@@ -316,12 +404,18 @@ fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
             }
         }
     }
-    let said = kinds.into_iter().flat_map(|(text, ids)| match ids.as_slice() {
-        [first, ..] if ids.len() > MAX_NAMED => {
-            vec![format!("{}, {} among them: {text}", counted(ids.len(), "object"), shorten(first))]
-        }
-        _ => ids.iter().map(|id| format!("{id}: {text}")).collect(),
-    });
+    let said = kinds
+        .into_iter()
+        .flat_map(|(text, ids)| match ids.as_slice() {
+            [first, ..] if ids.len() > MAX_NAMED => {
+                vec![format!(
+                    "{}, {} among them: {text}",
+                    counted(ids.len(), "object"),
+                    shorten(first)
+                )]
+            }
+            _ => ids.iter().map(|id| format!("{id}: {text}")).collect(),
+        });
     said.collect()
 }
 
@@ -329,15 +423,30 @@ fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(why) = &object.no_two_stage {
-        warnings.push(format!("exceeds is fitted to the outcomes, not to the shocks: {why}"));
+        warnings.push(format!(
+            "exceeds is fitted to the outcomes, not to the shocks: {why}"
+        ));
     }
     if object.unresolved > 0 {
-        let verb = if object.unresolved == 1 { "was" } else { "were" };
-        let mut why: Vec<&str> = object.reasons.iter().take(MAX_NAMED).map(String::as_str).collect();
+        let verb = if object.unresolved == 1 {
+            "was"
+        } else {
+            "were"
+        };
+        let mut why: Vec<&str> = object
+            .reasons
+            .iter()
+            .take(MAX_NAMED)
+            .map(String::as_str)
+            .collect();
         if object.reasons.len() > MAX_NAMED {
             why.push("and others: see the column reason of the table");
         }
-        let why = if why.is_empty() { String::new() } else { format!(": {}", why.join("; ")) };
+        let why = if why.is_empty() {
+            String::new()
+        } else {
+            format!(": {}", why.join("; "))
+        };
         warnings.push(format!(
             "{} could not be calculated and {verb} left out of the fit{why}",
             counted(object.unresolved, "run")
@@ -354,16 +463,27 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
             significant(x, 3)
         ));
     }
-    if object.goodness.is_some_and(|goodness| goodness.is_misfit() == Some(true)) {
+    if object
+        .goodness
+        .is_some_and(|goodness| goodness.is_misfit() == Some(true))
+    {
         warnings.push(format!(
             "the curves do not fit the runs (p = {}): compare them with empirical.csv",
-            significant(object.goodness.and_then(|goodness| goodness.p_value).unwrap_or(0.0), 2)
+            significant(
+                object
+                    .goodness
+                    .and_then(|goodness| goodness.p_value)
+                    .unwrap_or(0.0),
+                2
+            )
         ));
     }
     for curve in &object.fit.curves {
         if matches!(curve.kind, CurveKind::NotIncreasing { .. }) {
             let state = curve.limit_state.name();
-            warnings.push(format!("{state} is not more frequent at higher intensities, so no curve fits"));
+            warnings.push(format!(
+                "{state} is not more frequent at higher intensities, so no curve fits"
+            ));
         }
         if matches!(curve.kind, CurveKind::Bounds { .. }) {
             let state = curve.limit_state.name();
@@ -374,14 +494,19 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
         }
         if let Some(why) = object.lacks_interval(curve.limit_state) {
             let state = curve.limit_state.name();
-            warnings.push(format!("{state} has no 95 % interval, because {}", why_no_interval(why)));
+            warnings.push(format!(
+                "{state} has no 95 % interval, because {}",
+                why_no_interval(why)
+            ));
         }
     }
     if let Some(bootstrap) = &object.bootstrap {
         let motions = object.outcomes.motions().unwrap_or(0);
         if motions < FEW_MOTIONS {
             let motions = counted(motions, "motion");
-            warnings.push(format!("the 95 % intervals of {motions} are too narrow, above all those of beta"));
+            warnings.push(format!(
+                "the 95 % intervals of {motions} are too narrow, above all those of beta"
+            ));
         }
         if bootstrap.failed as f64 > MANY_FAILED * bootstrap.samples.len() as f64 {
             warnings.push(format!(
@@ -406,7 +531,9 @@ fn why_no_interval(why: NoInterval) -> String {
 
 /// A file in the document.
 fn input_facts(file: &InputFile) -> Facts<'static> {
-    Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
+    Facts::default()
+        .key("path", file.path.display().to_string())
+        .key("sha256", file.sha256.clone())
 }
 
 /// A pair of ends as an array.
@@ -419,22 +546,42 @@ pub(crate) fn ends(pair: Option<(f64, f64)>) -> Value<'static> {
 fn whole(sum: f64) -> f64 {
     // 1e-16 for each of up to a million weights.
     let rounded = sum.round();
-    if (sum - rounded).abs() <= 1e-10 * rounded { rounded } else { sum }
+    if (sum - rounded).abs() <= 1e-10 * rounded {
+        rounded
+    } else {
+        sum
+    }
 }
 
 impl ObjectFragility {
     /// Its curves, for a hazard.
     pub(crate) fn curves(&self, measure: Measure, at: At) -> ObjectCurves {
         let (curves, capacities) = (self.fit.curves.clone(), self.capacities.clone());
-        ObjectCurves { id: self.id.clone(), measure, at, curves, capacities, caution: self.caution, line: 0 }
+        ObjectCurves {
+            id: self.id.clone(),
+            measure,
+            at,
+            curves,
+            capacities,
+            caution: self.caution,
+            line: 0,
+        }
     }
 
     fn capacities_of(&self, state: LimitState) -> &[Capacity] {
-        self.capacities.iter().find(|one| one.0 == state).map_or(&[], |one| &one.1)
+        self.capacities
+            .iter()
+            .find(|one| one.0 == state)
+            .map_or(&[], |one| &one.1)
     }
 
     fn capacity_facts(&self, state: LimitState) -> Vec<Facts<'static>> {
-        let one = |one: &Capacity| Facts::default().key("from", one.from).key("to", one.to).key("share", one.share);
+        let one = |one: &Capacity| {
+            Facts::default()
+                .key("from", one.from)
+                .key("to", one.to)
+                .key("share", one.share)
+        };
         self.capacities_of(state).iter().map(one).collect()
     }
 
@@ -471,14 +618,22 @@ impl ObjectFragility {
                     .key("beta", curve.kind.beta())
                     .key("median_ci95", ends(interval.map(|interval| interval.0)))
                     .key("beta_ci95", ends(interval.map(|interval| interval.1)))
-                    .key("why_no_ci95", self.lacks_interval(curve.limit_state).map(why_no_interval))
+                    .key(
+                        "why_no_ci95",
+                        self.lacks_interval(curve.limit_state).map(why_no_interval),
+                    )
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
                     .key("capacity", self.capacity_facts(curve.limit_state))
             })
             .collect();
         let shock = self.two_stage.map(|two_stage| {
-            let TwoStage { shock, ceiling_g, tolerance_g, .. } = two_stage;
+            let TwoStage {
+                shock,
+                ceiling_g,
+                tolerance_g,
+                ..
+            } = two_stage;
             Facts::default()
                 .key("tolerance_g", tolerance_g)
                 .key("ceiling_g", ceiling_g)
@@ -497,19 +652,26 @@ impl ObjectFragility {
                 .key("ks", goodness.ks)
                 .key("misfit", goodness.is_misfit())
         });
-        let bootstrap = self
-            .bootstrap
-            .as_ref()
-            .map(|samples| Facts::default().key("replicates", samples.samples.len()).key("failed", samples.failed));
+        let bootstrap = self.bootstrap.as_ref().map(|samples| {
+            Facts::default()
+                .key("replicates", samples.samples.len())
+                .key("failed", samples.failed)
+        });
         let has_fit = !self.fit.fitted_states().is_empty();
         // Of the most severe limit state that has one.
-        let severe = self.qualities.iter().rfind(|quality| quality.efficiency.is_some());
+        let severe = self
+            .qualities
+            .iter()
+            .rfind(|quality| quality.efficiency.is_some());
         let efficiency = match severe {
             Some(quality) => quality.efficiency,
             None => capacity_spread(&self.outcomes, LimitState::Overturns),
         };
         let levels = self.outcomes.levels();
-        let crossing = levels.first().zip(levels.last()).and_then(|(from, to)| self.fit.crossing(*from, *to));
+        let crossing = levels
+            .first()
+            .zip(levels.last())
+            .and_then(|(from, to)| self.fit.crossing(*from, *to));
         Facts::default()
             .key("id", self.id.clone())
             .key("im", measure.name())
@@ -529,7 +691,13 @@ impl ObjectFragility {
             .key("goodness", goodness)
             .key("efficiency", efficiency)
             .key("sufficiency", severe.map(Quality::sufficiency))
-            .key("measures", self.qualities.iter().map(Quality::facts).collect::<Vec<Facts>>())
+            .key(
+                "measures",
+                self.qualities
+                    .iter()
+                    .map(Quality::facts)
+                    .collect::<Vec<Facts>>(),
+            )
             .key("resurrections", self.resurrections)
             .key("scaled_above_4", self.scaled_above_4)
             .key("bootstrap", bootstrap)
@@ -538,14 +706,18 @@ impl ObjectFragility {
     /// Why a lognormal curve has no interval although samples were drawn.
     fn lacks_interval(&self, state: LimitState) -> Option<NoInterval> {
         let is_lognormal = matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. });
-        self.bootstrap.as_ref().filter(|_| is_lognormal)?.lacks_interval(state)
+        self.bootstrap
+            .as_ref()
+            .filter(|_| is_lognormal)?
+            .lacks_interval(state)
     }
 
     /// The 95 % intervals of the median and of β.
     pub(crate) fn interval(&self, state: LimitState) -> Option<((f64, f64), (f64, f64))> {
         let interval = self.bootstrap.as_ref()?.interval(state)?;
         // Samples may have a curve where the whole has none.
-        matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. }).then_some((interval.median, interval.beta))
+        matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. })
+            .then_some((interval.median, interval.beta))
     }
 }
 
@@ -564,7 +736,10 @@ impl FragilityReport {
 
     /// The objects of the document.
     fn object_facts(&self) -> Vec<Facts<'static>> {
-        self.objects.iter().map(|object| object.facts(self.table.measure, self.at, self.method)).collect()
+        self.objects
+            .iter()
+            .map(|object| object.facts(self.table.measure, self.at, self.method))
+            .collect()
     }
 
     /// One row for each curve, for people.
@@ -574,7 +749,9 @@ impl FragilityReport {
                 let interval = object.interval(curve.limit_state);
                 let (median, beta) = interval.unzip();
                 let both = |pair: Option<(f64, f64)>| {
-                    pair.map(|(low, high)| format!("{} to {}", significant(low, 3), significant(high, 3)))
+                    pair.map(|(low, high)| {
+                        format!("{} to {}", significant(low, 3), significant(high, 3))
+                    })
                 };
                 Facts::default()
                     .key("id", object.id.clone())
@@ -634,7 +811,10 @@ impl FragilityReport {
                     .key("fit", object.fit_name())
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())
-                    .key(CAPACITY, capacities_text(object.capacities_of(curve.limit_state)))
+                    .key(
+                        CAPACITY,
+                        capacities_text(object.capacities_of(curve.limit_state)),
+                    )
                     .key(CAUTION, object.caution.map(|why| name_of(TOO_MILD, why)))
             })
         }))
@@ -651,19 +831,21 @@ impl FragilityReport {
             .par_iter()
             .flat_map_iter(|object| {
                 object.fit.curves.iter().flat_map(move |curve| {
-                    empirical(&object.outcomes, curve.limit_state).into_iter().map(move |seen| {
-                        let (low, high) = clopper_pearson(seen.reached, seen.trials, 0.95);
-                        Facts::default()
-                            .key("id", object.id.as_str())
-                            .key("limit_state", curve.limit_state.name())
-                            .key("intensity", seen.intensity)
-                            .key("trials", seen.trials)
-                            .key("reached", seen.reached)
-                            .key("share", seen.reached / seen.trials)
-                            .key("share_ci95_low", low)
-                            .key("share_ci95_high", high)
-                            .key("fitted", curve.kind.probability(seen.intensity))
-                    })
+                    empirical(&object.outcomes, curve.limit_state)
+                        .into_iter()
+                        .map(move |seen| {
+                            let (low, high) = clopper_pearson(seen.reached, seen.trials, 0.95);
+                            Facts::default()
+                                .key("id", object.id.as_str())
+                                .key("limit_state", curve.limit_state.name())
+                                .key("intensity", seen.intensity)
+                                .key("trials", seen.trials)
+                                .key("reached", seen.reached)
+                                .key("share", seen.reached / seen.trials)
+                                .key("share_ci95_low", low)
+                                .key("share_ci95_high", high)
+                                .key("fitted", curve.kind.probability(seen.intensity))
+                        })
                 })
             })
             .collect();
@@ -701,7 +883,10 @@ mod tests {
 
     #[test]
     fn runs_of_weights_are_a_whole_number_where_their_sum_is_one() {
-        assert_eq!((whole(58.999_999_999_999_99), whole(58.999), whole(0.0)), (59.0, 58.999, 0.0));
+        assert_eq!(
+            (whole(58.999_999_999_999_99), whole(58.999), whole(0.0)),
+            (59.0, 58.999, 0.0)
+        );
     }
 
     /// One motion: every sample is the same.
@@ -712,9 +897,22 @@ mod tests {
              a,m,0.4,overturned\n",
         );
         let object = &report.objects[0];
-        assert!(matches!(object.fit.curve(LimitState::Overturns), Some(CurveKind::Lognormal { .. })));
-        assert_eq!(object.lacks_interval(LimitState::Overturns), Some(NoInterval::AllEqual));
+        assert!(matches!(
+            object.fit.curve(LimitState::Overturns),
+            Some(CurveKind::Lognormal { .. })
+        ));
+        assert_eq!(
+            object.lacks_interval(LimitState::Overturns),
+            Some(NoInterval::AllEqual)
+        );
         assert!(object.interval(LimitState::Overturns).is_none());
-        assert!(report.warnings.iter().any(|text| text.contains("no 95 % interval")), "{:?}", report.warnings);
+        assert!(
+            report
+                .warnings
+                .iter()
+                .any(|text| text.contains("no 95 % interval")),
+            "{:?}",
+            report.warnings
+        );
     }
 }

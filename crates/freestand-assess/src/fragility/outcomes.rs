@@ -92,13 +92,17 @@ impl OutcomeTable {
         let mut problems = RowProblems::watched(progress);
         let table = Table::read(bytes, path, HINT, &mut problems)?;
         if table.column("world").is_some() && table.column("fell").is_some() {
-            let problem = table.header_problem("this is the table of worlds that assess writes".to_owned());
-            let hint =
-                "its worlds have no intensity measure and cannot be fitted: give a table with the measure of every run";
+            let problem =
+                table.header_problem("this is the table of worlds that assess writes".to_owned());
+            let hint = "its worlds have no intensity measure and cannot be fitted: give a table with the measure of every run";
             return Err(problem.hint(hint).into());
         }
         let (column, measure, factor) = measure_of(&table)?;
-        let mut reading = Reading { objects: Names::default(), motions: Names::default(), problems };
+        let mut reading = Reading {
+            objects: Names::default(),
+            motions: Names::default(),
+            problems,
+        };
         let mut read = Self {
             file: InputFile::new(path, bytes),
             measure,
@@ -127,20 +131,39 @@ impl OutcomeTable {
         intensity: impl Fn(&Row) -> Result<f64, Problem>,
         reading: &mut Reading<'_>,
     ) -> Result<(), Problem> {
-        let (object, motion, outcome) = (table.needed("object")?, table.needed("motion")?, table.needed("outcome")?);
+        let (object, motion, outcome) = (
+            table.needed("object")?,
+            table.needed("motion")?,
+            table.needed("outcome")?,
+        );
         let (weight, reason) = (table.column("weight"), table.column("reason"));
-        let (shock, rotation) = (table.column("edge_acceleration"), table.column("rotation_ratio"));
-        let unit = shock.and_then(|shock| table.headings.get(shock)).map(|heading| heading.unit.as_deref());
+        let (shock, rotation) = (
+            table.column("edge_acceleration"),
+            table.column("rotation_ratio"),
+        );
+        let unit = shock
+            .and_then(|shock| table.headings.get(shock))
+            .map(|heading| heading.unit.as_deref());
         // A shock is in g or m/s², as a peak acceleration is.
-        let to_g = unit.map_or(Ok(1.0), |unit| Measure::Pga.factor_from(unit)).map_err(|_| {
-            let message = "the column \"edge_acceleration\" is not in g".to_owned();
-            table.header_problem(message).hint("write edge_acceleration [g]")
-        })?;
+        let to_g = unit
+            .map_or(Ok(1.0), |unit| Measure::Pga.factor_from(unit))
+            .map_err(|_| {
+                let message = "the column \"edge_acceleration\" is not in g".to_owned();
+                table
+                    .header_problem(message)
+                    .hint("write edge_acceleration [g]")
+            })?;
         let uplift = table.column(UPLIFT);
-        let unit = uplift.and_then(|uplift| table.headings.get(uplift)).map(|heading| heading.unit.as_deref());
-        let uplift_factor = unit.map_or(Ok(1.0), |unit| self.measure.factor_from(unit)).map_err(|problem| {
-            table.header_problem(format!("the column \"{UPLIFT}\": {}", problem.message)).hint(HINT)
-        })?;
+        let unit = uplift
+            .and_then(|uplift| table.headings.get(uplift))
+            .map(|heading| heading.unit.as_deref());
+        let uplift_factor = unit
+            .map_or(Ok(1.0), |unit| self.measure.factor_from(unit))
+            .map_err(|problem| {
+                table
+                    .header_problem(format!("the column \"{UPLIFT}\": {}", problem.message))
+                    .hint(HINT)
+            })?;
         for row in &table.rows {
             reading.problems.row()?;
             // Every cell is read before the row is dropped, so that all its problems are reported.
@@ -154,16 +177,25 @@ impl OutcomeTable {
             let rotation = problems.keep(table.optional(row, rotation));
             let uplift = problems.keep(table.optional(row, uplift));
             let caution = problems.keep(caution_of(table, row));
-            let (Some(object), Some(motion), Some(intensity)) = (object, motion, intensity) else { continue };
-            let (Some(class), Some(weight)) = (class, weight) else { continue };
-            let (Some(shock), Some(rotation), Some(uplift)) = (shock, rotation, uplift) else { continue };
+            let (Some(object), Some(motion), Some(intensity)) = (object, motion, intensity) else {
+                continue;
+            };
+            let (Some(class), Some(weight)) = (class, weight) else {
+                continue;
+            };
+            let (Some(shock), Some(rotation), Some(uplift)) = (shock, rotation, uplift) else {
+                continue;
+            };
             let Some(caution) = caution else { continue };
-            let shock = shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
+            let shock =
+                shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
             let object = self.object(reading, object, row.line, caution);
             let motion = reading.motions.place(motion);
             let Some(class) = class else {
                 self.unresolved[object] += 1;
-                let why = reason.map(|reason| table.text(row, reason)).filter(|why| !why.is_empty());
+                let why = reason
+                    .map(|reason| table.text(row, reason))
+                    .filter(|why| !why.is_empty());
                 if let (Some(why), Some(known)) = (why, self.reasons.get_mut(object))
                     && known.iter().all(|one| one != why)
                 {
@@ -171,10 +203,23 @@ impl OutcomeTable {
                 }
                 continue;
             };
-            let run = Run { motion: Some(motion), intensity, class, weight: weight.unwrap_or(1.0) };
+            let run = Run {
+                motion: Some(motion),
+                intensity,
+                class,
+                weight: weight.unwrap_or(1.0),
+            };
             let shock_g = shock.map(|shock| to_g * shock);
-            let uplift = uplift.filter(|uplift| *uplift > 0.0).map(|uplift| uplift_factor * uplift);
-            self.runs.push(OutcomeRun { object, line: row.line, run, shock_g, uplift });
+            let uplift = uplift
+                .filter(|uplift| *uplift > 0.0)
+                .map(|uplift| uplift_factor * uplift);
+            self.runs.push(OutcomeRun {
+                object,
+                line: row.line,
+                run,
+                shock_g,
+                uplift,
+            });
         }
         Ok(())
     }
@@ -197,14 +242,28 @@ impl OutcomeTable {
             let problems = &mut reading.problems;
             let object = problems.keep(table.filled(row, object));
             let intensity = problems.keep(intensity(row));
-            let counts = columns.map(|column| column.map(|column| problems.keep(table.non_negative(row, column))));
+            let counts = columns
+                .map(|column| column.map(|column| problems.keep(table.non_negative(row, column))));
             let caution = problems.keep(caution_of(table, row));
-            let Some(((object, intensity), caution)) = object.zip(intensity).zip(caution) else { continue };
+            let Some(((object, intensity), caution)) = object.zip(intensity).zip(caution) else {
+                continue;
+            };
             let object = self.object(reading, object, row.line, caution);
             for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
                 let Some(Some(weight)) = count else { continue };
-                let run = Run { motion: None, intensity, class, weight };
-                self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: None, uplift: None });
+                let run = Run {
+                    motion: None,
+                    intensity,
+                    class,
+                    weight,
+                };
+                self.runs.push(OutcomeRun {
+                    object,
+                    line: row.line,
+                    run,
+                    shock_g: None,
+                    uplift: None,
+                });
             }
         }
         Ok(())
@@ -216,16 +275,26 @@ impl OutcomeTable {
         let mut known: HashMap<(usize, usize, u64), &OutcomeRun> = HashMap::new();
         for one in &self.runs {
             problems.row()?;
-            let Some(motion) = one.run.motion else { continue };
-            let before = *known.entry((one.object, motion, one.run.intensity.to_bits())).or_insert(one);
+            let Some(motion) = one.run.motion else {
+                continue;
+            };
+            let before = *known
+                .entry((one.object, motion, one.run.intensity.to_bits()))
+                .or_insert(one);
             if before.line == one.line {
                 continue;
             }
-            let name = |names: &[String], place: usize| shorten(names.get(place).map_or("", String::as_str));
+            let name = |names: &[String], place: usize| {
+                shorten(names.get(place).map_or("", String::as_str))
+            };
             let outcomes = if before.run.class == one.run.class {
                 format!("appears twice, with the outcome {}", one.run.class.name())
             } else {
-                format!("has two outcomes, {} and {}", before.run.class.name(), one.run.class.name())
+                format!(
+                    "has two outcomes, {} and {}",
+                    before.run.class.name(),
+                    one.run.class.name()
+                )
             };
             let message = format!(
                 "lines {} and {}: the object {} under the motion {} at one intensity {outcomes}",
@@ -235,13 +304,23 @@ impl OutcomeTable {
                 name(&self.motions, motion),
             );
             let hint = "keep one of the two rows, or give different motions different names";
-            problems.push(Problem::value(message, hint).in_file(&self.file.path).at_line(one.line));
+            problems.push(
+                Problem::value(message, hint)
+                    .in_file(&self.file.path)
+                    .at_line(one.line),
+            );
         }
         problems.finish(&self.file.path)
     }
 
     /// The place of an object; a new one is added.
-    fn object(&mut self, reading: &mut Reading<'_>, id: &str, line: usize, caution: Option<TooMild>) -> usize {
+    fn object(
+        &mut self,
+        reading: &mut Reading<'_>,
+        id: &str,
+        line: usize,
+        caution: Option<TooMild>,
+    ) -> usize {
         let object = reading.objects.place(id);
         if object == self.unresolved.len() {
             self.unresolved.push(0);
@@ -258,8 +337,11 @@ impl OutcomeTable {
     /// A problem with an object, reported at its first row.
     pub(super) fn object_problem(&self, object: usize, message: &str, hint: &str) -> Problem {
         let id = self.objects.get(object).map_or("", String::as_str);
-        let problem = Problem::value(format!("object {}: {message}", shorten(id)), hint).in_file(&self.file.path);
-        self.first_lines.get(object).map_or(problem.clone(), |line| problem.at_line(*line))
+        let problem = Problem::value(format!("object {}: {message}", shorten(id)), hint)
+            .in_file(&self.file.path);
+        self.first_lines
+            .get(object)
+            .map_or(problem.clone(), |line| problem.at_line(*line))
     }
 
     /// The runs of every object, in the order of the objects.
@@ -276,7 +358,11 @@ impl OutcomeTable {
         let mut problems = RowProblems::default();
         let outcomes = runs.iter().enumerate().map(|(object, runs)| {
             let found = Outcomes::new(runs).map_err(|error| {
-                self.object_problem(object, &error.to_string(), "leave out the object, or add its runs")
+                self.object_problem(
+                    object,
+                    &error.to_string(),
+                    "leave out the object, or add its runs",
+                )
             });
             problems.keep(found)
         });
@@ -288,25 +374,36 @@ impl OutcomeTable {
     /// For each object the intensities at which its motions just lift it, in the order of its motions;
     /// `None` where that is not known.
     pub(super) fn uplifts(&self) -> Vec<Vec<Option<f64>>> {
-        let mut found: Vec<BTreeMap<usize, Option<f64>>> = vec![BTreeMap::new(); self.objects.len()];
+        let mut found: Vec<BTreeMap<usize, Option<f64>>> =
+            vec![BTreeMap::new(); self.objects.len()];
         for one in self.runs.iter().filter(|one| one.run.weight > 0.0) {
-            let (Some(known), Some(motion)) = (found.get_mut(one.object), one.run.motion) else { continue };
+            let (Some(known), Some(motion)) = (found.get_mut(one.object), one.run.motion) else {
+                continue;
+            };
             let least = known.entry(motion).or_insert(one.uplift);
             *least = least.zip(one.uplift).map(|(a, b)| a.min(b));
         }
-        found.into_iter().map(|known| known.into_values().collect()).collect()
+        found
+            .into_iter()
+            .map(|known| known.into_values().collect())
+            .collect()
     }
 
     /// Refuses shocks that are not above 0 or are above the ceiling.
     pub(super) fn check_shocks(&self, ceiling_g: f64) -> Result<(), Problems> {
         let mut problems = RowProblems::default();
         for (object, shocks) in self.shocks().iter().enumerate() {
-            for (line, ShockRun { shock_g, .. }) in shocks.iter().filter(|(_, run)| !run.is_below(ceiling_g)) {
-                let hint =
-                    "correct it, or give the `ceiling` of this object, the ceiling_g that freestand shock states";
-                let message =
-                    format!("the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g");
-                problems.push(Problem { line: Some(*line), ..self.object_problem(object, &message, hint) });
+            for (line, ShockRun { shock_g, .. }) in
+                shocks.iter().filter(|(_, run)| !run.is_below(ceiling_g))
+            {
+                let hint = "correct it, or give the `ceiling` of this object, the ceiling_g that freestand shock states";
+                let message = format!(
+                    "the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g"
+                );
+                problems.push(Problem {
+                    line: Some(*line),
+                    ..self.object_problem(object, &message, hint)
+                });
             }
         }
         problems.finish(&self.file.path)
@@ -315,10 +412,27 @@ impl OutcomeTable {
     /// For each object the shocks of its runs that rocked and did not overturn, with their lines.
     pub(super) fn shocks(&self) -> Vec<Vec<(usize, ShockRun)>> {
         let mut shocks = vec![Vec::new(); self.objects.len()];
-        for OutcomeRun { object, line, run, shock_g, .. } in &self.runs {
-            let rocked = matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded) && run.weight > 0.0;
-            if let (true, Some(shock_g), Some(of_object)) = (rocked, *shock_g, shocks.get_mut(*object)) {
-                of_object.push((*line, ShockRun { intensity: run.intensity, shock_g, weight: run.weight }));
+        for OutcomeRun {
+            object,
+            line,
+            run,
+            shock_g,
+            ..
+        } in &self.runs
+        {
+            let rocked = matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded)
+                && run.weight > 0.0;
+            if let (true, Some(shock_g), Some(of_object)) =
+                (rocked, *shock_g, shocks.get_mut(*object))
+            {
+                of_object.push((
+                    *line,
+                    ShockRun {
+                        intensity: run.intensity,
+                        shock_g,
+                        weight: run.weight,
+                    },
+                ));
             }
         }
         shocks
@@ -358,13 +472,24 @@ fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeCl
         return Ok(None);
     }
     // An object that leans on a wall counts as overturned.
-    let text = if text == Outcome::Leaned.name() { OutcomeClass::Overturned.name() } else { text };
-    let class = OutcomeClass::ALL.into_iter().find(|class| class.name() == text);
+    let text = if text == Outcome::Leaned.name() {
+        OutcomeClass::Overturned.name()
+    } else {
+        text
+    };
+    let class = OutcomeClass::ALL
+        .into_iter()
+        .find(|class| class.name() == text);
     class.map(Some).ok_or_else(|| {
         let names = OutcomeClass::ALL.map(OutcomeClass::name);
-        let near = nearest(text, &names).map(|near| format!("; is it {near}?")).unwrap_or_default();
+        let near = nearest(text, &names)
+            .map(|near| format!("; is it {near}?"))
+            .unwrap_or_default();
         let message = format!("\"{}\" is not an outcome{near}", shorten(text));
-        let hint = format!("write {}, or unresolved for a run that could not be calculated", names.join(", "));
+        let hint = format!(
+            "write {}, or unresolved for a run that could not be calculated",
+            names.join(", ")
+        );
         table.cell_problem(row, outcome, &message).hint(hint)
     })
 }
@@ -372,21 +497,34 @@ fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeCl
 /// The only column whose name is a measure, and the factor from its unit to the unit of the measure.
 pub(crate) fn measure_of(table: &Table) -> Result<(usize, Measure, f64), Problem> {
     let headings = table.headings.iter().enumerate();
-    let mut found = headings.filter_map(|(i, heading)| Some((i, heading, Measure::parse(&heading.name)?)));
+    let mut found =
+        headings.filter_map(|(i, heading)| Some((i, heading, Measure::parse(&heading.name)?)));
     match (found.next(), found.next()) {
         (Some((column, heading, measure)), None) => {
             let factor = measure
                 .factor_from(heading.unit.as_deref())
-                .map_err(|problem| table.header_problem(problem.message).hint(problem.hint.unwrap_or_default()))?;
+                .map_err(|problem| {
+                    table
+                        .header_problem(problem.message)
+                        .hint(problem.hint.unwrap_or_default())
+                })?;
             Ok((column, measure, factor))
         }
         (None, _) => {
             let message = "there is no column with an intensity measure".to_owned();
-            Err(table.header_problem(message).hint(format!("name one column as {MEASURES}")))
+            Err(table
+                .header_problem(message)
+                .hint(format!("name one column as {MEASURES}")))
         }
         (Some((_, _, one)), Some((_, _, other))) => {
-            let message = format!("there are two intensity measures, {} and {}", one.name(), other.name());
-            Err(table.header_problem(message).hint("keep one of them in the file"))
+            let message = format!(
+                "there are two intensity measures, {} and {}",
+                one.name(),
+                other.name()
+            );
+            Err(table
+                .header_problem(message)
+                .hint("keep one of them in the file"))
         }
     }
 }
@@ -407,9 +545,19 @@ mod tests {
         .unwrap();
         assert_eq!(
             (table.objects, table.motions),
-            (vec!["b".to_owned(), "a".to_owned()], vec!["m1".into(), "m2".into()])
+            (
+                vec!["b".to_owned(), "a".to_owned()],
+                vec!["m1".into(), "m2".into()]
+            )
         );
-        assert_eq!((table.runs[1].run.intensity, table.runs[1].run.weight, table.unresolved), (0.5, 2.0, vec![1, 0]));
+        assert_eq!(
+            (
+                table.runs[1].run.intensity,
+                table.runs[1].run.weight,
+                table.unresolved
+            ),
+            (0.5, 2.0, vec![1, 0])
+        );
     }
 
     #[test]
@@ -419,20 +567,31 @@ mod tests {
         let table = read(&format!("object,motion,pga [g],outcome,reason\n{rows}")).unwrap();
         assert_eq!(
             (table.unresolved, table.reasons),
-            (vec![3, 0], vec![vec!["it flies, for long".to_owned()], vec![]])
+            (
+                vec![3, 0],
+                vec![vec!["it flies, for long".to_owned()], vec![]]
+            )
         );
     }
 
     #[test]
     fn a_run_that_is_there_twice_is_refused_with_both_lines() {
         let twice = |outcome: &str| {
-            let text = format!("object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n");
+            let text = format!(
+                "object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n"
+            );
             read(&text).unwrap().check_twice(&no_progress)
         };
-        for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "appears twice")] {
+        for (outcome, said) in [
+            ("overturned", "two outcomes, rocked and overturned"),
+            ("rocked", "appears twice"),
+        ] {
             let problem = twice(outcome).unwrap_err();
             let text = problem.to_string();
-            assert!(problem.len() == 1 && text.contains("lines 2 and 4") && text.contains(said), "{problem}");
+            assert!(
+                problem.len() == 1 && text.contains("lines 2 and 4") && text.contains(said),
+                "{problem}"
+            );
         }
         let counts = read("object,pgv [m/s],no_uplift,overturned\na,0.2,3,1\na,0.2,2,1\n").unwrap();
         assert_eq!(counts.check_twice(&no_progress), Ok(()));
@@ -441,41 +600,107 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
         let cases = [
-            ("object,motion,pfv [m/s],outcome\na,m,0.5,fell\n", "o.csv:2: column 4 (\"outcome\"): \"fell\" is not"),
-            ("object,motion,pfv [m/s],outcome\na,m,0.5,roked\n", "is it rocked?"),
-            ("object,motion,pfv [m/s],outcome\na,m,0,rocked\n", "o.csv:2: column 3"),
-            ("object,motion,pfv [m/s],outcome\na,,1,rocked\n", "o.csv:2: column 2 (\"motion\"): the cell is empty"),
-            ("object,motion,pfv,outcome\na,m,1,rocked\n", "o.csv:1: pfv has no unit"),
-            ("object,motion,pfv [g],outcome\na,m,1,rocked\n", "o.csv:1: pfv cannot be in \"g\""),
-            ("object,motion,outcome\na,m,rocked\n", "o.csv:1: there is no column with an intensity measure"),
-            ("object,motion,pga [g],pfv [m/s],outcome\na,m,1,1,rocked\n", "two intensity measures"),
-            ("object,pga [g],no_uplift,overturned\na,1,2,-1\n", "o.csv:2: column 4"),
-            ("object,pga [g],rocked\na,1,2\n", "there is no column \"overturned\""),
-            ("id,world,model,fell,exceeded\na,1,rigid,0,0\n", "the table of worlds that assess writes"),
+            (
+                "object,motion,pfv [m/s],outcome\na,m,0.5,fell\n",
+                "o.csv:2: column 4 (\"outcome\"): \"fell\" is not",
+            ),
+            (
+                "object,motion,pfv [m/s],outcome\na,m,0.5,roked\n",
+                "is it rocked?",
+            ),
+            (
+                "object,motion,pfv [m/s],outcome\na,m,0,rocked\n",
+                "o.csv:2: column 3",
+            ),
+            (
+                "object,motion,pfv [m/s],outcome\na,,1,rocked\n",
+                "o.csv:2: column 2 (\"motion\"): the cell is empty",
+            ),
+            (
+                "object,motion,pfv,outcome\na,m,1,rocked\n",
+                "o.csv:1: pfv has no unit",
+            ),
+            (
+                "object,motion,pfv [g],outcome\na,m,1,rocked\n",
+                "o.csv:1: pfv cannot be in \"g\"",
+            ),
+            (
+                "object,motion,outcome\na,m,rocked\n",
+                "o.csv:1: there is no column with an intensity measure",
+            ),
+            (
+                "object,motion,pga [g],pfv [m/s],outcome\na,m,1,1,rocked\n",
+                "two intensity measures",
+            ),
+            (
+                "object,pga [g],no_uplift,overturned\na,1,2,-1\n",
+                "o.csv:2: column 4",
+            ),
+            (
+                "object,pga [g],rocked\na,1,2\n",
+                "there is no column \"overturned\"",
+            ),
+            (
+                "id,world,model,fell,exceeded\na,1,rigid,0,0\n",
+                "the table of worlds that assess writes",
+            ),
             ("object,motion,pga [g],outcome\n", "no rows"),
-            ("object,motion,pga [g],outcome,edge_acceleration\na,m,1,rocked,2\n", "is not in g"),
-            ("object,motion,pga [g],outcome,edge_acceleration [g]\na,m,1,rocked,-2\n", "o.csv:2: column 5"),
+            (
+                "object,motion,pga [g],outcome,edge_acceleration\na,m,1,rocked,2\n",
+                "is not in g",
+            ),
+            (
+                "object,motion,pga [g],outcome,edge_acceleration [g]\na,m,1,rocked,-2\n",
+                "o.csv:2: column 5",
+            ),
         ];
         for (text, said) in cases {
             let problem = read(text).unwrap_err();
-            assert!(problem.to_string().contains(said) && problem.problems[0].hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.problems[0].hint.is_some(),
+                "{said}: {problem}"
+            );
         }
-        let only_unresolved = read("object,motion,pga [g],outcome\nb,m,1,rocked\na,m,1,unresolved\n").unwrap();
+        let only_unresolved =
+            read("object,motion,pga [g],outcome\nb,m,1,rocked\na,m,1,unresolved\n").unwrap();
         let problem = only_unresolved.by_object().unwrap_err().to_string();
-        assert!(problem.starts_with("o.csv:3: object a: there are no runs"), "{problem}");
+        assert!(
+            problem.starts_with("o.csv:3: object a: there are no runs"),
+            "{problem}"
+        );
     }
 
     #[test]
     fn all_bad_rows_are_told_at_once_up_to_a_bound() {
         let rows = "a,m,0,rocked\na,m,1\na,,x,fell\na,m,2,rocked\n";
         let problems = read(&format!("object,motion,pga [g],outcome\n{rows}")).unwrap_err();
-        let places: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
-        assert_eq!(places, [Some(3), Some(2), Some(4), Some(4), Some(4)], "{problems}");
+        let places: Vec<Option<usize>> = problems
+            .problems
+            .iter()
+            .map(|problem| problem.line)
+            .collect();
+        assert_eq!(
+            places,
+            [Some(3), Some(2), Some(4), Some(4), Some(4)],
+            "{problems}"
+        );
         let rows: String = (0..30).map(|i| format!("a,-{i},1,x{i}\n")).collect();
         let many = read(&format!("object,pga [g],rocked,overturned\n{rows}")).unwrap_err();
         assert_eq!(many.len(), 21);
-        assert!(many.problems[20].to_string().starts_with("o.csv: and 40 more problems"), "{many}");
+        assert!(
+            many.problems[20]
+                .to_string()
+                .starts_with("o.csv: and 40 more problems"),
+            "{many}"
+        );
         let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);
-        assert_eq!(read(&twice).unwrap().check_twice(&no_progress).unwrap_err().len(), 3);
+        assert_eq!(
+            read(&twice)
+                .unwrap()
+                .check_twice(&no_progress)
+                .unwrap_err()
+                .len(),
+            3
+        );
     }
 }

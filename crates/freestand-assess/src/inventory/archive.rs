@@ -20,8 +20,16 @@ const MAX_UNPACKED: u64 = 512 << 20;
 /// \[bytes\].
 const MAX_SMALL: u64 = 16 << 20;
 /// Parts of the names of members that grow with the rows.
-const LARGE: [&str; 8] =
-    ["worksheets/", "sharedStrings", "pivotCache", "calcChain", "drawings", "comments", "tables/", "revisions"];
+const LARGE: [&str; 8] = [
+    "worksheets/",
+    "sharedStrings",
+    "pivotCache",
+    "calcChain",
+    "drawings",
+    "comments",
+    "tables/",
+    "revisions",
+];
 /// Largest ratio of unpacked to packed size; real workbooks stay below 50, the format allows 1032.
 const MAX_RATIO: u64 = 200;
 /// Unpacked size up to which any ratio is harmless \[bytes\].
@@ -63,8 +71,12 @@ impl Facts {
         let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet)?;
         let (_, target) = self.members.iter().find(|(other, _)| other == id)?;
         let end = target.rsplit('/').next()?;
-        let is_member = |name: &str| name.rsplit('/').next() == Some(end) && name.contains("worksheets/");
-        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, hidden)| hidden)
+        let is_member =
+            |name: &str| name.rsplit('/').next() == Some(end) && name.contains("worksheets/");
+        self.hidden
+            .iter()
+            .find(|(name, _)| is_member(name))
+            .map(|(_, hidden)| hidden)
     }
 }
 
@@ -78,14 +90,24 @@ fn wrong(message: impl Into<String>, hint: &str) -> Problem {
 /// A zip file that is not a workbook, is damaged or encrypted, or unpacks to more than any
 /// inventory needs.
 pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
-    let damaged =
-        |error: &dyn std::fmt::Display| wrong(format!("is a damaged workbook or zip file ({error})"), SAVE_AGAIN);
+    let damaged = |error: &dyn std::fmt::Display| {
+        wrong(
+            format!("is a damaged workbook or zip file ({error})"),
+            SAVE_AGAIN,
+        )
+    };
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
     if archive.len() > MAX_MEMBERS {
-        let message = format!("is a zip file of {} members; a workbook has at most {MAX_MEMBERS}", archive.len());
+        let message = format!(
+            "is a zip file of {} members; a workbook has at most {MAX_MEMBERS}",
+            archive.len()
+        );
         return Err(wrong(message, SAVE_AGAIN));
     }
-    let names: Vec<String> = archive.file_names_raw().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
+    let names: Vec<String> = archive
+        .file_names_raw()
+        .map(|name| String::from_utf8_lossy(name).into_owned())
+        .collect();
     is_workbook(&names, bytes)?;
     let mut facts = Facts::default();
     let mut total = 0;
@@ -93,8 +115,14 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     for index in 0..archive.len() {
         let name = names.get(index).map_or("", String::as_str);
         // Opening an encrypted member fails too, but with a message of its own.
-        if archive.by_index_raw(index).is_ok_and(|member| member.encrypted()) {
-            return Err(wrong("is encrypted", "remove the password and save it again"));
+        if archive
+            .by_index_raw(index)
+            .is_ok_and(|member| member.encrypted())
+        {
+            return Err(wrong(
+                "is encrypted",
+                "remove the password and save it again",
+            ));
         }
         let mut member = archive.by_index(index).map_err(|error| damaged(&error))?;
         let is_small = is_xml(name) && !LARGE.iter().any(|part| name.contains(part));
@@ -102,22 +130,34 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
         let mut size = 0;
         loop {
             let count = member.read(&mut buffer).map_err(|error| damaged(&error))?;
-            let Some(chunk) = buffer.get(..count).filter(|chunk| !chunk.is_empty()) else { break };
+            let Some(chunk) = buffer.get(..count).filter(|chunk| !chunk.is_empty()) else {
+                break;
+            };
             size += count as u64;
             total += count as u64;
             let is_bomb = total > RATIO_FROM && total / MAX_RATIO > bytes.len() as u64;
             if total > MAX_UNPACKED || is_bomb || is_small && size > MAX_SMALL {
-                let message = format!("unpacks to more than {} MiB, which is too large for an inventory", total >> 20);
-                return Err(wrong(message, "copy the rows into a new workbook, or save them as CSV"));
+                let message = format!(
+                    "unpacks to more than {} MiB, which is too large for an inventory",
+                    total >> 20
+                );
+                return Err(wrong(
+                    message,
+                    "copy the rows into a new workbook, or save them as CSV",
+                ));
             }
             if let Some(tags) = &mut tags {
-                tags.feed(chunk).map_err(|what| wrong(format!("{} {what}", shorten(name)), SAVE_AGAIN))?;
+                tags.feed(chunk)
+                    .map_err(|what| wrong(format!("{} {what}", shorten(name)), SAVE_AGAIN))?;
             }
         }
         if let Some(tags) = tags {
             if tags.texts_declared > size / MIN_TEXT_BYTES {
-                let message =
-                    format!("{} declares {} texts, more than it can hold", shorten(name), tags.texts_declared);
+                let message = format!(
+                    "{} declares {} texts, more than it can hold",
+                    shorten(name),
+                    tags.texts_declared
+                );
                 return Err(wrong(message, SAVE_AGAIN));
             }
             facts.has_merges |= tags.has_merges;
@@ -134,7 +174,10 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
 }
 
 fn is_xml(name: &str) -> bool {
-    !name.contains("/media/") && [".xml", ".rels"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
+    !name.contains("/media/")
+        && [".xml", ".rels"]
+            .iter()
+            .any(|end| name.to_ascii_lowercase().ends_with(end))
 }
 
 /// Distinguishes a workbook from other zip files.
@@ -142,19 +185,38 @@ fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
     let has = |name: &str| names.iter().any(|other| other.eq_ignore_ascii_case(name));
     let starts = |folder: &str| names.iter().any(|name| name.starts_with(folder));
     // The first member of an OpenDocument file is its type, not compressed.
-    if memmem::find(bytes.get(..200).unwrap_or(bytes), b"application/vnd.oasis.opendocument").is_some() {
-        return Err(wrong("is an OpenDocument file (ODS)", "save the sheet as .xlsx or CSV"));
+    if memmem::find(
+        bytes.get(..200).unwrap_or(bytes),
+        b"application/vnd.oasis.opendocument",
+    )
+    .is_some()
+    {
+        return Err(wrong(
+            "is an OpenDocument file (ODS)",
+            "save the sheet as .xlsx or CSV",
+        ));
     }
     if has("xl/workbook.bin") {
-        return Err(wrong("is a binary workbook (XLSB)", "save it as .xlsx or CSV"));
+        return Err(wrong(
+            "is a binary workbook (XLSB)",
+            "save it as .xlsx or CSV",
+        ));
     }
     if let Some(inner) = names.iter().find(|name| {
-        [".xlsx", ".csv", ".xlsm", ".xls", ".ods"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
+        [".xlsx", ".csv", ".xlsm", ".xls", ".ods"]
+            .iter()
+            .any(|end| name.to_ascii_lowercase().ends_with(end))
     }) {
-        return Err(wrong(format!("is a zip file that contains {}", shorten(inner)), "unpack it first"));
+        return Err(wrong(
+            format!("is a zip file that contains {}", shorten(inner)),
+            "unpack it first",
+        ));
     }
     if starts("word/") || starts("ppt/") {
-        return Err(wrong("is a text document or a presentation, not a workbook", "save the table as .xlsx or CSV"));
+        return Err(wrong(
+            "is a text document or a presentation, not a workbook",
+            "save the table as .xlsx or CSV",
+        ));
     }
     if !has("[Content_Types].xml") || !has("_rels/.rels") {
         return Err(wrong(
@@ -231,7 +293,9 @@ impl Tags {
                     self.tag(tag.get(1..length - 1).unwrap_or_default())?;
                     at += length;
                 }
-                None if tag.len() > MAX_TAG => return Err("contains a tag without an end".to_owned()),
+                None if tag.len() > MAX_TAG => {
+                    return Err("contains a tag without an end".to_owned());
+                }
                 None => break,
             }
         }
@@ -242,22 +306,35 @@ impl Tags {
 
     /// Examines what is between `<` and `>`.
     fn tag(&mut self, inner: &[u8]) -> Result<(), String> {
-        let name = inner.split(|byte| byte.is_ascii_whitespace() || *byte == b'/').next().unwrap_or_default();
+        let name = inner
+            .split(|byte| byte.is_ascii_whitespace() || *byte == b'/')
+            .next()
+            .unwrap_or_default();
         let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
         match name {
             b"row" => {
                 let place = attribute(inner, b"r").map(check_place).transpose()?;
                 self.row = place.map_or(self.row.saturating_add(1), |(_, row)| row);
-                self.hidden.rows.extend(is_hidden(inner, b"ht").then_some(self.row));
+                self.hidden
+                    .rows
+                    .extend(is_hidden(inner, b"ht").then_some(self.row));
                 Ok(())
             }
             b"col" => {
-                let number = |name| std::str::from_utf8(attribute(inner, name)?).ok()?.trim().parse::<u32>().ok();
-                let columns = number(b"min").zip(number(b"max")).filter(|_| is_hidden(inner, b"width"));
+                let number = |name| {
+                    std::str::from_utf8(attribute(inner, name)?)
+                        .ok()?
+                        .trim()
+                        .parse::<u32>()
+                        .ok()
+                };
+                let columns = number(b"min")
+                    .zip(number(b"max"))
+                    .filter(|_| is_hidden(inner, b"width"));
                 // Counted from 1 in the file.
-                self.hidden
-                    .columns
-                    .extend(columns.map(|(first, last)| (first.saturating_sub(1), last.saturating_sub(1))));
+                self.hidden.columns.extend(
+                    columns.map(|(first, last)| (first.saturating_sub(1), last.saturating_sub(1))),
+                );
                 Ok(())
             }
             b"sheet" => {
@@ -274,7 +351,8 @@ impl Tags {
                 attribute(inner, b"ref").map_or(Ok(()), check_range)
             }
             b"sst" => {
-                let count = attribute(inner, b"uniqueCount").and_then(|text| std::str::from_utf8(text).ok());
+                let count = attribute(inner, b"uniqueCount")
+                    .and_then(|text| std::str::from_utf8(text).ok());
                 self.texts_declared = self.texts_declared.max(count.map_or(0, declared));
                 Ok(())
             }
@@ -285,7 +363,8 @@ impl Tags {
 
 /// Whether a row or a column is not shown: by its mark, or because it has no size.
 fn is_hidden(inner: &[u8], size: &[u8]) -> bool {
-    let size = attribute(inner, size).and_then(|text| std::str::from_utf8(text).ok()?.trim().parse::<f64>().ok());
+    let size = attribute(inner, size)
+        .and_then(|text| std::str::from_utf8(text).ok()?.trim().parse::<f64>().ok());
     matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) || size == Some(0.0)
 }
 
@@ -293,7 +372,11 @@ fn is_hidden(inner: &[u8], size: &[u8]) -> bool {
 fn pair(inner: &[u8], first: &[u8], second: &[u8]) -> Option<(String, String)> {
     let text = |name| {
         let text = String::from_utf8_lossy(attribute(inner, name)?).into_owned();
-        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&apos;", "'");
+        let text = text
+            .replace("&lt;", "<")
+            .replace("&gt;", ">")
+            .replace("&quot;", "\"")
+            .replace("&apos;", "'");
         Some(text.replace("&amp;", "&"))
     };
     text(first).zip(text(second))
@@ -303,7 +386,11 @@ fn pair(inner: &[u8], first: &[u8], second: &[u8]) -> Option<(String, String)> {
 /// largest one.
 fn declared(text: &str) -> u64 {
     let digits = text.trim();
-    if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().unwrap_or(u64::MAX) } else { 0 }
+    if digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        digits.parse().unwrap_or(u64::MAX)
+    } else {
+        0
+    }
 }
 
 /// Length of a tag from `<` to `>`, both included; a `>` in quotes does not end it.
@@ -327,7 +414,10 @@ fn attribute<'t>(inner: &'t [u8], wanted: &[u8]) -> Option<&'t [u8]> {
     loop {
         let equals = memchr(b'=', rest)?;
         let name = rest.get(..equals)?.trim_ascii();
-        let name = name.rsplit(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let name = name
+            .rsplit(u8::is_ascii_whitespace)
+            .next()
+            .unwrap_or_default();
         let value = rest.get(equals + 1..)?.trim_ascii_start();
         let quote = *value.first()?;
         let value = value.get(1..)?;
@@ -341,15 +431,31 @@ fn attribute<'t>(inner: &'t [u8], wanted: &[u8]) -> Option<&'t [u8]> {
 
 /// Column and row of `A1`, column 0 for the bare row `1`.
 fn check_place(place: &[u8]) -> Result<(u32, u32), String> {
-    let letters = place.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    let letters = place
+        .iter()
+        .take_while(|byte| byte.is_ascii_alphabetic())
+        .count();
     let (column, row) = place.split_at(letters);
-    let no_place = || format!("refers to cell \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(place)));
+    let no_place = || {
+        format!(
+            "refers to cell \"{}\", which no sheet has",
+            shorten(&String::from_utf8_lossy(place))
+        )
+    };
     if column.len() > 3 || row.len() > 7 || !row.iter().all(u8::is_ascii_digit) {
         return Err(no_place());
     }
-    let column = column.iter().fold(0, |sum, byte| 26 * sum + u32::from(byte.to_ascii_uppercase() - b'A' + 1));
-    let row = row.iter().fold(0, |sum, byte| 10 * sum + u32::from(byte - b'0'));
-    if row == 0 { Err(no_place()) } else { Ok((column, row)) }
+    let column = column.iter().fold(0, |sum, byte| {
+        26 * sum + u32::from(byte.to_ascii_uppercase() - b'A' + 1)
+    });
+    let row = row
+        .iter()
+        .fold(0, |sum, byte| 10 * sum + u32::from(byte - b'0'));
+    if row == 0 {
+        Err(no_place())
+    } else {
+        Ok((column, row))
+    }
 }
 
 fn check_range(range: &[u8]) -> Result<(), String> {
@@ -357,7 +463,10 @@ fn check_range(range: &[u8]) -> Result<(), String> {
     let first = check_place(parts.next().unwrap_or_default())?;
     let last = parts.next().map_or(Ok(first), check_place)?;
     if last.0 < first.0 || last.1 < first.1 || parts.next().is_some() {
-        return Err(format!("refers to cells \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(range))));
+        return Err(format!(
+            "refers to cells \"{}\", which no sheet has",
+            shorten(&String::from_utf8_lossy(range))
+        ));
     }
     Ok(())
 }
@@ -376,7 +485,11 @@ mod tests {
             for chunk in text.chunks(size) {
                 tags.feed(chunk).unwrap();
             }
-            assert_eq!((tags.texts_declared, tags.has_merges, tags.rest.len()), (77, true, 0), "{size}");
+            assert_eq!(
+                (tags.texts_declared, tags.has_merges, tags.rest.len()),
+                (77, true, 0),
+                "{size}"
+            );
         }
     }
 
@@ -393,7 +506,13 @@ mod tests {
         ] {
             assert!(Tags::default().feed(text.as_bytes()).is_err(), "{text}");
         }
-        for text in ["<c r=\"A1\"/>", "<row r=\"1048576\"/>", "<f ref=\"A1:A1\"/>", "<cols r=\"x\"/>", "<c t=\"n\">"] {
+        for text in [
+            "<c r=\"A1\"/>",
+            "<row r=\"1048576\"/>",
+            "<f ref=\"A1:A1\"/>",
+            "<cols r=\"x\"/>",
+            "<c t=\"n\">",
+        ] {
             assert_eq!(Tags::default().feed(text.as_bytes()), Ok(()), "{text}");
         }
     }
@@ -405,17 +524,36 @@ mod tests {
              </cols><row hidden='1'/><row/><row r='7'></row><row hidden='true'/><row r='12' hidden='1'/><row hidden='1'>\
              <row ht='0' customHeight='1'/><row ht='15'/>";
         tags.feed(text.as_bytes()).unwrap();
-        assert_eq!(tags.hidden, Hidden { rows: vec![1, 8, 12, 13, 14], columns: vec![(1, 2), (4, 4)] });
+        assert_eq!(
+            tags.hidden,
+            Hidden {
+                rows: vec![1, 8, 12, 13, 14],
+                columns: vec![(1, 2), (4, 4)]
+            }
+        );
     }
 
     #[test]
     fn other_zip_files_are_recognised() {
-        assert!(check(b"PK\x03\x04garbage").unwrap_err().message.contains("damaged"));
-        let names = |all: &[&str]| is_workbook(&all.iter().map(|&name| name.to_owned()).collect::<Vec<_>>(), b"PK");
+        assert!(
+            check(b"PK\x03\x04garbage")
+                .unwrap_err()
+                .message
+                .contains("damaged")
+        );
+        let names = |all: &[&str]| {
+            is_workbook(
+                &all.iter().map(|&name| name.to_owned()).collect::<Vec<_>>(),
+                b"PK",
+            )
+        };
         for (all, said) in [
             (&["xl/workbook.bin", "[Content_Types].xml"][..], "XLSB"),
             (&["objects.xlsx"], "contains objects.xlsx"),
-            (&["[Content_Types].xml", "_rels/.rels", "word/document.xml"], "text document"),
+            (
+                &["[Content_Types].xml", "_rels/.rels", "word/document.xml"],
+                "text document",
+            ),
             (&["readme.txt"], "not a workbook"),
         ] {
             assert!(names(all).unwrap_err().message.contains(said));

@@ -74,7 +74,10 @@ impl Row {
 
     /// A cell.
     pub(super) fn get(&self, column: u32) -> Option<&Cell> {
-        let at = self.cells.binary_search_by_key(&column, |(column, _)| *column).ok()?;
+        let at = self
+            .cells
+            .binary_search_by_key(&column, |(column, _)| *column)
+            .ok()?;
         self.cells.get(at).map(|(_, cell)| cell)
     }
 }
@@ -92,7 +95,13 @@ mod tests {
 
     #[test]
     fn a_cell_holds_as_much_as_in_a_spreadsheet() {
-        assert_eq!(Cell::text("ü".repeat(MAX_CELL_CHARS)), Cell::Text("ü".repeat(MAX_CELL_CHARS)));
-        assert_eq!(Cell::text("x".repeat(MAX_CELL_CHARS + 1)), Cell::TooLong(MAX_CELL_CHARS + 1));
+        assert_eq!(
+            Cell::text("ü".repeat(MAX_CELL_CHARS)),
+            Cell::Text("ü".repeat(MAX_CELL_CHARS))
+        );
+        assert_eq!(
+            Cell::text("x".repeat(MAX_CELL_CHARS + 1)),
+            Cell::TooLong(MAX_CELL_CHARS + 1)
+        );
     }
 }

@@ -29,9 +29,18 @@ impl Choice {
             (Number::Malformed, _) => Err(Wrong::new(Kind::Unreadable)),
             (Number::Either { as_decimal, .. }, Self::Decimal) => Ok(as_decimal.clone()),
             (Number::Either { as_thousands, .. }, Self::Thousands) => Ok(as_thousands.clone()),
-            (Number::Either { sign, as_decimal, as_thousands }, Self::Sign(decimal)) => {
-                Ok(if *sign == decimal { as_decimal.clone() } else { as_thousands.clone() })
-            }
+            (
+                Number::Either {
+                    sign,
+                    as_decimal,
+                    as_thousands,
+                },
+                Self::Sign(decimal),
+            ) => Ok(if *sign == decimal {
+                as_decimal.clone()
+            } else {
+                as_thousands.clone()
+            }),
         }
     }
 }
@@ -54,7 +63,10 @@ impl Wrong {
     }
 
     pub(super) fn because(kind: Kind, detail: &str) -> Self {
-        Self { kind, detail: Some(detail.to_owned()) }
+        Self {
+            kind,
+            detail: Some(detail.to_owned()),
+        }
     }
 }
 
@@ -77,12 +89,17 @@ pub(super) struct Measured {
 /// A cell that is an error, a truth value or a date.
 pub(super) fn number_text(cell: &Cell) -> Result<Option<String>, Wrong> {
     match cell {
-        Cell::Text(text) if ["#REF!", "#DIV/0!", "#VALUE!", "#NAME?", "#NUM!", "#NULL!"].contains(&text.trim()) => {
+        Cell::Text(text)
+            if ["#REF!", "#DIV/0!", "#VALUE!", "#NAME?", "#NUM!", "#NULL!"]
+                .contains(&text.trim()) =>
+        {
             Err(Wrong::because(Kind::Formula, "is the error of a formula"))
         }
         Cell::Text(text) => {
             let text = plain(text);
-            let has_digit = text.chars().any(|c| c.is_ascii_digit() || "½¼¾⅓⅔⅛⅜⅝⅞".contains(c));
+            let has_digit = text
+                .chars()
+                .any(|c| c.is_ascii_digit() || "½¼¾⅓⅔⅛⅜⅝⅞".contains(c));
             Ok((has_digit && !is_missing(&text)).then_some(text))
         }
         Cell::Number(value) if value.is_finite() => Ok(Some(format!("{value}"))),
@@ -93,19 +110,29 @@ pub(super) fn number_text(cell: &Cell) -> Result<Option<String>, Wrong> {
             Kind::Unreadable,
             "is a date: spreadsheets turn 1-2 and 3/4 into dates; format the cell as a number and type it again",
         )),
-        Cell::TooLong(_) => Err(Wrong::because(Kind::Unreadable, "has more characters than a cell can hold")),
+        Cell::TooLong(_) => Err(Wrong::because(
+            Kind::Unreadable,
+            "has more characters than a cell can hold",
+        )),
         Cell::Number(_) | Cell::Bool(_) => Err(Wrong::new(Kind::Unreadable)),
     }
 }
 
 /// Whether a text has a number with two readings.
 pub(super) fn is_open(text: &str) -> bool {
-    text.contains(['.', ',']) && pieces(text).iter().any(|piece| matches!(piece, Piece::Number(Number::Either { .. })))
+    text.contains(['.', ','])
+        && pieces(text)
+            .iter()
+            .any(|piece| matches!(piece, Piece::Number(Number::Either { .. })))
 }
 
 /// What the numbers of a text say about the decimal sign.
 pub(super) fn evidence(text: &str) -> impl Iterator<Item = Decimal> {
-    let found = if text.contains(['.', ',']) { pieces(text) } else { Vec::new() };
+    let found = if text.contains(['.', ',']) {
+        pieces(text)
+    } else {
+        Vec::new()
+    };
     let said: Vec<Decimal> = found
         .iter()
         .filter_map(|piece| match piece {
@@ -123,7 +150,11 @@ pub(super) fn stated_unit(text: &str, dimension: Dimension) -> Option<CellUnit> 
     match parts.last()? {
         Piece::Other(rest) => match find(rest, dimension) {
             Ok(unit) => Some(unit),
-            Err(_) => Quantity::read(text).ok()?.unit.filter(|unit| unit.dimension == dimension).map(CellUnit::Known),
+            Err(_) => Quantity::read(text)
+                .ok()?
+                .unit
+                .filter(|unit| unit.dimension == dimension)
+                .map(CellUnit::Known),
         },
         Piece::Number(_) => None,
     }
@@ -146,9 +177,17 @@ pub(super) fn quantity(
     choice: Choice,
 ) -> Result<Measured, Wrong> {
     // Most cells are whole numbers without a unit.
-    if let (Some(unit), true) = (unit, !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())) {
+    if let (Some(unit), true) = (
+        unit,
+        !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()),
+    ) {
         let si = unit.read(text).map_err(|_| Wrong::new(Kind::Unreadable))?;
-        return Ok(Measured { si, text: with_symbol(text, unit, si), is_approximate: false, is_bare: true });
+        return Ok(Measured {
+            si,
+            text: with_symbol(text, unit, si),
+            is_approximate: false,
+            is_bare: true,
+        });
     }
     let round = (dimension == Dimension::Length).then(|| without_diameter(text).0);
     let (text, is_approximate) = without_approximation(round.as_deref().unwrap_or(text));
@@ -157,9 +196,17 @@ pub(super) fn quantity(
     Ok(found)
 }
 
-fn spread_or_one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice) -> Result<Measured, Wrong> {
+fn spread_or_one(
+    text: &str,
+    dimension: Dimension,
+    unit: Option<CellUnit>,
+    choice: Choice,
+) -> Result<Measured, Wrong> {
     // 72" (1829 mm): two statements of one value; 85 kg (with books): a remark.
-    if let Some((outer, inner)) = text.strip_suffix(')').and_then(|rest| rest.rsplit_once('(')) {
+    if let Some((outer, inner)) = text
+        .strip_suffix(')')
+        .and_then(|rest| rest.rsplit_once('('))
+    {
         let outer = outer.trim();
         if outer.chars().any(|c| c.is_ascii_digit()) {
             if inner.chars().any(|c| c.is_ascii_digit()) {
@@ -167,7 +214,11 @@ fn spread_or_one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choic
                 let second = spread_or_one(inner.trim(), dimension, unit, choice)?;
                 let is_same = (first.si - second.si).abs() <= 0.02 * first.si.abs();
                 let differ = "states two values that differ";
-                return if is_same { Ok(first) } else { Err(Wrong::because(Kind::NumberAmbiguous, differ)) };
+                return if is_same {
+                    Ok(first)
+                } else {
+                    Err(Wrong::because(Kind::NumberAmbiguous, differ))
+                };
             }
             let own = find(inner, dimension).ok().filter(|_| is_bare(outer));
             return spread_or_one(outer, dimension, own.or(unit), choice);
@@ -179,8 +230,10 @@ fn spread_or_one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choic
             [Piece::Number(_), Piece::Other(rest)] => find(rest, dimension).ok(),
             _ => None,
         };
-        return one(middle.trim(), dimension, own.or(unit), choice)
-            .map(|found| Measured { is_approximate: true, ..found });
+        return one(middle.trim(), dimension, own.or(unit), choice).map(|found| Measured {
+            is_approximate: true,
+            ..found
+        });
     }
     let parts = pieces(text);
     if let Some(found) = range(&parts, dimension, unit, choice) {
@@ -197,41 +250,81 @@ fn range(
     choice: Choice,
 ) -> Option<Result<Measured, Wrong>> {
     let (low, between, high, rest) = match parts {
-        [Piece::Number(low), Piece::Other(between), Piece::Number(high)] => (low, *between, high, ""),
-        [Piece::Number(low), Piece::Other(between), Piece::Number(high), Piece::Other(rest)] => {
-            (low, *between, high, *rest)
-        }
+        [
+            Piece::Number(low),
+            Piece::Other(between),
+            Piece::Number(high),
+        ] => (low, *between, high, ""),
+        [
+            Piece::Number(low),
+            Piece::Other(between),
+            Piece::Number(high),
+            Piece::Other(rest),
+        ] => (low, *between, high, *rest),
         _ => return None,
     };
-    const MARKS: [&str; 12] = ["-", "–", "—", "~", "to", "bis", "a", "à", "and", "..", "...", "〜"];
+    const MARKS: [&str; 12] = [
+        "-", "–", "—", "~", "to", "bis", "a", "à", "and", "..", "...", "〜",
+    ];
     let words = between.trim();
     // The unit of the first number, if it has one, stands before the mark.
     let (first, mark) = match words.rsplit_once(' ') {
         Some((unit, mark)) => (unit.trim(), mark),
         None => ("", words),
     };
-    let joined_unit = MARKS.iter().find_map(|mark| words.strip_suffix(mark)).map(str::trim);
-    let first = if MARKS.contains(&mark) { first } else { joined_unit.filter(|rest| find(rest, dimension).is_ok())? };
-    let own = |text: &str| if text.is_empty() { Ok(None) } else { find(text, dimension).map(Some) };
-    let (Ok(first), Ok(second)) = (own(first), own(rest.trim())) else { return None };
+    let joined_unit = MARKS
+        .iter()
+        .find_map(|mark| words.strip_suffix(mark))
+        .map(str::trim);
+    let first = if MARKS.contains(&mark) {
+        first
+    } else {
+        joined_unit.filter(|rest| find(rest, dimension).is_ok())?
+    };
+    let own = |text: &str| {
+        if text.is_empty() {
+            Ok(None)
+        } else {
+            find(text, dimension).map(Some)
+        }
+    };
+    let (Ok(first), Ok(second)) = (own(first), own(rest.trim())) else {
+        return None;
+    };
     // 6'-2" is one length.
-    if first.is_some_and(|unit| unit.symbol() == "ft") && second.is_some_and(|unit| unit.symbol() == "in") {
+    if first.is_some_and(|unit| unit.symbol() == "ft")
+        && second.is_some_and(|unit| unit.symbol() == "in")
+    {
         return None;
     }
     let read = || {
-        let second = second.or(first).or(unit).ok_or(Wrong::new(Kind::UnitMissing));
-        let second = if dimension == Dimension::Ratio { None } else { Some(second?) };
+        let second = second
+            .or(first)
+            .or(unit)
+            .ok_or(Wrong::new(Kind::UnitMissing));
+        let second = if dimension == Dimension::Ratio {
+            None
+        } else {
+            Some(second?)
+        };
         let first = first.or(second);
         // 5-6 under feet may be 5 feet 6 inches.
-        if first.or(second).is_some_and(|unit| unit.symbol() == "ft") && between.trim() == "-" && rest.trim().is_empty()
+        if first.or(second).is_some_and(|unit| unit.symbol() == "ft")
+            && between.trim() == "-"
+            && rest.trim().is_empty()
         {
-            return Err(Wrong::because(Kind::NumberAmbiguous, "may be a range or feet and inches"));
+            return Err(Wrong::because(
+                Kind::NumberAmbiguous,
+                "may be a range or feet and inches",
+            ));
         }
         let value = |number: &Number, unit: Option<CellUnit>| {
             let text = choice.read(number)?;
             match unit {
                 Some(unit) => unit.read(&text).map_err(|_| Wrong::new(Kind::Unreadable)),
-                None => text.parse::<f64>().map_err(|_| Wrong::new(Kind::Unreadable)),
+                None => text
+                    .parse::<f64>()
+                    .map_err(|_| Wrong::new(Kind::Unreadable)),
             }
         };
         let (low, high) = (value(low, first)?, value(high, second)?);
@@ -240,7 +333,12 @@ fn range(
         }
         let si = 0.5 * (low + high);
         let is_bare = rest.trim().is_empty();
-        Ok(Measured { si, text: format!("{si} {}", si_symbol(dimension)), is_approximate: true, is_bare })
+        Ok(Measured {
+            si,
+            text: format!("{si} {}", si_symbol(dimension)),
+            is_approximate: true,
+            is_bare,
+        })
     };
     Some(read())
 }
@@ -266,10 +364,17 @@ fn with_symbol(number: &str, unit: CellUnit, si: f64) -> String {
 }
 
 /// Words after a unit that say which size it is.
-const SIDES: [&str; 14] =
-    ["h", "w", "d", "l", "high", "wide", "deep", "tall", "long", "hoch", "breit", "tief", "each", "ea"];
+const SIDES: [&str; 14] = [
+    "h", "w", "d", "l", "high", "wide", "deep", "tall", "long", "hoch", "breit", "tief", "each",
+    "ea",
+];
 
-fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice) -> Result<Measured, Wrong> {
+fn one(
+    text: &str,
+    dimension: Dimension,
+    unit: Option<CellUnit>,
+    choice: Choice,
+) -> Result<Measured, Wrong> {
     let parts = pieces(text);
     let unreadable = || Wrong::new(Kind::Unreadable);
     let simple = match parts.as_slice() {
@@ -281,19 +386,35 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
         let text = choice.read(number)?;
         let si = unit.read(&text).map_err(|_| unreadable())?;
         let text = with_symbol(&text, unit, si);
-        Ok(Measured { si, text, is_approximate: false, is_bare })
+        Ok(Measured {
+            si,
+            text,
+            is_approximate: false,
+            is_bare,
+        })
     };
     let mut refused = NoUnit::Unknown;
     if let Some((number, rest)) = simple {
-        let last_word = rest.rsplit_once(' ').filter(|(_, word)| SIDES.contains(&word.to_lowercase().as_str()));
+        let last_word = rest
+            .rsplit_once(' ')
+            .filter(|(_, word)| SIDES.contains(&word.to_lowercase().as_str()));
         let rest = last_word.map_or(rest, |(unit, _)| unit.trim());
         if rest.is_empty() {
             return match unit {
                 Some(unit) => value(number, unit, true),
                 None if dimension == Dimension::Ratio => {
                     let text = choice.read(number)?;
-                    let si = text.parse::<f64>().ok().filter(|si| si.is_finite()).ok_or_else(unreadable)?;
-                    Ok(Measured { si, text, is_approximate: false, is_bare: true })
+                    let si = text
+                        .parse::<f64>()
+                        .ok()
+                        .filter(|si| si.is_finite())
+                        .ok_or_else(unreadable)?;
+                    Ok(Measured {
+                        si,
+                        text,
+                        is_approximate: false,
+                        is_bare: true,
+                    })
                 }
                 None => Err(Wrong::new(Kind::UnitMissing)),
             };
@@ -304,7 +425,10 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
         }
     }
     if dimension != Dimension::Ratio && has_two_values(&parts) {
-        return Err(Wrong::because(Kind::NumberAmbiguous, "may be two values, and is no fraction as of inches"));
+        return Err(Wrong::because(
+            Kind::NumberAmbiguous,
+            "may be two values, and is no fraction as of inches",
+        ));
     }
     // Feet and inches, fractions, signs.
     let text = joined(&parts, |number| choice.read(number))?;
@@ -312,7 +436,9 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
         Ok(found) => {
             let stated = match (found.unit, unit) {
                 (Some(own), _) if own.dimension == dimension => Some(CellUnit::Known(own)),
-                (Some(own), _) if dimension == Dimension::Mass && own.dimension == Dimension::Force => {
+                (Some(own), _)
+                    if dimension == Dimension::Mass && own.dimension == Dimension::Force =>
+                {
                     Some(CellUnit::Force(own))
                 }
                 (Some(_), _) => return Err(Wrong::new(Kind::UnitWrong)),
@@ -327,7 +453,12 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
                 None if dimension == Dimension::Ratio => scale(&found, None)?,
                 None => return Err(Wrong::new(Kind::UnitMissing)),
             };
-            Ok(Measured { si, text: format!("{si} {}", si_symbol(dimension)), is_approximate: false, is_bare })
+            Ok(Measured {
+                si,
+                text: format!("{si} {}", si_symbol(dimension)),
+                is_approximate: false,
+                is_bare,
+            })
         }
         Err(_) => {
             let rest = simple.map_or("", |(_, rest)| rest);
@@ -336,11 +467,13 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
                 && rest.chars().all(char::is_alphabetic)
                 && rest.chars().count() > 1;
             let is_unit = matches!(refused, NoUnit::Other(_)) || lookup(rest).is_some() || is_word;
-            Err(Wrong::new(if simple.is_some() && is_unit && !rest.is_empty() {
-                Kind::UnitWrong
-            } else {
-                Kind::Unreadable
-            }))
+            Err(Wrong::new(
+                if simple.is_some() && is_unit && !rest.is_empty() {
+                    Kind::UnitWrong
+                } else {
+                    Kind::Unreadable
+                },
+            ))
         }
     }
 }
@@ -353,9 +486,16 @@ fn has_two_values(parts: &[Piece<'_>]) -> bool {
         _ => None,
     };
     parts.windows(3).any(|three| match three {
-        [Piece::Number(upper), Piece::Other(stroke), Piece::Number(lower)] if stroke.trim().ends_with('/') => {
-            let is_fraction = |upper, lower: u32| upper < lower && lower.is_power_of_two() && lower <= 64;
-            !whole(upper).zip(whole(lower)).is_some_and(|(upper, lower)| is_fraction(upper, lower))
+        [
+            Piece::Number(upper),
+            Piece::Other(stroke),
+            Piece::Number(lower),
+        ] if stroke.trim().ends_with('/') => {
+            let is_fraction =
+                |upper, lower: u32| upper < lower && lower.is_power_of_two() && lower <= 64;
+            !whole(upper)
+                .zip(whole(lower))
+                .is_some_and(|(upper, lower)| is_fraction(upper, lower))
         }
         _ => false,
     })
@@ -395,10 +535,18 @@ pub(super) fn sizes(
 ) -> Result<Sizes, Wrong> {
     let (text, is_approximate) = without_approximation(text);
     let unreadable = || Wrong::new(Kind::Unreadable);
-    let lower = text.to_lowercase().replace(" by ", "x").replace(['×', '✕', 'х', '*'], "x");
+    let lower = text
+        .to_lowercase()
+        .replace(" by ", "x")
+        .replace(['×', '✕', 'х', '*'], "x");
     // A bracket behind may say the order: 60x40x180 (LxWxH).
-    let (lower, in_cell) = match lower.strip_suffix(')').and_then(|rest| rest.rsplit_once('(')) {
-        Some((outer, inner)) if order_of(inner).is_some() => (outer.trim().to_owned(), order_of(inner)),
+    let (lower, in_cell) = match lower
+        .strip_suffix(')')
+        .and_then(|rest| rest.rsplit_once('('))
+    {
+        Some((outer, inner)) if order_of(inner).is_some() => {
+            (outer.trim().to_owned(), order_of(inner))
+        }
         _ => (lower, None),
     };
     let parts: Vec<&str> = if lower.contains('x') {
@@ -413,24 +561,45 @@ pub(super) fn sizes(
         return Err(unreadable());
     }
     // The last unit holds for all that have none.
-    let last = sides.last().and_then(|side| stated_unit(side.text, Dimension::Length));
-    let is_stated = sides.iter().any(|side| stated_unit(side.text, Dimension::Length).is_some());
+    let last = sides
+        .last()
+        .and_then(|side| stated_unit(side.text, Dimension::Length));
+    let is_stated = sides
+        .iter()
+        .any(|side| stated_unit(side.text, Dimension::Length).is_some());
     let is_bare = !is_stated;
     let unit = last.or(unit);
     // A size that is named but not known: the others hold.
-    let known: Vec<Side<'_>> =
-        sides.iter().filter(|side| side.letter.is_none() || !is_missing(side.text)).copied().collect();
+    let known: Vec<Side<'_>> = sides
+        .iter()
+        .filter(|side| side.letter.is_none() || !is_missing(side.text))
+        .copied()
+        .collect();
     let mut sides = if known.is_empty() { sides } else { known };
     let values: Vec<f64> = sides
         .iter()
         .map(|side| one(side.text, Dimension::Length, unit, choice).map(|found| found.si))
         .collect::<Result<_, _>>()?;
-    let mut found = Sizes { is_approximate, is_bare, ..Sizes::default() };
+    let mut found = Sizes {
+        is_approximate,
+        is_bare,
+        ..Sizes::default()
+    };
     let has_round = sides.iter().any(|side| side.letter == Some('O'));
     if let ([first, second], true) = (values.as_slice(), has_round) {
         let is_first = sides.first().is_some_and(|side| side.letter == Some('O'));
-        let (round, height) = if is_first { (*first, *second) } else { (*second, *first) };
-        return Ok(Sizes { height: Some(height), width: Some(round), thickness: Some(round), is_round: true, ..found });
+        let (round, height) = if is_first {
+            (*first, *second)
+        } else {
+            (*second, *first)
+        };
+        return Ok(Sizes {
+            height: Some(height),
+            width: Some(round),
+            thickness: Some(round),
+            is_round: true,
+            ..found
+        });
     }
     let order = in_cell.as_deref().or(order);
     if sides.iter().all(|side| side.letter.is_none())
@@ -442,8 +611,13 @@ pub(super) fn sizes(
     }
     let letters: Vec<char> = sides.iter().filter_map(|side| side.letter).collect();
     if letters.len() == sides.len() {
-        let value =
-            |letter: char| letters.iter().position(|other| *other == letter).and_then(|at| values.get(at)).copied();
+        let value = |letter: char| {
+            letters
+                .iter()
+                .position(|other| *other == letter)
+                .and_then(|at| values.get(at))
+                .copied()
+        };
         let (height, width, length, depth) = (value('H'), value('W'), value('L'), value('D'));
         let named = [height, width, length, depth].iter().flatten().count();
         if named != sides.len() {
@@ -465,10 +639,21 @@ pub(super) fn sizes(
     sorted.sort_by(f64::total_cmp);
     match sorted.as_slice() {
         [short, long, height] => {
-            found = Sizes { height: Some(*height), width: Some(*long), thickness: Some(*short), ..found };
+            found = Sizes {
+                height: Some(*height),
+                width: Some(*long),
+                thickness: Some(*short),
+                ..found
+            };
             found.is_order_guessed = true;
         }
-        [short, long] => found = Sizes { width: Some(*long), thickness: Some(*short), ..found },
+        [short, long] => {
+            found = Sizes {
+                width: Some(*long),
+                thickness: Some(*short),
+                ..found
+            }
+        }
         _ => return Err(unreadable()),
     }
     Ok(found)
@@ -485,16 +670,25 @@ fn lettered(text: &str) -> Option<Vec<&str>> {
     for (place, word) in words.iter().enumerate() {
         let at = from + text.get(from..)?.find(word)?;
         from = at + word.len();
-        let digits = word.find(|c: char| c.is_ascii_digit() || c == '?').unwrap_or(word.len());
+        let digits = word
+            .find(|c: char| c.is_ascii_digit() || c == '?')
+            .unwrap_or(word.len());
         let (before, rest) = word.split_at(digits);
-        let names_next = rest.is_empty() && words.get(place + 1).is_some_and(|next| starts_with_digit(next));
-        let is_named = axis(before.trim_end_matches([':', '=', '.'])).is_some() && (!rest.is_empty() || names_next);
+        let names_next = rest.is_empty()
+            && words
+                .get(place + 1)
+                .is_some_and(|next| starts_with_digit(next));
+        let is_named = axis(before.trim_end_matches([':', '=', '.'])).is_some()
+            && (!rest.is_empty() || names_next);
         if is_named || starts_with_digit(word) && side(word).letter.is_some() {
             starts.push(at);
         }
     }
     let ends = starts.iter().skip(1).copied().chain([text.len()]);
-    let parts = starts.iter().zip(ends).map(|(&start, end)| Some(text.get(start..end)?.trim_end_matches(is_gap)));
+    let parts = starts
+        .iter()
+        .zip(ends)
+        .map(|(&start, end)| Some(text.get(start..end)?.trim_end_matches(is_gap)));
     (starts.first() == Some(&0) && starts.len() > 1).then(|| parts.collect())?
 }
 
@@ -516,53 +710,79 @@ fn axis(word: &str) -> Option<char> {
 /// A size without the letter before or after it.
 fn side(text: &str) -> Side<'_> {
     let number = text.find(|c: char| c.is_ascii_digit() || matches!(c, '.' | '?'));
-    let start = number.or_else(|| text.find(char::is_whitespace)).unwrap_or(0);
+    let start = number
+        .or_else(|| text.find(char::is_whitespace))
+        .unwrap_or(0);
     let (before, rest) = text.split_at(start);
     if let Some(found) = axis(before.trim().trim_end_matches([':', '=', '.'])) {
-        return Side { text: rest.trim(), letter: Some(found) };
+        return Side {
+            text: rest.trim(),
+            letter: Some(found),
+        };
     }
     // 1800h, 1800 mm h, 72"h, 1800 mm (h), but not the m of 1.8 m.
     let bare = rest.trim_end_matches([')', ' ']);
     let end = bare
         .rfind(|c: char| !c.is_alphabetic() && c != '⌀')
-        .map_or(0, |at| at + bare[at..].chars().next().map_or(1, char::len_utf8));
+        .map_or(0, |at| {
+            at + bare[at..].chars().next().map_or(1, char::len_utf8)
+        });
     let (rest, word) = bare.split_at(end);
     if find(word, Dimension::Length).is_err()
         && let Some(found) = axis(word)
     {
-        return Side { text: rest.trim().trim_end_matches('(').trim(), letter: Some(found) };
+        return Side {
+            text: rest.trim().trim_end_matches('(').trim(),
+            letter: Some(found),
+        };
     }
     Side { text, letter: None }
 }
 
 /// A tolerance with its pulse: `15g 11ms`, `15 g, 11 ms`, `15 / 11 ms`; `None`: there is no pulse.
 pub(super) fn with_pulse(text: &str) -> Option<(&str, &str)> {
-    if text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
+    if text
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || byte == b'.')
+    {
         return None;
     }
     let parts = pieces(text);
-    let numbers = parts.iter().filter(|piece| matches!(piece, Piece::Number(_))).count();
+    let numbers = parts
+        .iter()
+        .filter(|piece| matches!(piece, Piece::Number(_)))
+        .count();
     if numbers != 2 {
         return None;
     }
     let trimmed = text.trim();
     // The unit of the second number is a time; words such as "half-sine" may follow either.
     let end = trimmed.rfind(|c: char| c.is_ascii_digit())?;
-    let start = trimmed.get(..=end)?.rfind(|c: char| !c.is_ascii_digit() && c != '.' && c != ',')?;
+    let start = trimmed
+        .get(..=end)?
+        .rfind(|c: char| !c.is_ascii_digit() && c != '.' && c != ',')?;
     let start = start + trimmed.get(start..)?.chars().next()?.len_utf8();
     let (first, second) = (trimmed.get(..start)?, trimmed.get(start..)?);
-    let unit = second.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.' || c == ',').trim();
+    let unit = second
+        .trim_start_matches(|c: char| c.is_ascii_digit() || c == '.' || c == ',')
+        .trim();
     let unit = unit.split([' ', ')', ',']).next()?;
     find(unit, Dimension::Time).ok()?;
     let length = second.find(unit)? + unit.len();
-    let peak = first.trim().trim_end_matches(['@', '/', ',', ';', '(', ' ', '-']).trim();
+    let peak = first
+        .trim()
+        .trim_end_matches(['@', '/', ',', ';', '(', ' ', '-'])
+        .trim();
     let peak = peak
         .trim_end_matches("half-sine")
         .trim_end_matches("half sine")
         .trim_end_matches(" for")
         .trim_end_matches(" at")
         .trim();
-    Some((peak.trim_end_matches([',', ';', '@', '/']).trim(), second.get(..length)?))
+    Some((
+        peak.trim_end_matches([',', ';', '@', '/']).trim(),
+        second.get(..length)?,
+    ))
 }
 
 #[cfg(test)]
@@ -571,8 +791,15 @@ mod tests {
 
     fn length(text: &str, unit: Option<&str>) -> Result<(f64, bool), Kind> {
         let unit = unit.map(|unit| find(unit, Dimension::Length).unwrap());
-        let found = quantity(&plain(text), Dimension::Length, unit, Choice::Sign(Decimal::Point));
-        found.map(|found| ((found.si * 1e6).round() / 1e6, found.is_approximate)).map_err(|wrong| wrong.kind)
+        let found = quantity(
+            &plain(text),
+            Dimension::Length,
+            unit,
+            Choice::Sign(Decimal::Point),
+        );
+        found
+            .map(|found| ((found.si * 1e6).round() / 1e6, found.is_approximate))
+            .map_err(|wrong| wrong.kind)
     }
 
     #[test]
@@ -626,7 +853,12 @@ mod tests {
         let read = |text: &str, order: Option<&[char]>| {
             let found = sizes(&plain(text), mm, order, Choice::Sign(Decimal::Point)).unwrap();
             let mm = |size: Option<f64>| size.map(|size| (size * 1e3).round());
-            (mm(found.height), mm(found.width), mm(found.thickness), found.is_order_guessed)
+            (
+                mm(found.height),
+                mm(found.width),
+                mm(found.thickness),
+                found.is_order_guessed,
+            )
         };
         let plain_order = (Some(1800.0), Some(600.0), Some(450.0), false);
         for text in [
@@ -644,19 +876,50 @@ mod tests {
         ] {
             assert_eq!(read(text, None), plain_order, "{text}");
         }
-        assert_eq!(read("1800 x 600 x 450", Some(&['H', 'W', 'D'])), plain_order);
-        assert_eq!(read("450 x 1800 x 600", None), (Some(1800.0), Some(600.0), Some(450.0), true));
-        assert_eq!(read("180 x 60 x 45 cm", None), (Some(1800.0), Some(600.0), Some(450.0), true));
-        assert_eq!(read("6'0\" x 2'0\" x 18\"", None), (Some(1829.0), Some(610.0), Some(457.0), true));
-        assert_eq!(read("Ø230 x 1500", None), (Some(1500.0), Some(230.0), Some(230.0), false));
-        assert_eq!(read("600 x 450", None), (None, Some(600.0), Some(450.0), false));
+        assert_eq!(
+            read("1800 x 600 x 450", Some(&['H', 'W', 'D'])),
+            plain_order
+        );
+        assert_eq!(
+            read("450 x 1800 x 600", None),
+            (Some(1800.0), Some(600.0), Some(450.0), true)
+        );
+        assert_eq!(
+            read("180 x 60 x 45 cm", None),
+            (Some(1800.0), Some(600.0), Some(450.0), true)
+        );
+        assert_eq!(
+            read("6'0\" x 2'0\" x 18\"", None),
+            (Some(1829.0), Some(610.0), Some(457.0), true)
+        );
+        assert_eq!(
+            read("Ø230 x 1500", None),
+            (Some(1500.0), Some(230.0), Some(230.0), false)
+        );
+        assert_eq!(
+            read("600 x 450", None),
+            (None, Some(600.0), Some(450.0), false)
+        );
         for text in ["H ? x W 600 x D 450", "W 600 D 450", "H tbc x W600 x D450"] {
-            assert_eq!(read(text, None), (None, Some(600.0), Some(450.0), false), "{text}");
+            assert_eq!(
+                read(text, None),
+                (None, Some(600.0), Some(450.0), false),
+                "{text}"
+            );
         }
-        for text in
-            ["1800", "1 x 2 x 3 x 4", "H1800 x 600 x 450", "large", "H ? x W ?", "1800 600 450", "H1800 600 450"]
-        {
-            assert!(sizes(text, mm, None, Choice::Sign(Decimal::Point)).is_err(), "{text}");
+        for text in [
+            "1800",
+            "1 x 2 x 3 x 4",
+            "H1800 x 600 x 450",
+            "large",
+            "H ? x W ?",
+            "1800 600 450",
+            "H1800 600 450",
+        ] {
+            assert!(
+                sizes(text, mm, None, Choice::Sign(Decimal::Point)).is_err(),
+                "{text}"
+            );
         }
     }
 

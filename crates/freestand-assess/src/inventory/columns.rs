@@ -168,20 +168,39 @@ const fn text(column: Column, name: &'static str) -> ColumnSpec {
     }
 }
 
-const fn quantity(column: Column, name: &'static str, dimension: Dimension, unit: &'static str) -> ColumnSpec {
-    ColumnSpec { holds: Holds::Quantity(dimension), unit, ..text(column, name) }
+const fn quantity(
+    column: Column,
+    name: &'static str,
+    dimension: Dimension,
+    unit: &'static str,
+) -> ColumnSpec {
+    ColumnSpec {
+        holds: Holds::Quantity(dimension),
+        unit,
+        ..text(column, name)
+    }
 }
 
 const fn said(spec: ColumnSpec, meaning: &'static str, example: &'static str) -> ColumnSpec {
-    ColumnSpec { meaning, example, ..spec }
+    ColumnSpec {
+        meaning,
+        example,
+        ..spec
+    }
 }
 
 const fn required(spec: ColumnSpec) -> ColumnSpec {
-    ColumnSpec { is_required: true, ..spec }
+    ColumnSpec {
+        is_required: true,
+        ..spec
+    }
 }
 
 const fn alternative(spec: ColumnSpec) -> ColumnSpec {
-    ColumnSpec { is_in_template: false, ..spec }
+    ColumnSpec {
+        is_in_template: false,
+        ..spec
+    }
 }
 
 const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
@@ -197,10 +216,26 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "Identifier of the object, unique in the file; without it the row number is used",
         "ward3-07",
     ),
-    said(text(Column::Item, "item"), "What it is", "instrument cabinet"),
-    said(of(text(Column::Quantity, "quantity"), Holds::Count), "How many such objects there are; empty: 1", "2"),
-    said(text(Column::Priority, "priority"), "Rank given by the owner, in any form", "1"),
-    said(text(Column::Location, "location"), "Where it is, in words", "east wing"),
+    said(
+        text(Column::Item, "item"),
+        "What it is",
+        "instrument cabinet",
+    ),
+    said(
+        of(text(Column::Quantity, "quantity"), Holds::Count),
+        "How many such objects there are; empty: 1",
+        "2",
+    ),
+    said(
+        text(Column::Priority, "priority"),
+        "Rank given by the owner, in any form",
+        "1",
+    ),
+    said(
+        text(Column::Location, "location"),
+        "Where it is, in words",
+        "east wing",
+    ),
     said(text(Column::Building, "building"), "Building", "Block A"),
     said(text(Column::Floor, "floor"), "Name of the floor", "Level 3"),
     said(text(Column::Room, "room"), "Room", "3.12"),
@@ -214,13 +249,21 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "FEMA E-74, PL: risk of a loss of property (H, M or L)",
         "M",
     ),
-    said(of(text(Column::Function, "function"), Holds::Rating), "FEMA E-74, FL: risk that work stops (H, M or L)", "M"),
+    said(
+        of(text(Column::Function, "function"), Holds::Rating),
+        "FEMA E-74, FL: risk that work stops (H, M or L)",
+        "M",
+    ),
     required(said(
         quantity(Column::LevelRatio, "level_ratio", Ratio, ""),
         "Height of its floor over the height of the building: 0 ground, 1 roof",
         "0.5",
     )),
-    required(said(quantity(Column::Height, "height", Length, "mm"), "Height", "1800")),
+    required(said(
+        quantity(Column::Height, "height", Length, "mm"),
+        "Height",
+        "1800",
+    )),
     required(said(
         quantity(Column::Thickness, "thickness", Length, "mm"),
         "Horizontal size in the plane of rocking, usually the shorter side; the heading depth is accepted too",
@@ -246,24 +289,41 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "Height of the centre of gravity; empty: half the height",
         "800",
     ),
-    said(quantity(Column::Mass, "mass", Mass, "kg"), "Mass; without it no shock can be computed", "140"),
+    said(
+        quantity(Column::Mass, "mass", Mass, "kg"),
+        "Mass; without it no shock can be computed",
+        "140",
+    ),
     said(
         quantity(Column::Stiffness, "stiffness", Stiffness, "N/mm"),
         "Stiffness of everything under one edge (or give pad_stiffness with pads_per_edge, or cushion)",
         "4380",
     ),
-    said(quantity(Column::PadStiffness, "pad_stiffness", Stiffness, "N/mm"), "Stiffness of one pad or foot", "2190"),
+    said(
+        quantity(Column::PadStiffness, "pad_stiffness", Stiffness, "N/mm"),
+        "Stiffness of one pad or foot",
+        "2190",
+    ),
     said(
         of(text(Column::PadsPerEdge, "pads_per_edge"), Holds::Count),
         "Number of pads under one edge: a cabinet on four feet has 2",
         "2",
     ),
     said(
-        quantity(Column::SeriesStiffness, "series_stiffness", Stiffness, "N/mm"),
+        quantity(
+            Column::SeriesStiffness,
+            "series_stiffness",
+            Stiffness,
+            "N/mm",
+        ),
         "Stiffness of a layer in series with the pads: legs, floor covering",
         "20000",
     ),
-    said(text(Column::Cushion, "cushion"), "Entry of the cushion library, in place of a stiffness", ""),
+    said(
+        text(Column::Cushion, "cushion"),
+        "Entry of the cushion library, in place of a stiffness",
+        "",
+    ),
     said(
         quantity(Column::PadThickness, "pad_thickness", Length, "mm"),
         "Thickness of the pad, for the check against bottoming",
@@ -280,12 +340,22 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "11",
     ),
     said(
-        quantity(Column::ToleranceVelocityChange, "tolerance_velocity_change", Velocity, "m/s"),
+        quantity(
+            Column::ToleranceVelocityChange,
+            "tolerance_velocity_change",
+            Velocity,
+            "m/s",
+        ),
         "Velocity change below which no peak causes damage",
         "0.9",
     ),
     said(
-        quantity(Column::ToleranceEdgeLift, "tolerance_edge_lift", Length, "mm"),
+        quantity(
+            Column::ToleranceEdgeLift,
+            "tolerance_edge_lift",
+            Length,
+            "mm",
+        ),
         "Uplift from which it may fall back without damage",
         "50",
     ),
@@ -325,7 +395,11 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "Whether it is anchored: yes or no; an anchored object is listed and not rocked",
         "no",
     ),
-    said(text(Column::RestsOn, "rests_on"), "What it stands on, in words", "four levelling feet"),
+    said(
+        text(Column::RestsOn, "rests_on"),
+        "What it stands on, in words",
+        "four levelling feet",
+    ),
     said(
         quantity(Column::WallGap, "wall_gap", Length, "mm"),
         "Distance from its back to the wall; 0: it touches; empty: there is no wall",
@@ -351,7 +425,11 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "Angular velocity after an impact at the wall over the one before, from 0 to below 1; empty: drawn from 0 to 0.5",
         "0.2",
     )),
-    said(of(text(Column::Casters, "casters"), Holds::Casters), "Casters: no, free or braked", "no"),
+    said(
+        of(text(Column::Casters, "casters"), Holds::Casters),
+        "Casters: no, free or braked",
+        "no",
+    ),
     alternative(said(
         quantity(Column::RollingResistance, "rolling_resistance", Ratio, ""),
         "Resistance of its free casters over its weight; empty: 0.02",
@@ -372,7 +450,11 @@ pub static COLUMNS: [ColumnSpec; 53] = [
         "Thickness of what stands on the object",
         "300",
     )),
-    alternative(said(quantity(Column::UpperMass, "upper_mass", Mass, "kg"), "Mass of what stands on the object", "60")),
+    alternative(said(
+        quantity(Column::UpperMass, "upper_mass", Mass, "kg"),
+        "Mass of what stands on the object",
+        "60",
+    )),
     said(text(Column::Notes, "notes"), "Notes", "photo 12"),
     alternative(said(
         of(text(Column::Dimensions, "dimensions"), Holds::Sizes),
@@ -410,7 +492,14 @@ impl Column {
 
     /// Whether an empty cell means that there is nothing, and not that a number is not known.
     pub(super) fn means_nothing_there(self) -> bool {
-        matches!(self, Self::WallGap | Self::NeighbourGap | Self::Clearance | Self::UpperHeight | Self::UpperThickness)
+        matches!(
+            self,
+            Self::WallGap
+                | Self::NeighbourGap
+                | Self::Clearance
+                | Self::UpperHeight
+                | Self::UpperThickness
+        )
     }
 }
 

@@ -42,7 +42,11 @@ pub struct Converted {
 /// # Errors
 /// A file that cannot be read or has no headings of an inventory, formulas without values, cells
 /// that are too long, and inventories that do not fit into a sheet.
-pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
+pub fn convert_inventory(
+    path: &Path,
+    sheet: Option<&str>,
+    target: Target,
+) -> Result<Converted, Problems> {
     convert_bytes(load(path)?, path, sheet, target)
 }
 
@@ -50,7 +54,12 @@ pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Re
 ///
 /// # Errors
 /// As [`convert_inventory`].
-pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
+pub fn convert_bytes(
+    bytes: Vec<u8>,
+    path: &Path,
+    sheet: Option<&str>,
+    target: Target,
+) -> Result<Converted, Problems> {
     let in_file = |problem: Problem| problem.in_file(path);
     let mut source = Sheet::open(bytes, sheet, None).map_err(in_file)?;
     let mut warnings = std::mem::take(&mut source.warnings);
@@ -58,21 +67,41 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
     warnings.extend(source.formulas.warning());
     let (headings, body) = headings(&source);
     // A total that was not calculated is no object.
-    let is_left_out = |row: &Row| body.left_out.binary_search_by_key(&row.number, |left| left.row).is_ok();
+    let is_left_out = |row: &Row| {
+        body.left_out
+            .binary_search_by_key(&row.number, |left| left.row)
+            .is_ok()
+    };
     warnings.extend(unevaluated(&source.rows, &is_left_out));
     let kinds: Vec<Kind> = headings.iter().map(|text| kind(text)).collect();
-    let below = source.rows.iter().filter(|row| row.number > source.header.last_row);
+    let below = source
+        .rows
+        .iter()
+        .filter(|row| row.number > source.header.last_row);
     let mut problems = Problems::default();
-    let rows = below.map(|row| written(row, &kinds, &headings, is_left_out(row), &mut problems)).collect();
+    let rows = below
+        .map(|row| written(row, &kinds, &headings, is_left_out(row), &mut problems))
+        .collect();
     let mut table = Table { headings, rows };
-    problems.finish(Some(())).map_err(|error| error.into_iter().map(in_file).collect::<Problems>())?;
-    let columns = table.rows.iter().map(Vec::len).fold(table.headings.len(), usize::max);
+    problems
+        .finish(Some(()))
+        .map_err(|error| error.into_iter().map(in_file).collect::<Problems>())?;
+    let columns = table
+        .rows
+        .iter()
+        .map(Vec::len)
+        .fold(table.headings.len(), usize::max);
     table.headings.resize(columns, String::new());
     let bytes = match target {
         Target::Csv => csv(&table),
         Target::Xlsx => xlsx(&table, |_| Ok(())),
     };
-    Ok(Converted { bytes: bytes.map_err(in_file)?, rows: table.rows.len(), columns, warnings })
+    Ok(Converted {
+        bytes: bytes.map_err(in_file)?,
+        rows: table.rows.len(),
+        columns,
+        warnings,
+    })
 }
 
 /// One row of headings: units that a row of their own or a sentence beside the table states are
@@ -80,7 +109,13 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
 fn headings(source: &Sheet) -> (Vec<String>, Body) {
     let header = &source.header;
     let (body, _) = body(&source.rows, header);
-    let evidence = Evidence { rows: &source.rows, header, body: &body, mapping: None, has_semicolons: false };
+    let evidence = Evidence {
+        rows: &source.rows,
+        header,
+        body: &body,
+        mapping: None,
+        has_semicolons: false,
+    };
     let understood = understand(&evidence);
     let width = header.headings.keys().last().map_or(0, |last| last + 1);
     let one = |index: u32| {
@@ -106,9 +141,13 @@ enum Kind {
 }
 
 fn kind(text: &str) -> Kind {
-    let holds = meaning(text).and_then(|found| COLUMNS.get(found.column as usize)).map(|spec| spec.holds);
+    let holds = meaning(text)
+        .and_then(|found| COLUMNS.get(found.column as usize))
+        .map(|spec| spec.holds);
     match holds {
-        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Casters | Holds::Sizes) => Kind::Words,
+        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Casters | Holds::Sizes) => {
+            Kind::Words
+        }
         _ => Kind::Numbers,
     }
 }
@@ -116,13 +155,27 @@ fn kind(text: &str) -> Kind {
 /// Largest number of cells that cannot be written that are listed.
 const MAX_PROBLEMS: usize = 20;
 
-fn written(row: &Row, kinds: &[Kind], headings: &[String], is_left_out: bool, problems: &mut Problems) -> Vec<Written> {
-    let width = row.cells.last().map_or(0, |(column, _)| *column as usize + 1);
+fn written(
+    row: &Row,
+    kinds: &[Kind],
+    headings: &[String],
+    is_left_out: bool,
+    problems: &mut Problems,
+) -> Vec<Written> {
+    let width = row
+        .cells
+        .last()
+        .map_or(0, |(column, _)| *column as usize + 1);
     let mut cells = vec![Written::Empty; width];
     let mut refused = |column: u32, what: String, hint: &str| {
         if problems.len() < MAX_PROBLEMS {
             let heading = headings.get(column as usize).map_or("", String::as_str);
-            let place = format!("row {}, column {} ({})", row.number, letters(column as usize), shorten(heading));
+            let place = format!(
+                "row {}, column {} ({})",
+                row.number,
+                letters(column as usize),
+                shorten(heading)
+            );
             problems.push(Problem::value(format!("{place}: {what}"), hint));
         }
         Written::Empty
@@ -132,16 +185,19 @@ fn written(row: &Row, kinds: &[Kind], headings: &[String], is_left_out: bool, pr
         let kind = kinds.get(index).copied().unwrap_or(Kind::Numbers);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
-            Cell::Text(text) if text.chars().any(is_unprintable) => {
-                refused(*column, "contains a control character, which no CSV allows".to_owned(), "type the cell again")
-            }
+            Cell::Text(text) if text.chars().any(is_unprintable) => refused(
+                *column,
+                "contains a control character, which no CSV allows".to_owned(),
+                "type the cell again",
+            ),
             // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
                 Written::of(&text, kind != Kind::Words)
             }
             Cell::TooLong(chars) => {
-                let what = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
+                let what =
+                    format!("has {chars} characters, more than a cell of a spreadsheet can hold");
                 refused(*column, what, "shorten it")
             }
             Cell::Unevaluated if is_left_out => Written::Empty,

@@ -54,7 +54,11 @@ impl Cost {
             Self::AcceptedRate | Self::AcceptedExceedRate => value > 0.0,
             Self::Longitude => (-360.0..=360.0).contains(&value),
             Self::Latitude => (-90.0..=90.0).contains(&value),
-            Self::Repair | Self::Replacement | Self::Downtime | Self::DowntimeDay | Self::Casualty => value >= 0.0,
+            Self::Repair
+            | Self::Replacement
+            | Self::Downtime
+            | Self::DowntimeDay
+            | Self::Casualty => value >= 0.0,
         }
     }
 }
@@ -145,7 +149,12 @@ const COST_COLUMNS: [CostColumn; 10] = [
         unit: CostUnit::Bare,
         headings: &["casualty probability"],
     },
-    CostColumn { cost: Cost::Casualty, name: "casualty_cost", unit: CostUnit::Money(""), headings: &["casualty cost"] },
+    CostColumn {
+        cost: Cost::Casualty,
+        name: "casualty_cost",
+        unit: CostUnit::Money(""),
+        headings: &["casualty cost"],
+    },
     CostColumn {
         cost: Cost::AcceptedRate,
         name: "accepted_annual_rate",
@@ -158,13 +167,26 @@ const COST_COLUMNS: [CostColumn; 10] = [
         unit: PER_YEAR,
         headings: &["accepted exceed annual rate"],
     },
-    CostColumn { cost: Cost::Longitude, name: "longitude", unit: CostUnit::Bare, headings: &["longitude", "lon"] },
-    CostColumn { cost: Cost::Latitude, name: "latitude", unit: CostUnit::Bare, headings: &["latitude", "lat"] },
+    CostColumn {
+        cost: Cost::Longitude,
+        name: "longitude",
+        unit: CostUnit::Bare,
+        headings: &["longitude", "lon"],
+    },
+    CostColumn {
+        cost: Cost::Latitude,
+        name: "latitude",
+        unit: CostUnit::Bare,
+        headings: &["latitude", "lat"],
+    },
 ];
 
 /// Whether a name is that of a column of costs; a mapping file may give it to a heading.
 pub(crate) fn cost_name(name: &str) -> Option<&'static str> {
-    COST_COLUMNS.iter().find(|column| column.name == name).map(|column| column.name)
+    COST_COLUMNS
+        .iter()
+        .find(|column| column.name == name)
+        .map(|column| column.name)
 }
 
 /// What a mapping file says about a heading of costs: its name, and its unit.
@@ -188,7 +210,10 @@ impl CostHeading {
     fn new(heading: &str, mapping: Option<&Mapping>) -> Option<Self> {
         let text = plain(heading);
         let (name, inner) = match text.find(['[', '(']) {
-            Some(at) => (text.get(..at)?.trim(), Some(text.get(at + 1..)?.trim_end_matches([']', ')', ' ']))),
+            Some(at) => (
+                text.get(..at)?.trim(),
+                Some(text.get(at + 1..)?.trim_end_matches([']', ')', ' '])),
+            ),
             None => (text.as_str(), None),
         };
         let last = name.rsplit_once(' ').filter(|(_, last)| is_currency(last));
@@ -196,14 +221,22 @@ impl CostHeading {
         let unit = inner.or(last).map(str::to_owned);
         if let Some((mapped, own)) = mapping.and_then(|mapping| mapping.cost(heading)) {
             let column = COST_COLUMNS.iter().find(|column| column.name == mapped)?;
-            return Some(Self { column, unit: own.or(unit) });
+            return Some(Self {
+                column,
+                unit: own.or(unit),
+            });
         }
         if mapping.is_some_and(|mapping| mapping.ignores(heading)) {
             return None;
         }
         let words = canonical(name);
-        let is_it = |column: &&CostColumn| canonical(column.name) == words || column.headings.contains(&words.as_str());
-        COST_COLUMNS.iter().find(is_it).map(|column| Self { column, unit })
+        let is_it = |column: &&CostColumn| {
+            canonical(column.name) == words || column.headings.contains(&words.as_str())
+        };
+        COST_COLUMNS
+            .iter()
+            .find(is_it)
+            .map(|column| Self { column, unit })
     }
 
     /// The currency, where it is one of money.
@@ -215,7 +248,9 @@ impl CostHeading {
         let name = self.column.name;
         let refused = |what: &str, example: &str| {
             let message = format!("the column \"{}\" {what}", shorten(heading));
-            let hint = format!("write {name} [{example}], or give the unit in a mapping file (`columns = \"FILE\"`)");
+            let hint = format!(
+                "write {name} [{example}], or give the unit in a mapping file (`columns = \"FILE\"`)"
+            );
             Err(Problem::value(message, hint))
         };
         match self.column.unit {
@@ -225,13 +260,20 @@ impl CostHeading {
                 let in_heading = canonical(heading);
                 match unit {
                     Some(unit) if words.contains(&unit.to_lowercase().as_str()) => Ok(None),
-                    None if words.iter().any(|word| word.len() > 3 && in_heading.ends_with(word)) => Ok(None),
+                    None if words
+                        .iter()
+                        .any(|word| word.len() > 3 && in_heading.ends_with(word)) =>
+                    {
+                        Ok(None)
+                    }
                     _ => refused(&format!("is not in {first}"), first),
                 }
             }
             CostUnit::Money(per) => {
-                let currency =
-                    unit.and_then(|unit| unit.strip_suffix(per)).map(str::trim).filter(|text| is_currency(text));
+                let currency = unit
+                    .and_then(|unit| unit.strip_suffix(per))
+                    .map(str::trim)
+                    .filter(|text| is_currency(text));
                 match currency {
                     Some(currency) => Ok(Some(currency.to_owned())),
                     None => refused("states no currency", &format!("AUD{per}")),
@@ -244,7 +286,13 @@ impl CostHeading {
 fn is_currency(text: &str) -> bool {
     let letters = text.strip_suffix('$').unwrap_or(text);
     let is_upper = letters.bytes().all(|byte| byte.is_ascii_uppercase());
-    matches!(text, "€" | "£" | "¥") || is_upper && if letters == text { text.len() == 3 } else { letters.len() <= 2 }
+    matches!(text, "€" | "£" | "¥")
+        || is_upper
+            && if letters == text {
+                text.len() == 3
+            } else {
+                letters.len() <= 2
+            }
 }
 
 /// The code of a currency that is written otherwise; any other text as it is.
@@ -267,7 +315,9 @@ fn code(currency: &str) -> &str {
 
 /// Whether a cell may state this currency in a column of that one: its code, or its sign.
 fn is_of(cell: &str, column: &str) -> bool {
-    const DOLLARS: [&str; 12] = ["ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD"];
+    const DOLLARS: [&str; 12] = [
+        "ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD",
+    ];
     let (cell, column) = (code(cell), code(column));
     match cell {
         "$" => column == "$" || DOLLARS.contains(&column),
@@ -312,38 +362,71 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
         .carried
         .iter()
         .enumerate()
-        .filter_map(|(slot, heading)| Some((slot, heading.as_str(), CostHeading::new(heading, mapping.as_ref())?)))
+        .filter_map(|(slot, heading)| {
+            Some((
+                slot,
+                heading.as_str(),
+                CostHeading::new(heading, mapping.as_ref())?,
+            ))
+        })
         .collect();
     let mut currency: Option<String> = None;
     for (_, heading, column) in &columns {
-        let own = column.currency(heading).map_err(|problem| problem.in_file(path))?;
+        let own = column
+            .currency(heading)
+            .map_err(|problem| problem.in_file(path))?;
         if let (Some(known), Some(own)) = (&currency, &own)
             && code(known) != code(own)
         {
-            let message = format!("\"{}\" is in {own}, and other costs are in {known}", shorten(heading));
-            return Err(Problem::value(message, "convert all costs to one currency").in_file(path).into());
+            let message = format!(
+                "\"{}\" is in {own}, and other costs are in {known}",
+                shorten(heading)
+            );
+            return Err(Problem::value(message, "convert all costs to one currency")
+                .in_file(path)
+                .into());
         }
         currency = currency.or(own);
     }
-    in_one_currency(&inventory.items, &columns, currency.as_deref()).map_err(|problem| problem.in_file(path))?;
-    let is_ignored = |heading: &&String| mapping.as_ref().is_some_and(|mapping| mapping.ignores(heading));
-    let ignored = inventory.carried.iter().filter(is_ignored).filter(|heading| mapped_cost(heading).is_some());
+    in_one_currency(&inventory.items, &columns, currency.as_deref())
+        .map_err(|problem| problem.in_file(path))?;
+    let is_ignored = |heading: &&String| {
+        mapping
+            .as_ref()
+            .is_some_and(|mapping| mapping.ignores(heading))
+    };
+    let ignored = inventory
+        .carried
+        .iter()
+        .filter(is_ignored)
+        .filter(|heading| mapped_cost(heading).is_some());
     let ignored = ignored.map(|heading| {
-        format!("the column \"{}\" is not counted, because the mapping file says \"ignore\"", shorten(heading))
+        format!(
+            "the column \"{}\" is not counted, because the mapping file says \"ignore\"",
+            shorten(heading)
+        )
     });
     let mut warnings: Vec<String> = ignored.collect();
     // A number of objects that cannot be read counts as one.
-    let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
+    let counts = inventory
+        .findings
+        .iter()
+        .filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
     // What stands on it keeps it from rolling, as in its calculation.
-    let rolls = |item: &Item| item.surroundings.upper.is_none() && item.surroundings.casters == Some(Casters::Free);
+    let rolls = |item: &Item| {
+        item.surroundings.upper.is_none() && item.surroundings.casters == Some(Casters::Free)
+    };
     let mild = |item: &Item| match (rolls(item), item.is_round) {
         (true, _) => Some((item.id.clone(), TooMild::Glides)),
         (_, true) => Some((item.id.clone(), TooMild::Round)),
         _ => None,
     };
     let too_mild = inventory.items.iter().filter_map(mild).collect();
-    let columns: Vec<(usize, &CostColumn)> = columns.iter().map(|(slot, _, heading)| (*slot, heading.column)).collect();
+    let columns: Vec<(usize, &CostColumn)> = columns
+        .iter()
+        .map(|(slot, _, heading)| (*slot, heading.column))
+        .collect();
     let mut objects = Vec::with_capacity(inventory.items.len());
     for item in inventory.items {
         let mut amounts = Amounts::default();
@@ -351,7 +434,12 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
             let text = item.carried.get(*slot).map_or("", String::as_str);
             let value = amount(text, column.unit).filter(|value| column.cost.holds(*value));
             if value.is_none() && !is_no_value(text) {
-                let said = format!("row {}: \"{}\" is no {}: it is not counted", item.row, shorten(text), column.name);
+                let said = format!(
+                    "row {}: \"{}\" is no {}: it is not counted",
+                    item.row,
+                    shorten(text),
+                    column.name
+                );
                 warnings.push(said);
             }
             if let Some(own) = amounts.0.get_mut(column.cost as usize) {
@@ -361,7 +449,12 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
         objects.push((item, amounts));
     }
     warnings.extend(inventory.warnings);
-    Ok(ListedCosts { currency, objects, too_mild, warnings })
+    Ok(ListedCosts {
+        currency,
+        objects,
+        too_mild,
+        warnings,
+    })
 }
 
 /// Refuses cells that state another currency than their column.
@@ -370,23 +463,42 @@ fn in_one_currency(
     columns: &[(usize, &str, CostHeading)],
     currency: Option<&str>,
 ) -> Result<(), Problem> {
-    let Some(currency) = currency else { return Ok(()) };
-    let money: Vec<_> = columns.iter().filter(|one| matches!(one.2.column.unit, CostUnit::Money(_))).collect();
+    let Some(currency) = currency else {
+        return Ok(());
+    };
+    let money: Vec<_> = columns
+        .iter()
+        .filter(|one| matches!(one.2.column.unit, CostUnit::Money(_)))
+        .collect();
     let cells = items.iter().flat_map(|item| {
-        money.iter().filter_map(move |(slot, heading, _)| Some((item.row, *heading, item.carried.get(*slot)?)))
+        money.iter().filter_map(move |(slot, heading, _)| {
+            Some((item.row, *heading, item.carried.get(*slot)?))
+        })
     });
-    let mut other =
-        cells.filter(|(.., text)| without_currency(&plain(text)).1.iter().flatten().any(|own| !is_of(own, currency)));
-    let Some((row, heading, text)) = other.next() else { return Ok(()) };
+    let mut other = cells.filter(|(.., text)| {
+        without_currency(&plain(text))
+            .1
+            .iter()
+            .flatten()
+            .any(|own| !is_of(own, currency))
+    });
+    let Some((row, heading, text)) = other.next() else {
+        return Ok(());
+    };
     let rows: Vec<String> = other.map(|(row, ..)| row.to_string()).collect();
     let also = match rows.len() {
         0 => String::new(),
         1 => format!(" (also row {})", rows[0]),
         _ => format!(" (also rows {})", some(&rows, NAMED_ROWS)),
     };
-    let message =
-        format!("\"{}\" is not in {currency}, as the column \"{}\" is{also}", shorten(text), shorten(heading));
-    let hint = format!("convert all costs to one currency, and write {currency} or nothing beside the number");
+    let message = format!(
+        "\"{}\" is not in {currency}, as the column \"{}\" is{also}",
+        shorten(text),
+        shorten(heading)
+    );
+    let hint = format!(
+        "convert all costs to one currency, and write {currency} or nothing beside the number"
+    );
     Err(Problem::value(message, hint).at_line(usize::try_from(row).unwrap_or(0)))
 }
 
@@ -394,17 +506,30 @@ fn in_one_currency(
 fn amount(text: &str, unit: CostUnit) -> Option<f64> {
     let is_money = matches!(unit, CostUnit::Money(_));
     let text = plain(text);
-    let bare = if is_money { without_currency(&text).0 } else { text.as_str() };
+    let bare = if is_money {
+        without_currency(&text).0
+    } else {
+        text.as_str()
+    };
     let percent = bare.strip_suffix('%').filter(|_| !is_money);
     let found = pieces(percent.unwrap_or(bare).trim());
-    let [Piece::Number(number)] = found.as_slice() else { return None };
+    let [Piece::Number(number)] = found.as_slice() else {
+        return None;
+    };
     let number = match number {
         Number::Sure(number, _) => number,
         Number::Either { as_thousands, .. } if is_money => as_thousands,
         Number::Either { .. } | Number::Malformed => return None,
     };
-    let value = number.parse::<f64>().ok().filter(|value| value.is_finite())?;
-    Some(if percent.is_some() { value / 100.0 } else { value })
+    let value = number
+        .parse::<f64>()
+        .ok()
+        .filter(|value| value.is_finite())?;
+    Some(if percent.is_some() {
+        value / 100.0
+    } else {
+        value
+    })
 }
 
 /// An amount without its currency, and the currencies before and behind it.
@@ -413,10 +538,21 @@ fn without_currency(text: &str) -> (&str, [Option<&str>; 2]) {
     let text = text.trim();
     let (first, rest) = text.split_at(text.find(|c| !is_part(c)).unwrap_or(0));
     let before = Some(first).filter(|first| is_currency(first));
-    let text = if before.is_some() { rest.trim_start() } else { text };
+    let text = if before.is_some() {
+        rest.trim_start()
+    } else {
+        text
+    };
     let (rest, last) = text.split_at(text.trim_end_matches(is_part).len());
     let behind = Some(last).filter(|last| is_currency(last));
-    (if behind.is_some() { rest.trim_end() } else { text }, [before, behind])
+    (
+        if behind.is_some() {
+            rest.trim_end()
+        } else {
+            text
+        },
+        [before, behind],
+    )
 }
 
 #[cfg(test)]
@@ -450,11 +586,35 @@ mod tests {
 
     #[test]
     fn a_cell_states_the_currency_of_its_column_or_none() {
-        let fits = |text: &str, column: &str| without_currency(text).1.iter().flatten().all(|own| is_of(own, column));
-        for text in ["5000", "5000 NZD", "NZD 5000", "NZ$5000", "$5000", "$5000 NZD", "5000 NZ$", "approx 5000"] {
+        let fits = |text: &str, column: &str| {
+            without_currency(text)
+                .1
+                .iter()
+                .flatten()
+                .all(|own| is_of(own, column))
+        };
+        for text in [
+            "5000",
+            "5000 NZD",
+            "NZD 5000",
+            "NZ$5000",
+            "$5000",
+            "$5000 NZD",
+            "5000 NZ$",
+            "approx 5000",
+        ] {
             assert!(fits(text, "NZD") && fits(text, "NZ$"), "{text}");
         }
-        for text in ["€5000", "5000 EUR", "5000 AUD", "$62000 AUD", "A$5000", "5 MIO", "£5", "¥ 900"] {
+        for text in [
+            "€5000",
+            "5000 EUR",
+            "5000 AUD",
+            "$62000 AUD",
+            "A$5000",
+            "5 MIO",
+            "£5",
+            "¥ 900",
+        ] {
             assert!(!fits(text, "NZD"), "{text}");
         }
         assert!(fits("€5", "EUR") && fits("5 EUR", "€") && fits("¥5", "CNY"));
@@ -474,16 +634,37 @@ mod tests {
         ] {
             let found = CostHeading::new(heading, None).unwrap();
             assert_eq!(found.column.cost, cost, "{heading}");
-            assert_eq!(found.currency(heading).unwrap().as_deref(), currency, "{heading}");
+            assert_eq!(
+                found.currency(heading).unwrap().as_deref(),
+                currency,
+                "{heading}"
+            );
         }
-        for heading in ["downtime [h]", "Downtime", "Neuwert", "downtime_cost [EUR]", "accepted_annual_rate"] {
-            assert!(CostHeading::new(heading, None).unwrap().currency(heading).is_err(), "{heading}");
+        for heading in [
+            "downtime [h]",
+            "Downtime",
+            "Neuwert",
+            "downtime_cost [EUR]",
+            "accepted_annual_rate",
+        ] {
+            assert!(
+                CostHeading::new(heading, None)
+                    .unwrap()
+                    .currency(heading)
+                    .is_err(),
+                "{heading}"
+            );
         }
         assert!(CostHeading::new("Notes", None).is_none());
     }
 
     #[test]
     fn columns_are_in_the_order_of_their_costs() {
-        assert!(COST_COLUMNS.iter().enumerate().all(|(place, column)| column.cost as usize == place));
+        assert!(
+            COST_COLUMNS
+                .iter()
+                .enumerate()
+                .all(|(place, column)| column.cost as usize == place)
+        );
     }
 }

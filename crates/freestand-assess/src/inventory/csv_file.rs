@@ -13,17 +13,27 @@ const MAX_ROW_BYTES: u64 = 4 << 20;
 /// # Errors
 /// Quotes that are not closed or end within a cell, and rows, columns or lines beyond what a sheet
 /// has.
-pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<(), Problem> {
-    let mut reader =
-        csv::ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
+pub(super) fn rows(
+    text: &str,
+    separator: u8,
+    on_row: &mut dyn FnMut(Row) -> Flow,
+) -> Result<(), Problem> {
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(separator)
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(text.as_bytes());
     let mut record = csv::StringRecord::new();
     let (mut number, mut line) = (0u32, 1usize);
     loop {
         let start = reader.position().byte();
         let more = reader.read_record(&mut record).map_err(|error| {
-            Problem::new(ProblemKind::Format, format!("cannot be read as CSV: {error}"))
-                .at_line(line)
-                .hint("save the sheet again as CSV (UTF-8) or as .xlsx")
+            Problem::new(
+                ProblemKind::Format,
+                format!("cannot be read as CSV: {error}"),
+            )
+            .at_line(line)
+            .hint("save the sheet again as CSV (UTF-8) or as .xlsx")
         })?;
         if !more {
             return Ok(());
@@ -31,7 +41,10 @@ pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flo
         let end = reader.position().byte();
         let raw = raw(text.as_bytes(), start, end);
         // Empty lines are rows of a spreadsheet; the reader skips them.
-        let blank = raw.iter().take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
+        let blank = raw
+            .iter()
+            .take_while(|byte| matches!(byte, b'\r' | b'\n'))
+            .count();
         let (before, raw) = raw.split_at(blank);
         let skipped = line_ends(before);
         line += skipped;
@@ -46,7 +59,14 @@ pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flo
             .map(|(column, text)| (column, Cell::text(unguarded(text).to_owned())))
             .collect();
         let width = u32::try_from(record.len()).ok();
-        if !cells.is_empty() && on_row(Row { number, line: Some(line), cells, width }) == Flow::Enough {
+        if !cells.is_empty()
+            && on_row(Row {
+                number,
+                line: Some(line),
+                cells,
+                width,
+            }) == Flow::Enough
+        {
             return Ok(());
         }
         line += line_ends(raw);
@@ -55,9 +75,15 @@ pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flo
 
 /// The bytes of a row; the reader ends a row at CR and leaves a following LF to the next row.
 fn raw(text: &[u8], start: u64, end: u64) -> &[u8] {
-    let (Ok(start), Ok(end)) = (usize::try_from(start), usize::try_from(end)) else { return &[] };
-    let is_half = start.checked_sub(1).and_then(|before| text.get(before..=start)) == Some(b"\r\n");
-    text.get(start + usize::from(is_half)..end).unwrap_or_default()
+    let (Ok(start), Ok(end)) = (usize::try_from(start), usize::try_from(end)) else {
+        return &[];
+    };
+    let is_half = start
+        .checked_sub(1)
+        .and_then(|before| text.get(before..=start))
+        == Some(b"\r\n");
+    text.get(start + usize::from(is_half)..end)
+        .unwrap_or_default()
 }
 
 /// LF, CR LF and CR each end a line.
@@ -79,7 +105,11 @@ fn check_row(
     line: usize,
     length: u64,
 ) -> Result<(), Problem> {
-    let wrong = |message: String, hint: &str| Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(hint));
+    let wrong = |message: String, hint: &str| {
+        Err(Problem::new(ProblemKind::Format, message)
+            .at_line(line)
+            .hint(hint))
+    };
     if number > MAX_ROWS {
         return wrong(
             format!("the file has more than {MAX_ROWS} rows, the limit of a sheet"),
@@ -88,7 +118,10 @@ fn check_row(
     }
     if record.len() > MAX_COLUMNS as usize {
         return wrong(
-            format!("row {number} has {} cells; a sheet has at most {MAX_COLUMNS} columns", record.len()),
+            format!(
+                "row {number} has {} cells; a sheet has at most {MAX_COLUMNS} columns",
+                record.len()
+            ),
             "check that this is an inventory; freestand inventory template prints one",
         );
     }
@@ -100,7 +133,11 @@ fn check_row(
     }
     if length > MAX_ROW_BYTES {
         return wrong(
-            format!("row {number} has {} MB; a row has at most {} MB", length >> 20, MAX_ROW_BYTES >> 20),
+            format!(
+                "row {number} has {} MB; a row has at most {} MB",
+                length >> 20,
+                MAX_ROW_BYTES >> 20
+            ),
             "check that this is an inventory and that every quote is closed",
         );
     }
@@ -144,7 +181,11 @@ mod tests {
     fn read(text: &str, separator: u8) -> Result<Vec<(u32, usize, Vec<String>)>, Problem> {
         let mut all = Vec::new();
         rows(text, separator, &mut |row| {
-            let cells = row.cells.iter().map(|(column, cell)| format!("{column}={}", cell.shown())).collect();
+            let cells = row
+                .cells
+                .iter()
+                .map(|(column, cell)| format!("{column}={}", cell.shown()))
+                .collect();
             all.push((row.number, row.line.unwrap(), cells));
             Flow::More
         })?;
@@ -167,23 +208,40 @@ mod tests {
 
     #[test]
     fn quotes_that_would_swallow_or_lose_text_are_refused() {
-        for (text, said, line) in
-            [("a,b\n1,\"2\n3,4\n", "not closed", 2), ("a,b\n\n\"19\" rack\",4\n", "follows a closing quote", 3)]
-        {
+        for (text, said, line) in [
+            ("a,b\n1,\"2\n3,4\n", "not closed", 2),
+            ("a,b\n\n\"19\" rack\",4\n", "follows a closing quote", 3),
+        ] {
             let problem = read(text, b',').unwrap_err();
-            assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.message.contains(said) && problem.hint.is_some(),
+                "{problem}"
+            );
             assert_eq!(problem.line, Some(line));
         }
         // A quote within a cell that does not begin with a quote is an ordinary character.
         assert_eq!(read("a,19\" rack\n", b',').unwrap()[0].2[1], "1=19\" rack");
-        assert_eq!(read("a,\"19\"\" rack\"\n", b',').unwrap()[0].2[1], "1=19\" rack");
+        assert_eq!(
+            read("a,\"19\"\" rack\"\n", b',').unwrap()[0].2[1],
+            "1=19\" rack"
+        );
     }
 
     #[test]
     fn rows_and_columns_have_the_limits_of_a_sheet() {
         let wide = ",".repeat(MAX_COLUMNS as usize);
-        assert!(read(&wide, b',').unwrap_err().message.contains("16384 columns"));
+        assert!(
+            read(&wide, b',')
+                .unwrap_err()
+                .message
+                .contains("16384 columns")
+        );
         let long = "\n".repeat(MAX_ROWS as usize) + "x";
-        assert!(read(&long, b',').unwrap_err().message.contains("1048576 rows"));
+        assert!(
+            read(&long, b',')
+                .unwrap_err()
+                .message
+                .contains("1048576 rows")
+        );
     }
 }

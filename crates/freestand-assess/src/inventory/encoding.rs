@@ -17,9 +17,15 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
     if let Some(what) = other_kind(&bytes) {
         return Err(format_problem(format!("is {what}, not an inventory")).hint(SAVE_AGAIN));
     }
-    let (encoding, mark) = Encoding::for_bom(&bytes).map_or((None, 0), |(encoding, mark)| (Some(encoding), mark));
-    if let Some(encoding) = encoding.filter(|found| [UTF_16LE, UTF_16BE].contains(found)).or_else(|| utf16(&bytes)) {
-        let text = encoding.decode_without_bom_handling_and_without_replacement(bytes.get(mark..).unwrap_or_default());
+    let (encoding, mark) =
+        Encoding::for_bom(&bytes).map_or((None, 0), |(encoding, mark)| (Some(encoding), mark));
+    if let Some(encoding) = encoding
+        .filter(|found| [UTF_16LE, UTF_16BE].contains(found))
+        .or_else(|| utf16(&bytes))
+    {
+        let text = encoding.decode_without_bom_handling_and_without_replacement(
+            bytes.get(mark..).unwrap_or_default(),
+        );
         let text = text.filter(|text| !text.chars().any(is_unprintable));
         let text = text.ok_or_else(|| format_problem("is damaged UTF-16 text").hint(SAVE_AGAIN))?;
         return not_empty(text.into_owned()).map(|text| (text, None));
@@ -29,10 +35,19 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
     while bytes.last() == Some(&0x1A) {
         bytes.pop();
     }
-    if let Some(at) = bytes.iter().position(|&byte| is_unprintable(char::from(byte))) {
+    if let Some(at) = bytes
+        .iter()
+        .position(|&byte| is_unprintable(char::from(byte)))
+    {
         let line = 1 + bytes.iter().take(at).filter(|&&byte| byte == b'\n').count();
-        let what = if bytes.get(at) == Some(&0) { "a NUL byte" } else { "a control character" };
-        return Err(format_problem(format!("is not text: it contains {what}")).at_line(line).hint(SAVE_AGAIN));
+        let what = if bytes.get(at) == Some(&0) {
+            "a NUL byte"
+        } else {
+            "a control character"
+        };
+        return Err(format_problem(format!("is not text: it contains {what}"))
+            .at_line(line)
+            .hint(SAVE_AGAIN));
     }
     match String::from_utf8(bytes) {
         Ok(text) => not_empty(text).map(|text| (text, None)),
@@ -53,7 +68,8 @@ fn format_problem(message: impl Into<String>) -> Problem {
 
 fn not_empty(text: String) -> Result<String, Problem> {
     if text.trim().is_empty() {
-        return Err(format_problem("the file is empty").hint("freestand inventory template writes one to fill in"));
+        return Err(format_problem("the file is empty")
+            .hint("freestand inventory template writes one to fill in"));
     }
     Ok(text)
 }
@@ -69,13 +85,22 @@ fn other_kind(bytes: &[u8]) -> Option<&'static str> {
         (b"<!DOCTYPE", "a web page"),
         (b"{\\rtf", "a text document (RTF)"),
     ];
-    kinds.into_iter().find(|(start, _)| bytes.starts_with(start)).map(|(_, what)| what)
+    kinds
+        .into_iter()
+        .find(|(start, _)| bytes.starts_with(start))
+        .map(|(_, what)| what)
 }
 
 /// Whether the file is UTF-16 without a byte-order mark, and which.
 fn utf16(bytes: &[u8]) -> Option<&'static Encoding> {
     let head = bytes.get(..bytes.len().min(EXAMINED_BYTES) & !1)?;
-    let zeros = |odd: usize| head.iter().skip(odd).step_by(2).filter(|&&byte| byte == 0).count();
+    let zeros = |odd: usize| {
+        head.iter()
+            .skip(odd)
+            .step_by(2)
+            .filter(|&&byte| byte == 0)
+            .count()
+    };
     let (high, low) = (zeros(0), zeros(1));
     // Headings are mostly ASCII: every second byte is zero, and no other.
     let pairs = head.len() / 2;
@@ -104,7 +129,12 @@ mod tests {
         let windows = b"item;height [mm]\nSchr\xE4nke \x96 5 \x80;1800\n".to_vec();
         let marked = [b"\xEF\xBB\xBF", text.as_bytes()].concat();
         let plain = [text.as_bytes(), b"\x1A"].concat();
-        for bytes in [[b"\xFF\xFE", &little[..]].concat(), [b"\xFE\xFF", &big[..]].concat(), marked, plain] {
+        for bytes in [
+            [b"\xFF\xFE", &little[..]].concat(),
+            [b"\xFE\xFF", &big[..]].concat(),
+            marked,
+            plain,
+        ] {
             assert_eq!(decode(bytes).unwrap(), (text.to_owned(), None));
         }
         // Without a mark UTF-16 is detected by its zeros; the dash and the euro sign have none.
@@ -130,8 +160,14 @@ mod tests {
             (b"\xFF\xFE\x00\xD8", "UTF-16"),
         ] {
             let problem = decode(bytes.to_vec()).unwrap_err();
-            assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.message.contains(said) && problem.hint.is_some(),
+                "{problem}"
+            );
         }
-        assert_eq!(decode(b"a,b\n1,\x002\n".to_vec()).unwrap_err().line, Some(2));
+        assert_eq!(
+            decode(b"a,b\n1,\x002\n".to_vec()).unwrap_err().line,
+            Some(2)
+        );
     }
 }

@@ -125,23 +125,59 @@ const ROOF: [&str; 16] = [
     "屋上",
     "terraza",
 ];
-const TOP: [&str; 10] =
-    ["catı katı", "sotao", "dg", "dachgeschoss", "attic", "penthouse", "ph", "combles", "atico", "attico"];
-const MEZZANINE: [&str; 8] =
-    ["mezzanine", "mezz", "m", "zwischengeschoss", "entresol", "entresuelo", "mezzanino", "ammezzato"];
+const TOP: [&str; 10] = [
+    "catı katı",
+    "sotao",
+    "dg",
+    "dachgeschoss",
+    "attic",
+    "penthouse",
+    "ph",
+    "combles",
+    "atico",
+    "attico",
+];
+const MEZZANINE: [&str; 8] = [
+    "mezzanine",
+    "mezz",
+    "m",
+    "zwischengeschoss",
+    "entresol",
+    "entresuelo",
+    "mezzanino",
+    "ammezzato",
+];
 
 /// What the name of a floor says; `None`: nothing known, or two floors: "basement/roof", "level 2 (roof of annex)".
 pub(super) fn storey(text: &str) -> Option<Storey> {
-    const BETWEEN: [&str; 8] = [" to ", " or ", " and ", " bis ", " oder ", " und ", " et ", " ou "];
-    let parts = BETWEEN.iter().fold(text.to_lowercase(), |text, word| text.replace(word, "/"));
+    const BETWEEN: [&str; 8] = [
+        " to ", " or ", " and ", " bis ", " oder ", " und ", " et ", " ou ",
+    ];
+    let parts = BETWEEN
+        .iter()
+        .fold(text.to_lowercase(), |text, word| text.replace(word, "/"));
     // "Basement - level 3", but not "level - 1".
     let by_strokes: Vec<&str> = parts.split(" - ").collect();
-    let parts =
-        by_strokes.iter().skip(1).fold(by_strokes.first().copied().unwrap_or_default().to_owned(), |all, part| {
-            all + if part.starts_with(char::is_alphabetic) { "/" } else { " - " } + part
-        });
-    let mut named = parts.split(['/', '(', ',', ';', '&']).filter_map(one_storey);
-    let at_ground = |one: Storey| if one == Storey::Below { Storey::Ground } else { one };
+    let parts = by_strokes.iter().skip(1).fold(
+        by_strokes.first().copied().unwrap_or_default().to_owned(),
+        |all, part| {
+            all + if part.starts_with(char::is_alphabetic) {
+                "/"
+            } else {
+                " - "
+            } + part
+        },
+    );
+    let mut named = parts
+        .split(['/', '(', ',', ';', '&'])
+        .filter_map(one_storey);
+    let at_ground = |one: Storey| {
+        if one == Storey::Below {
+            Storey::Ground
+        } else {
+            one
+        }
+    };
     let first = named.next().map(at_ground);
     if named.any(|other| Some(at_ground(other)) != first) {
         return None;
@@ -165,10 +201,14 @@ fn one_storey(text: &str) -> Option<Storey> {
         return is_sign.then_some(Storey::Below);
     }
     // "R-1" is the first basement of a French building, whose ground is R.
-    if let Some(depth) =
-        text.strip_prefix(['R', 'r']).and_then(|rest| rest.trim_start().strip_prefix(['-', '\u{2212}']))
+    if let Some(depth) = text
+        .strip_prefix(['R', 'r'])
+        .and_then(|rest| rest.trim_start().strip_prefix(['-', '\u{2212}']))
     {
-        return depth.trim_start().starts_with(is_digit).then_some(Storey::Below);
+        return depth
+            .trim_start()
+            .starts_with(is_digit)
+            .then_some(Storey::Below);
     }
     if words.is_empty() {
         return None;
@@ -183,10 +223,17 @@ fn one_storey(text: &str) -> Option<Storey> {
     if MEZZANINE.contains(&w) {
         return Some(Storey::Mezzanine);
     }
-    let is_roof = ROOF.iter().any(|word| w.split(' ').any(|part| part == *word))
+    let is_roof = ROOF
+        .iter()
+        .any(|word| w.split(' ').any(|part| part == *word))
         || ["屋上", "roof"].iter().any(|word| w.contains(word));
     let is_below = BELOW.contains(&w)
-        || w.split(' ').any(|word| matches!(word, "basement" | "garage" | "sotano" | "seminterrato" | "untergeschoss"))
+        || w.split(' ').any(|word| {
+            matches!(
+                word,
+                "basement" | "garage" | "sotano" | "seminterrato" | "untergeschoss"
+            )
+        })
         || w.starts_with("地下")
         || w.starts_with("sous sol");
     match (is_below, is_roof) {
@@ -207,7 +254,10 @@ fn one_storey(text: &str) -> Option<Storey> {
 
 /// Whether the words beside that for a roof are the name of a floor.
 fn is_numbered_roof(words: &str) -> bool {
-    let rest: Vec<&str> = words.split(' ').filter(|word| !ROOF.contains(word) && !word.contains("roof")).collect();
+    let rest: Vec<&str> = words
+        .split(' ')
+        .filter(|word| !ROOF.contains(word) && !word.contains("roof"))
+        .collect();
     rest.len() < words.split(' ').count() && one_storey(&rest.join(" ")).is_some()
 }
 
@@ -239,20 +289,91 @@ fn is_level_word(text: &str) -> bool {
 /// The number of `first`, `Second floor`, `erster Stock`.
 fn ordinal(words: &str) -> Option<u32> {
     const ORDINALS: [&[&str]; 10] = [
-        &["first", "erste", "erster", "erstes", "premier", "primer", "primera", "primo", "primeiro", "birinci"],
-        &["second", "zweite", "zweiter", "zweites", "deuxieme", "segundo", "segunda", "secondo", "ikinci"],
-        &["third", "dritte", "dritter", "drittes", "troisieme", "tercer", "tercera", "terzo", "terceiro", "ucuncu"],
-        &["fourth", "vierte", "vierter", "viertes", "quatrieme", "cuarto", "cuarta", "quarto", "dorduncu"],
-        &["fifth", "funfte", "funfter", "cinquieme", "quinto", "quinta", "besinci"],
-        &["sixth", "sechste", "sechster", "sixieme", "sexto", "sexta", "sesto", "altıncı"],
-        &["seventh", "siebte", "siebter", "septieme", "septimo", "septima", "settimo", "yedinci"],
-        &["eighth", "achte", "achter", "huitieme", "octavo", "octava", "ottavo", "sekizinci"],
-        &["ninth", "neunte", "neunter", "neuvieme", "noveno", "novena", "nono", "dokuzuncu"],
-        &["tenth", "zehnte", "zehnter", "dixieme", "decimo", "decima", "onuncu"],
+        &[
+            "first", "erste", "erster", "erstes", "premier", "primer", "primera", "primo",
+            "primeiro", "birinci",
+        ],
+        &[
+            "second", "zweite", "zweiter", "zweites", "deuxieme", "segundo", "segunda", "secondo",
+            "ikinci",
+        ],
+        &[
+            "third",
+            "dritte",
+            "dritter",
+            "drittes",
+            "troisieme",
+            "tercer",
+            "tercera",
+            "terzo",
+            "terceiro",
+            "ucuncu",
+        ],
+        &[
+            "fourth",
+            "vierte",
+            "vierter",
+            "viertes",
+            "quatrieme",
+            "cuarto",
+            "cuarta",
+            "quarto",
+            "dorduncu",
+        ],
+        &[
+            "fifth",
+            "funfte",
+            "funfter",
+            "cinquieme",
+            "quinto",
+            "quinta",
+            "besinci",
+        ],
+        &[
+            "sixth",
+            "sechste",
+            "sechster",
+            "sixieme",
+            "sexto",
+            "sexta",
+            "sesto",
+            "altıncı",
+        ],
+        &[
+            "seventh", "siebte", "siebter", "septieme", "septimo", "septima", "settimo", "yedinci",
+        ],
+        &[
+            "eighth",
+            "achte",
+            "achter",
+            "huitieme",
+            "octavo",
+            "octava",
+            "ottavo",
+            "sekizinci",
+        ],
+        &[
+            "ninth",
+            "neunte",
+            "neunter",
+            "neuvieme",
+            "noveno",
+            "novena",
+            "nono",
+            "dokuzuncu",
+        ],
+        &[
+            "tenth", "zehnte", "zehnter", "dixieme", "decimo", "decima", "onuncu",
+        ],
     ];
     let (first, rest) = words.split_once(' ').unwrap_or((words, ""));
-    let is_floor = rest.is_empty() || is_level_word(rest) || matches!(rest, "stock" | "stockwerk" | "obergeschoss");
-    let number = (1..).zip(ORDINALS).find(|(_, names)| names.contains(&first)).map(|(number, _)| number);
+    let is_floor = rest.is_empty()
+        || is_level_word(rest)
+        || matches!(rest, "stock" | "stockwerk" | "obergeschoss");
+    let number = (1..)
+        .zip(ORDINALS)
+        .find(|(_, names)| names.contains(&first))
+        .map(|(number, _)| number);
     number.filter(|_| is_floor)
 }
 
@@ -262,14 +383,24 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
     let start = words.find(|c: char| c.is_ascii_digit())?;
     let rest = words.get(start..)?;
     let length = rest.bytes().take_while(u8::is_ascii_digit).count();
-    let number: u32 = rest.get(..length)?.parse().ok().filter(|number| *number <= 300)?;
+    let number: u32 = rest
+        .get(..length)?
+        .parse()
+        .ok()
+        .filter(|number| *number <= 300)?;
     let (before, after) = (words.get(..start)?.trim(), rest.get(length..)?.trim());
     // A second number: "3 or 4", "3.12", a date.
     if after.chars().any(|c| c.is_ascii_digit()) || text.contains("½") {
         return None;
     }
     let is_zero = number == 0;
-    let pick = |found: Storey| if is_zero { Some(Storey::Ground) } else { Some(found) };
+    let pick = |found: Storey| {
+        if is_zero {
+            Some(Storey::Ground)
+        } else {
+            Some(found)
+        }
+    };
     match (before, after) {
         ("b" | "ug" | "basement" | "sotano" | "sous sol" | "s" | "p" | "u" | "sub", "")
             if before != "p" && before != "s" =>
@@ -277,32 +408,37 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
             Some(Storey::Below)
         }
         ("", "ug" | "untergeschoss" | "u g" | "sous sol" | "sotano") => Some(Storey::Below),
-        ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => pick(Storey::Above(number)),
+        ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => {
+            pick(Storey::Above(number))
+        }
         (
             "",
-            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk" | "er"
-            | "eme" | "ere" | "ieme",
+            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock"
+            | "stockwerk" | "er" | "eme" | "ere" | "ieme",
         )
         | ("etage" | "kat" | "andar", "")
         | ("", "kat" | "o andar" | "andar" | "a kat") => pick(Storey::Above(number)),
         // "3E" may be a wing in the east.
         ("", "e") if text.contains(&format!("{}e", &rest[..length])) => pick(Storey::Above(number)),
-        ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => pick(Storey::Above(number)),
+        ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => {
+            pick(Storey::Above(number))
+        }
         ("", "階" | "f階" | "楼" | "层" | "樓" | "层楼") => pick(Storey::FromOne(number)),
         (
             "",
-            "" | "st" | "nd" | "rd" | "th" | "o" | "a" | "f" | "fl" | "flr" | "floor" | "level" | "storey" | "story"
-            | "st floor" | "nd floor" | "rd floor" | "th floor",
+            "" | "st" | "nd" | "rd" | "th" | "o" | "a" | "f" | "fl" | "flr" | "floor" | "level"
+            | "storey" | "story" | "st floor" | "nd floor" | "rd floor" | "th floor",
         )
         | (
             "",
-            "st fl" | "nd fl" | "rd fl" | "th fl" | "st flr" | "nd flr" | "rd flr" | "th flr" | "st level" | "nd level"
-            | "rd level" | "th level" | "geschoss" | "piso" | "o piso" | "livello" | "niveau" | "st storey"
-            | "nd storey" | "rd storey" | "th storey",
+            "st fl" | "nd fl" | "rd fl" | "th fl" | "st flr" | "nd flr" | "rd flr" | "th flr"
+            | "st level" | "nd level" | "rd level" | "th level" | "geschoss" | "piso" | "o piso"
+            | "livello" | "niveau" | "st storey" | "nd storey" | "rd storey" | "th storey",
         )
         | (
-            "l" | "lv" | "lvl" | "level" | "floor" | "fl" | "flr" | "f" | "storey" | "story" | "no" | "geschoss"
-            | "stock" | "niveau" | "niv" | "n" | "piso" | "nivel" | "livello" | "floor no",
+            "l" | "lv" | "lvl" | "level" | "floor" | "fl" | "flr" | "f" | "storey" | "story" | "no"
+            | "geschoss" | "stock" | "niveau" | "niv" | "n" | "piso" | "nivel" | "livello"
+            | "floor no",
             "",
         ) => pick(Storey::Numbered(number)),
         _ => None,
@@ -312,13 +448,19 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
 /// The form in which names of floors are compared: without case, blanks, and the words for a floor.
 fn bare(text: &str) -> String {
     let words = canonical(text);
-    let kept: Vec<&str> =
-        words.split(' ').filter(|word| !matches!(*word, "floor" | "level" | "storey" | "story" | "l" | "f")).collect();
+    let kept: Vec<&str> = words
+        .split(' ')
+        .filter(|word| !matches!(*word, "floor" | "level" | "storey" | "story" | "l" | "f"))
+        .collect();
     let joined = kept.concat();
     // L3 and 3F are 3.
-    let rest = joined.strip_prefix('l').or_else(|| joined.strip_suffix('f'));
+    let rest = joined
+        .strip_prefix('l')
+        .or_else(|| joined.strip_suffix('f'));
     match rest {
-        Some(rest) if !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()) => rest.to_owned(),
+        Some(rest) if !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()) => {
+            rest.to_owned()
+        }
         _ if joined.is_empty() => words,
         _ => joined,
     }
@@ -348,7 +490,12 @@ pub(super) enum Found {
 impl FloorFinder {
     /// `named` are the floors of the list; `is_imperial`: it is in feet or inches; `is_japanese`:
     /// its headings are.
-    pub(super) fn new(floors: &Floors, list: &[String], is_imperial: bool, is_japanese: bool) -> Self {
+    pub(super) fn new(
+        floors: &Floors,
+        list: &[String],
+        is_imperial: bool,
+        is_japanese: bool,
+    ) -> Self {
         let names_ground = list.iter().any(|text| storey(text) == Some(Storey::Ground));
         let (first, is_assumed) = match floors.first_floor {
             Some(first) => (first, false),
@@ -357,14 +504,29 @@ impl FloorFinder {
             None if is_imperial => (FirstFloor::Ground, false),
             None => (FirstFloor::Above, true),
         };
-        let names = floors.named.iter().map(|(name, ratio)| (bare(name), *ratio)).collect();
-        Self { names, storeys: floors.storeys.filter(|storeys| *storeys > 0), first, is_assumed }
+        let names = floors
+            .named
+            .iter()
+            .map(|(name, ratio)| (bare(name), *ratio))
+            .collect();
+        Self {
+            names,
+            storeys: floors.storeys.filter(|storeys| *storeys > 0),
+            first,
+            is_assumed,
+        }
     }
 
     /// What tells this floor from the others of its building; `None`: its name is not understood. "Level 6",
     /// "L6" and "6" are one floor.
     pub(super) fn identity(&self, text: &str) -> Option<(u8, u32)> {
-        let digits = || text.chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap_or(0);
+        let digits = || {
+            text.chars()
+                .filter(char::is_ascii_digit)
+                .collect::<String>()
+                .parse()
+                .unwrap_or(0)
+        };
         Some(match storey(text)? {
             Storey::Ground => (0, 0),
             Storey::Below => (1, digits()),
@@ -373,7 +535,9 @@ impl FloorFinder {
             Storey::Mezzanine => (4, 0),
             Storey::Above(number) => (5, number),
             Storey::FromOne(number) => (5, number.saturating_sub(1)),
-            Storey::Numbered(number) if self.first == FirstFloor::Ground => (5, number.saturating_sub(1)),
+            Storey::Numbered(number) if self.first == FirstFloor::Ground => {
+                (5, number.saturating_sub(1))
+            }
             Storey::Numbered(number) => (5, number),
         })
     }
@@ -388,7 +552,9 @@ impl FloorFinder {
         if let Some(ratio) = self.names.get(&bare(text)) {
             return Found::Ratio(*ratio, false);
         }
-        let Some(storey) = storey(text) else { return Found::Unknown };
+        let Some(storey) = storey(text) else {
+            return Found::Unknown;
+        };
         // A building that is known by name has no other floors.
         let Some(storeys) = self.storeys else {
             return match storey {
@@ -514,20 +680,44 @@ mod tests {
 
     #[test]
     fn floors_are_shares_of_the_height() {
-        let six = Floors { storeys: Some(6), ..Floors::default() };
+        let six = Floors {
+            storeys: Some(6),
+            ..Floors::default()
+        };
         let found = |floors: &Floors, list: &[&str], imperial, text: &str| {
             let list: Vec<String> = list.iter().map(|&text| text.to_owned()).collect();
             FloorFinder::new(floors, &list, imperial, false).find(text)
         };
-        assert_eq!(found(&six, &["G", "3"], false, "3"), Found::Ratio(0.5, false));
+        assert_eq!(
+            found(&six, &["G", "3"], false, "3"),
+            Found::Ratio(0.5, false)
+        );
         assert_eq!(found(&six, &["3"], false, "3"), Found::Ratio(0.5, true));
-        assert_eq!(found(&six, &["1", "4"], true, "4"), Found::Ratio(0.5, false));
+        assert_eq!(
+            found(&six, &["1", "4"], true, "4"),
+            Found::Ratio(0.5, false)
+        );
         assert_eq!(found(&six, &[], false, "7"), Found::Unknown);
-        assert_eq!(found(&six, &[], false, "DG"), Found::Ratio(5.0 / 6.0, false));
-        let settled = Floors { first_floor: Some(FirstFloor::Ground), ..six };
-        assert_eq!(found(&settled, &["3"], false, "4"), Found::Ratio(0.5, false));
-        let table = Floors { named: vec![("Lobby".to_owned(), 0.0), ("L2".to_owned(), 0.4)], ..Floors::default() };
-        assert_eq!(found(&table, &[], false, "level 2"), Found::Ratio(0.4, false));
+        assert_eq!(
+            found(&six, &[], false, "DG"),
+            Found::Ratio(5.0 / 6.0, false)
+        );
+        let settled = Floors {
+            first_floor: Some(FirstFloor::Ground),
+            ..six
+        };
+        assert_eq!(
+            found(&settled, &["3"], false, "4"),
+            Found::Ratio(0.5, false)
+        );
+        let table = Floors {
+            named: vec![("Lobby".to_owned(), 0.0), ("L2".to_owned(), 0.4)],
+            ..Floors::default()
+        };
+        assert_eq!(
+            found(&table, &[], false, "level 2"),
+            Found::Ratio(0.4, false)
+        );
         assert_eq!(found(&table, &[], false, "LOBBY"), Found::Ratio(0.0, false));
         assert_eq!(found(&table, &[], false, "5"), Found::Unknown);
         assert_eq!(found(&Floors::default(), &[], false, "5"), Found::NoStoreys);

@@ -112,12 +112,28 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
 
 /// Headings of [`Column::Width`] for the longer side: with a width and without a depth, the width
 /// is the shorter one.
-const LONG_SIDES: [&str; 12] =
-    ["length", "l", "len", "longside", "lange", "laenge", "longueur", "long", "largo", "longitud", "lunghezza", "長さ"];
+const LONG_SIDES: [&str; 12] = [
+    "length",
+    "l",
+    "len",
+    "longside",
+    "lange",
+    "laenge",
+    "longueur",
+    "long",
+    "largo",
+    "longitud",
+    "lunghezza",
+    "長さ",
+];
 
 /// Letters that are sizes only beside others of their kind: German and French headings.
-const LETTERS: [(&str, Column); 4] =
-    [("b", Column::Width), ("t", Column::Thickness), ("p", Column::Thickness), ("a", Column::Height)];
+const LETTERS: [(&str, Column); 4] = [
+    ("b", Column::Width),
+    ("t", Column::Thickness),
+    ("p", Column::Thickness),
+    ("a", Column::Height),
+];
 
 /// Words beside a name that do not change it.
 const QUALIFIERS: [&str; 28] = [
@@ -181,18 +197,32 @@ static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
     use Language::{Comma, EastAsian, English};
     const LANGUAGES: [Language; 6] = [English, Comma, Comma, Comma, Comma, EastAsian];
     const MORE_LANGUAGES: [Language; 3] = [Comma, Comma, EastAsian];
-    let first = HEADINGS.iter().flat_map(|(column, texts)| texts.iter().zip(LANGUAGES).map(move |one| (column, one)));
-    let more =
-        MORE_HEADINGS.iter().flat_map(|(column, texts)| texts.iter().zip(MORE_LANGUAGES).map(move |one| (column, one)));
+    let first = HEADINGS
+        .iter()
+        .flat_map(|(column, texts)| texts.iter().zip(LANGUAGES).map(move |one| (column, one)));
+    let more = MORE_HEADINGS.iter().flat_map(|(column, texts)| {
+        texts
+            .iter()
+            .zip(MORE_LANGUAGES)
+            .map(move |one| (column, one))
+    });
     for (column, (texts, language)) in first.chain(more) {
         // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
         for (rank, text) in (1..).zip(texts.split('|').filter(|text| !text.is_empty())) {
-            let (name, unit) = text.split_once('=').map_or((text, None), |(name, unit)| (name, Some(unit)));
+            let (name, unit) = text
+                .split_once('=')
+                .map_or((text, None), |(name, unit)| (name, Some(unit)));
             let key = squashed(name);
             let is_long_side = *column == Column::Width && LONG_SIDES.contains(&key.as_str());
             let entries = table.entry(key).or_default();
             if !entries.iter().any(|entry| entry.column == *column) {
-                entries.push(Entry { column: *column, rank, language, unit, is_long_side });
+                entries.push(Entry {
+                    column: *column,
+                    rank,
+                    language,
+                    unit,
+                    is_long_side,
+                });
             }
         }
     }
@@ -216,7 +246,14 @@ impl Meaning {
     /// What a mapping file says.
     pub(super) fn mapped(column: Column, unit: Option<CellUnit>) -> Self {
         let unit = unit.map_or(HeadingUnit::None, HeadingUnit::Stated);
-        Self { column, rank: 0, language: Language::English, unit, is_long_side: false, order: None }
+        Self {
+            column,
+            rank: 0,
+            language: Language::English,
+            unit,
+            is_long_side: false,
+            order: None,
+        }
     }
 }
 
@@ -269,11 +306,20 @@ fn of_order(text: &str, order: Vec<char>) -> Meaning {
     let column = Column::Dimensions;
     let unit = match bracketed(text) {
         Some((_, inner, _)) => stated(inner, column),
-        None => text.rsplit_once(' ').map_or(HeadingUnit::None, |(_, last)| {
-            find(last, Dimension::Length).map_or(HeadingUnit::None, HeadingUnit::Stated)
-        }),
+        None => text
+            .rsplit_once(' ')
+            .map_or(HeadingUnit::None, |(_, last)| {
+                find(last, Dimension::Length).map_or(HeadingUnit::None, HeadingUnit::Stated)
+            }),
     };
-    Meaning { column, rank: 50, language: Language::English, unit, is_long_side: false, order: Some(order) }
+    Meaning {
+        column,
+        rank: 50,
+        language: Language::English,
+        unit,
+        is_long_side: false,
+        order: Some(order),
+    }
 }
 
 /// The meaning of a letter beside other sizes: `B`, `T` and `P` of German and French lists.
@@ -282,8 +328,19 @@ pub(super) fn letter_meaning(text: &str) -> Option<Meaning> {
     let (name, unit) = bracketed(&text).map_or((text.as_str(), ""), |(name, unit, _)| (name, unit));
     let letter = squashed(name);
     let (_, column) = LETTERS.iter().find(|(other, _)| *other == letter)?;
-    let unit = if unit.is_empty() { HeadingUnit::None } else { stated(unit, *column) };
-    Some(Meaning { column: *column, rank: 90, language: Language::Comma, unit, is_long_side: false, order: None })
+    let unit = if unit.is_empty() {
+        HeadingUnit::None
+    } else {
+        stated(unit, *column)
+    };
+    Some(Meaning {
+        column: *column,
+        rank: 90,
+        language: Language::Comma,
+        unit,
+        is_long_side: false,
+        order: None,
+    })
 }
 
 fn whole(text: &str) -> Option<Meaning> {
@@ -291,10 +348,15 @@ fn whole(text: &str) -> Option<Meaning> {
         return Some(found);
     }
     if let Some((name, inner, after)) = bracketed(text)
-        && let Some(mut found) = named(name).or_else(|| named(&format!("{name} {after}"))).or_else(|| unqualified(name))
+        && let Some(mut found) = named(name)
+            .or_else(|| named(&format!("{name} {after}")))
+            .or_else(|| unqualified(name))
     {
         // "Area (m2)" is not a place, "Masse (mm)" not a mass but Swiss sizes.
-        if dimension(found.column).is_none() && found.column != Column::Anchored && lookup(inner).is_some() {
+        if dimension(found.column).is_none()
+            && found.column != Column::Anchored
+            && lookup(inner).is_some()
+        {
             return None;
         }
         if is_another(&found, inner) || is_another(&found, after) {
@@ -318,7 +380,11 @@ fn whole(text: &str) -> Option<Meaning> {
 
 /// `Höhe / Height`, `Item / Objet (mm)`: every part means the same, or is a unit.
 fn of_parts(text: &str) -> Option<Meaning> {
-    let parts: Vec<&str> = text.split(['/', '|', ';']).map(str::trim).filter(|part| !part.is_empty()).collect();
+    let parts: Vec<&str> = text
+        .split(['/', '|', ';'])
+        .map(str::trim)
+        .filter(|part| !part.is_empty())
+        .collect();
     if parts.len() < 2 {
         return None;
     }
@@ -346,24 +412,50 @@ fn named(text: &str) -> Option<Meaning> {
     if key.is_empty() {
         return None;
     }
-    let singular = || key.strip_suffix('s').filter(|rest| rest.chars().count() > 3);
+    let singular = || {
+        key.strip_suffix('s')
+            .filter(|rest| rest.chars().count() > 3)
+    };
     // "Storeys" counts them; it does not say on which one an object stands.
-    let is_floor = |entries: &&Vec<Entry>| entries.iter().any(|entry| entry.column == Column::Floor);
-    let entries = TABLE.get(&key).or_else(|| TABLE.get(singular()?).filter(|entries| !is_floor(entries)))?;
+    let is_floor =
+        |entries: &&Vec<Entry>| entries.iter().any(|entry| entry.column == Column::Floor);
+    let entries = TABLE
+        .get(&key)
+        .or_else(|| TABLE.get(singular()?).filter(|entries| !is_floor(entries)))?;
     // A name that two columns share is the one that is listed first; but German sizes (Maße) have
     // an ß that a mass (Masse) does not.
     let is_sizes = text.contains('ß') || text.contains('ẞ');
-    let sizes = entries.iter().find(|entry| is_sizes && entry.column == Column::Dimensions);
+    let sizes = entries
+        .iter()
+        .find(|entry| is_sizes && entry.column == Column::Dimensions);
     let entry = sizes.or(entries.first())?;
-    let unit = entry.unit.map_or(HeadingUnit::None, |unit| stated(unit, entry.column));
-    let Entry { column, rank, language, is_long_side, .. } = *entry;
-    Some(Meaning { column, rank, language, unit, is_long_side, order: None })
+    let unit = entry
+        .unit
+        .map_or(HeadingUnit::None, |unit| stated(unit, entry.column));
+    let Entry {
+        column,
+        rank,
+        language,
+        is_long_side,
+        ..
+    } = *entry;
+    Some(Meaning {
+        column,
+        rank,
+        language,
+        unit,
+        is_long_side,
+        order: None,
+    })
 }
 
 /// A name among words that do not change it: `Overall height`, `Weight (est.)`.
 fn unqualified(text: &str) -> Option<Meaning> {
     let words = canonical(text);
-    let rest: Vec<&str> = words.split(' ').filter(|word| !QUALIFIERS.contains(word)).collect();
+    let rest: Vec<&str> = words
+        .split(' ')
+        .filter(|word| !QUALIFIERS.contains(word))
+        .collect();
     if rest.is_empty() || rest.len() == words.split(' ').count() {
         return None;
     }
@@ -384,32 +476,57 @@ fn bracketed(text: &str) -> Option<(&str, &str, &str)> {
     let close = rest.find([']', ')']).unwrap_or(rest.len());
     let after = rest.get(close + 1..).unwrap_or_default();
     let name = text.get(..open)?.trim();
-    (!name.is_empty()).then(|| (name, rest.get(..close).unwrap_or_default().trim(), after.trim()))
+    (!name.is_empty()).then(|| {
+        (
+            name,
+            rest.get(..close).unwrap_or_default().trim(),
+            after.trim(),
+        )
+    })
 }
 
 /// `height_mm`, `Height in mm`, `Breite, cm`, `stiffness_n_mm`: the unit follows a known name.
 fn suffixed(text: &str) -> Option<Meaning> {
-    let places = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(at, c)| (at, at + c.len_utf8()));
+    let places = text
+        .char_indices()
+        .filter(|(_, c)| !c.is_alphanumeric())
+        .map(|(at, c)| (at, at + c.len_utf8()));
     // From the end: the longest name wins.
-    places.collect::<Vec<_>>().into_iter().rev().find_map(|(end, start)| {
-        let mut found = named(text.get(..end)?).or_else(|| unqualified(text.get(..end)?))?;
-        let rest = text.get(start..)?.trim().trim_start_matches(['/', ',', '-', '_', '.', ':']).trim();
-        let words = ["in ", "en ", "em ", "IN ", "in_", "IN_"];
-        let rest = words.iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
-        if found.column == Column::Mass && squashed(text.get(..end)?) == "masse" && order_of(rest).is_some() {
-            found.column = Column::Dimensions;
-        }
-        if is_another(&found, rest) {
-            return None;
-        }
-        match stated(rest, found.column) {
-            HeadingUnit::Stated(unit) if is_only_unit(rest, found.column) => found.unit = HeadingUnit::Stated(unit),
-            _ if found.column == Column::Dimensions && order_of(rest).is_some() => {}
-            _ => return None,
-        }
-        found.order = order_of(rest);
-        Some(found)
-    })
+    places
+        .collect::<Vec<_>>()
+        .into_iter()
+        .rev()
+        .find_map(|(end, start)| {
+            let mut found = named(text.get(..end)?).or_else(|| unqualified(text.get(..end)?))?;
+            let rest = text
+                .get(start..)?
+                .trim()
+                .trim_start_matches(['/', ',', '-', '_', '.', ':'])
+                .trim();
+            let words = ["in ", "en ", "em ", "IN ", "in_", "IN_"];
+            let rest = words
+                .iter()
+                .find_map(|word| rest.strip_prefix(word))
+                .unwrap_or(rest);
+            if found.column == Column::Mass
+                && squashed(text.get(..end)?) == "masse"
+                && order_of(rest).is_some()
+            {
+                found.column = Column::Dimensions;
+            }
+            if is_another(&found, rest) {
+                return None;
+            }
+            match stated(rest, found.column) {
+                HeadingUnit::Stated(unit) if is_only_unit(rest, found.column) => {
+                    found.unit = HeadingUnit::Stated(unit)
+                }
+                _ if found.column == Column::Dimensions && order_of(rest).is_some() => {}
+                _ => return None,
+            }
+            found.order = order_of(rest);
+            Some(found)
+        })
 }
 
 /// Whether words behind a name make it the name of something else: `Height above floor`,
@@ -461,21 +578,35 @@ fn is_another(found: &Meaning, words: &str) -> bool {
         "teto",
         "limite",
     ];
-    let is_measure = matches!(dimension(found.column), Some(Dimension::Length | Dimension::Mass));
-    let is_gap = matches!(found.column, Column::WallGap | Column::NeighbourGap | Column::Clearance | Column::CgHeight);
-    is_measure && !is_gap && canonical(words).split(' ').any(|word| OTHERS.contains(&word))
+    let is_measure = matches!(
+        dimension(found.column),
+        Some(Dimension::Length | Dimension::Mass)
+    );
+    let is_gap = matches!(
+        found.column,
+        Column::WallGap | Column::NeighbourGap | Column::Clearance | Column::CgHeight
+    );
+    is_measure
+        && !is_gap
+        && canonical(words)
+            .split(' ')
+            .any(|word| OTHERS.contains(&word))
 }
 
 /// Whether the words behind a name are its unit and words that do not change it.
 fn is_only_unit(text: &str, column: Column) -> bool {
     let is_whole = dimension(column).is_some_and(|dimension| find(text, dimension).is_ok());
-    let words = text.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '(' | ')' | '[' | ']' | '_'));
+    let words = text
+        .split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '(' | ')' | '[' | ']' | '_'));
     is_whole
         || words.filter(|word| !word.is_empty()).all(|word| {
             let plain = canonical(word);
             let is_unit = dimension(column).is_some_and(|dimension| find(word, dimension).is_ok());
             is_unit
-                || matches!(plain.as_str(), "" | "in" | "en" | "em" | "each" | "gross" | "net" | "full" | "empty" | "x")
+                || matches!(
+                    plain.as_str(),
+                    "" | "in" | "en" | "em" | "each" | "gross" | "net" | "full" | "empty" | "x"
+                )
                 || QUALIFIERS.contains(&plain.as_str())
                 || order_of(text).is_some()
         })
@@ -492,7 +623,9 @@ pub(super) fn dimension(column: Column) -> Option<Dimension> {
 
 /// The unit that a bracket states; words such as `overall` state none.
 fn stated(text: &str, column: Column) -> HeadingUnit {
-    let Some(dimension) = dimension(column) else { return HeadingUnit::None };
+    let Some(dimension) = dimension(column) else {
+        return HeadingUnit::None;
+    };
     if text.is_empty() {
         return HeadingUnit::None;
     }
@@ -515,7 +648,12 @@ fn stated(text: &str, column: Column) -> HeadingUnit {
         // "in" alone among words may be a preposition.
         [unit] if unit.symbol() != "in" => return HeadingUnit::Stated(*unit),
         // "in cm" and "in inches": the first is the preposition.
-        [first, unit] if first.symbol() == "in" && text.get(..2).is_some_and(|two| two.eq_ignore_ascii_case("in")) => {
+        [first, unit]
+            if first.symbol() == "in"
+                && text
+                    .get(..2)
+                    .is_some_and(|two| two.eq_ignore_ascii_case("in")) =>
+        {
             return HeadingUnit::Stated(*unit);
         }
         [_, ..] => return HeadingUnit::Wrong(text.to_owned()),
@@ -527,7 +665,10 @@ fn stated(text: &str, column: Column) -> HeadingUnit {
     let is_order = order_of(text).is_some();
     let is_known = QUALIFIERS.contains(&words.as_str())
         || named(text).is_some()
-        || matches!(words.as_str(), "each" | "gross" | "net" | "full" | "empty" | "opt" | "optional");
+        || matches!(
+            words.as_str(),
+            "each" | "gross" | "net" | "full" | "empty" | "opt" | "optional"
+        );
     if matches!(whole, Err(NoUnit::Other(_))) || is_word && !is_order && !is_known {
         HeadingUnit::Wrong(text.to_owned())
     } else {
@@ -539,16 +680,20 @@ fn stated(text: &str, column: Column) -> HeadingUnit {
 pub(super) fn order_of(text: &str) -> Option<Vec<char>> {
     let head: String = plain(text);
     let mut order = Vec::new();
-    for part in head.split(['x', 'X', '×', '*', '/']).map(str::trim).filter(|part| !part.is_empty()) {
+    for part in head
+        .split(['x', 'X', '×', '*', '/'])
+        .map(str::trim)
+        .filter(|part| !part.is_empty())
+    {
         let word = part.split(' ').next().unwrap_or_default();
         let letter = match canonical(word).as_str() {
-            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza" | "yukseklik" | "y" | "高さ"
-            | "高" => 'H',
-            "w" | "width" | "b" | "breite" | "ancho" | "largeur" | "larghezza" | "largura" | "genislik" | "g"
-            | "宽" | "幅" => 'W',
+            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza"
+            | "yukseklik" | "y" | "高さ" | "高" => 'H',
+            "w" | "width" | "b" | "breite" | "ancho" | "largeur" | "larghezza" | "largura"
+            | "genislik" | "g" | "宽" | "幅" => 'W',
             "l" | "length" | "lange" | "longueur" | "largo" | "lunghezza" | "長さ" | "长" => 'L',
-            "d" | "depth" | "t" | "tiefe" | "p" | "profondeur" | "profundidad" | "profondita" | "f" | "fondo"
-            | "derinlik" | "profundidade" | "深" | "奥行" => 'D',
+            "d" | "depth" | "t" | "tiefe" | "p" | "profondeur" | "profundidad" | "profondita"
+            | "f" | "fondo" | "derinlik" | "profundidade" | "深" | "奥行" => 'D',
             _ => return None,
         };
         order.push(letter);
@@ -560,7 +705,8 @@ pub(super) fn order_of(text: &str) -> Option<Vec<char>> {
     {
         *slot = 'W';
     }
-    let is_complete = order.len() == 3 && order.contains(&'H') || order.len() == 2 && !order.contains(&'H');
+    let is_complete =
+        order.len() == 3 && order.contains(&'H') || order.len() == 2 && !order.contains(&'H');
     let mut distinct = order.clone();
     distinct.sort_unstable();
     distinct.dedup();
@@ -663,7 +809,13 @@ mod tests {
             assert_eq!(read(text), None, "{text}");
         }
         for text in ["Height (kg)", "Weight (stone)", "Height (cubits)"] {
-            assert!(matches!(meaning(text).map(|found| found.unit), Some(HeadingUnit::Wrong(_))), "{text}");
+            assert!(
+                matches!(
+                    meaning(text).map(|found| found.unit),
+                    Some(HeadingUnit::Wrong(_))
+                ),
+                "{text}"
+            );
         }
     }
 
@@ -672,8 +824,17 @@ mod tests {
         assert_eq!(order_of("H x W x D"), Some(vec!['H', 'W', 'D']));
         assert_eq!(order_of("BxTxH mm"), Some(vec!['W', 'D', 'H']));
         assert_eq!(order_of("L×l×H"), Some(vec!['L', 'W', 'H']));
-        for text in ["Dimensions H x W x D", "Dimensions HxWxD mm", "H x W x D (cm)", "Size (mm) HxWxD"] {
-            assert_eq!(meaning(text).unwrap().order, Some(vec!['H', 'W', 'D']), "{text}");
+        for text in [
+            "Dimensions H x W x D",
+            "Dimensions HxWxD mm",
+            "H x W x D (cm)",
+            "Size (mm) HxWxD",
+        ] {
+            assert_eq!(
+                meaning(text).unwrap().order,
+                Some(vec!['H', 'W', 'D']),
+                "{text}"
+            );
         }
         assert_eq!(order_of("mm"), None);
         assert_eq!(order_of("HxH"), None);
@@ -682,7 +843,12 @@ mod tests {
     #[test]
     fn every_column_but_those_that_are_only_ours_has_headings() {
         for spec in &COLUMNS {
-            assert_eq!(meaning(spec.name).map(|found| found.column), Some(spec.column), "{}", spec.name);
+            assert_eq!(
+                meaning(spec.name).map(|found| found.column),
+                Some(spec.column),
+                "{}",
+                spec.name
+            );
         }
     }
 }

@@ -49,12 +49,21 @@ impl SizeCell {
         let digits = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
         let own = self.unit.map(CellUnit::symbol);
         let in_unit = |unit: &'static str| {
-            let value = find(unit, Dimension::Length).ok()?.read(&digits.replace(',', ".")).ok()?;
-            let far = (value / median_m.unwrap_or(usual_m(self.column))).ln().abs();
+            let value = find(unit, Dimension::Length)
+                .ok()?
+                .read(&digits.replace(',', "."))
+                .ok()?;
+            let far = (value / median_m.unwrap_or(usual_m(self.column)))
+                .ln()
+                .abs();
             // A factor of three on either side: what differs more is no better.
-            (Some(unit) != own && range(self.column).contains(&value) && far < 3f64.ln()).then_some((far, unit))
+            (Some(unit) != own && range(self.column).contains(&value) && far < 3f64.ln())
+                .then_some((far, unit))
         };
-        let best = UNITS.into_iter().filter_map(in_unit).min_by(|a, b| a.0.total_cmp(&b.0));
+        let best = UNITS
+            .into_iter()
+            .filter_map(in_unit)
+            .min_by(|a, b| a.0.total_cmp(&b.0));
         match best {
             Some((_, unit)) => format!("{}={digits} {unit}", self.name()),
             None => format!("{}={}", self.name(), self.text.trim()),
@@ -74,14 +83,21 @@ struct Usual {
 }
 
 fn usual(items: &[Item], column: Column) -> Option<Usual> {
-    let mut logs: Vec<f64> = items.iter().filter_map(|item| value(item, column)).map(f64::ln).collect();
+    let mut logs: Vec<f64> = items
+        .iter()
+        .filter_map(|item| value(item, column))
+        .map(f64::ln)
+        .collect();
     if logs.len() < MIN_ROWS {
         return None;
     }
     // Where most of a column is impossible, its median is no measure.
     let middle = median(&mut logs).filter(|middle| range(column).contains(&middle.exp()))?;
     let mut deviations: Vec<f64> = logs.iter().map(|log| (log - middle).abs()).collect();
-    Some(Usual { median_m: middle.exp(), deviation: median(&mut deviations)? })
+    Some(Usual {
+        median_m: middle.exp(),
+        deviation: median(&mut deviations)?,
+    })
 }
 
 /// A positive size of an object \[m\].
@@ -111,20 +127,34 @@ pub(super) fn confirm(
     let usual = columns.map(|column| usual(items, column));
     for item in items {
         for (column, usual) in columns.into_iter().zip(&usual) {
-            let Some(why) = value(item, column).and_then(|value| why(value, column, item, usual.as_ref())) else {
+            let Some(why) =
+                value(item, column).and_then(|value| why(value, column, item, usual.as_ref()))
+            else {
                 continue;
             };
-            let Some(cell) = cell(item, column) else { continue };
+            let Some(cell) = cell(item, column) else {
+                continue;
+            };
             if edits.iter().any(|edit| edit.is_of(cell.row, cell.index)) {
                 continue;
             }
             let edit = cell.edit(usual.as_ref().map(|usual| usual.median_m));
-            let at = Place { column: Some(column), index: Some(cell.index), heading: Some(&cell.heading) };
+            let at = Place {
+                column: Some(column),
+                index: Some(cell.index),
+                heading: Some(&cell.heading),
+            };
             let said = format!(
                 "such a size is hardly possible; \"{}\", for example, was read as {why}",
                 shorten(cell.text.trim())
             );
-            findings.add(Kind::ImplausibleSize, at, Some(cell.row), &cell.text, Some(said));
+            findings.add(
+                Kind::ImplausibleSize,
+                at,
+                Some(cell.row),
+                &cell.text,
+                Some(said),
+            );
             findings.propose(Kind::ImplausibleSize, at, &edit);
             if !item.to_confirm.contains(&edit) {
                 item.to_confirm.push(edit);
@@ -141,25 +171,49 @@ fn why(value_m: f64, column: Column, item: &Item, usual: Option<&Usual>) -> Opti
     let range = range(column);
     let read = || format!("{} m", number(value_m, 4));
     if !range.contains(&value_m) {
-        return Some(format!("{}, and such a size is between {} and {} m", read(), range.start(), range.end()));
+        return Some(format!(
+            "{}, and such a size is between {} and {} m",
+            read(),
+            range.start(),
+            range.end()
+        ));
     }
     if let Some(usual) = usual {
         let far = (value_m / usual.median_m).ln().abs();
         if far >= TEN_TIMES.ln() && far > SPREAD * usual.deviation {
             let times = number(far.exp(), 2);
-            let than = if value_m < usual.median_m { "smaller" } else { "larger" };
-            return Some(format!("{}, {times} times {than} than the median of its column", read()));
+            let than = if value_m < usual.median_m {
+                "smaller"
+            } else {
+                "larger"
+            };
+            return Some(format!(
+                "{}, {times} times {than} than the median of its column",
+                read()
+            ));
         }
     }
     let (height_m, thickness_m) = (item.height_m?, item.thickness_m?);
-    let shorter_m = item.width_m.map_or(thickness_m, |width_m| width_m.min(thickness_m));
+    let shorter_m = item
+        .width_m
+        .map_or(thickness_m, |width_m| width_m.min(thickness_m));
     if height_m > MAX_SLENDERNESS * shorter_m {
         let times = number(height_m / shorter_m, 3);
-        return Some(format!("{}, and the height is {times} times the shorter side", read()));
+        return Some(format!(
+            "{}, and the height is {times} times the shorter side",
+            read()
+        ));
     }
-    let density = item.mass_kg.zip(item.width_m).map(|(mass_kg, width_m)| mass_kg / (height_m * thickness_m * width_m));
+    let density = item
+        .mass_kg
+        .zip(item.width_m)
+        .map(|(mass_kg, width_m)| mass_kg / (height_m * thickness_m * width_m));
     let density = density.filter(|density| !DENSITY.contains(density))?;
-    Some(format!("{}, and the object would weigh {} kg/m³", read(), number(density, 2)))
+    Some(format!(
+        "{}, and the object would weigh {} kg/m³",
+        read(),
+        number(density, 2)
+    ))
 }
 
 /// Whether an object can have such a size.
@@ -168,5 +222,9 @@ pub(super) fn is_possible(column: Column, value_m: f64) -> bool {
 }
 
 fn range(column: Column) -> std::ops::RangeInclusive<f64> {
-    if column == Column::Height { HEIGHT_M } else { SIDE_M }
+    if column == Column::Height {
+        HEIGHT_M
+    } else {
+        SIDE_M
+    }
 }

@@ -44,7 +44,9 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let quantity = values.whole(Column::Quantity).unwrap_or(1);
     let (floor, level_ratio) = floor(values, reading);
     let (casters, stands_on) = values.casters(Column::Casters);
-    let rests_on = Some(values.text(Column::RestsOn)).filter(|text| !text.is_empty()).unwrap_or(stands_on);
+    let rests_on = Some(values.text(Column::RestsOn))
+        .filter(|text| !text.is_empty())
+        .unwrap_or(stands_on);
     let friction_ratio = values.range(Column::Friction);
     // So little is the resistance of wheels: the list says already that it rolls.
     let is_known_to_roll = friction_ratio.is_some_and(|(_, highest)| highest <= WHEEL_FRICTION);
@@ -92,8 +94,16 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     };
     for (kind, column) in plausible::doubts(&item) {
         // A side may be that of a column of all sizes, a stiffness that of one pad.
-        let columns = [column, Column::Dimensions, Column::PadStiffness, Column::Cushion];
-        let found = columns.into_iter().find(|column| values.columns.get(*column).is_some()).unwrap_or(column);
+        let columns = [
+            column,
+            Column::Dimensions,
+            Column::PadStiffness,
+            Column::Cushion,
+        ];
+        let found = columns
+            .into_iter()
+            .find(|column| values.columns.get(*column).is_some())
+            .unwrap_or(column);
         values.report(found, kind, None);
     }
     item.doubts = values.doubts.clone();
@@ -121,28 +131,46 @@ fn surroundings(
         | (Some(Casters::Free), Some(Wheels::Said(Casters::Braked))) => Some(Column::RestsOn),
         // Whether they roll is said.
         _ if is_known_to_roll => None,
-        _ if [stated, wheels].iter().any(|one| matches!(one, Some(Casters::Free | Casters::Braked))) => None,
+        _ if [stated, wheels]
+            .iter()
+            .any(|one| matches!(one, Some(Casters::Free | Casters::Braked))) =>
+        {
+            None
+        }
         _ => [Column::Item, Column::Notes].into_iter().find(|column| {
-            let cell = values.columns.get(*column).and_then(|one| values.row.get(one.index));
+            let cell = values
+                .columns
+                .get(*column)
+                .and_then(|one| values.row.get(one.index));
             cell.is_some_and(|cell| may_roll(&cell.shown()))
         }),
     };
     if let Some(column) = doubted {
         values.report(column, Kind::Casters, None);
     }
-    let casters = if doubted.is_some() { Some(Casters::Free) } else { stated.or(wheels) };
+    let casters = if doubted.is_some() {
+        Some(Casters::Free)
+    } else {
+        stated.or(wheels)
+    };
     Surroundings {
         wall_gap_m: values.not_negative(Column::WallGap),
         neighbour_gap_m: values.not_negative(Column::NeighbourGap),
         wall_height_m: values.positive(Column::WallHeight),
         wall_stiffness_n_m: values.positive(Column::WallStiffness),
-        wall_restitution: values.not_negative(Column::WallRestitution).filter(|ratio| {
-            let is_below = *ratio < 1.0;
-            if !is_below {
-                values.report(Column::WallRestitution, Kind::OutOfRange, Some("must be from 0 to below 1".to_owned()));
-            }
-            is_below
-        }),
+        wall_restitution: values
+            .not_negative(Column::WallRestitution)
+            .filter(|ratio| {
+                let is_below = *ratio < 1.0;
+                if !is_below {
+                    values.report(
+                        Column::WallRestitution,
+                        Kind::OutOfRange,
+                        Some("must be from 0 to below 1".to_owned()),
+                    );
+                }
+                is_below
+            }),
         casters,
         rolling_resistance_ratio: values.share(Column::RollingResistance),
         clearance_m: values.not_negative(Column::Clearance),
@@ -153,7 +181,8 @@ fn surroundings(
 /// Whether it is anchored: what rolls for certain is not.
 fn anchored(values: &mut Values<'_>, surroundings: &Surroundings) -> Option<bool> {
     let anchored = values.answer(Column::Anchored);
-    let rolls = surroundings.casters == Some(Casters::Free) && !values.doubts.contains(&Kind::Casters);
+    let rolls =
+        surroundings.casters == Some(Casters::Free) && !values.doubts.contains(&Kind::Casters);
     if anchored == Some(true) && rolls {
         values.report(Column::Anchored, Kind::AnchoredUnclear, None);
         return None;
@@ -163,18 +192,31 @@ fn anchored(values: &mut Values<'_>, surroundings: &Surroundings) -> Option<bool
 
 /// What stands on it: both sizes, or nothing.
 fn upper(values: &mut Values<'_>) -> Option<UpperBody> {
-    let (height, thickness) = (values.positive(Column::UpperHeight), values.positive(Column::UpperThickness));
+    let (height, thickness) = (
+        values.positive(Column::UpperHeight),
+        values.positive(Column::UpperThickness),
+    );
     let mass_kg = values.positive(Column::UpperMass);
     match (height, thickness) {
-        (Some(height_m), Some(thickness_m)) => Some(UpperBody { height_m, thickness_m, mass_kg }),
+        (Some(height_m), Some(thickness_m)) => Some(UpperBody {
+            height_m,
+            thickness_m,
+            mass_kg,
+        }),
         (None, None) if mass_kg.is_none() => None,
         (height, _) => {
             let (column, lacks) = match height {
                 Some(_) => (Column::UpperHeight, "its thickness"),
-                None if values.is_filled(Column::UpperThickness) => (Column::UpperThickness, "its height"),
+                None if values.is_filled(Column::UpperThickness) => {
+                    (Column::UpperThickness, "its height")
+                }
                 None => (Column::UpperMass, "its height and thickness"),
             };
-            values.report(column, Kind::UpperAlone, Some(format!("what stands on the object lacks {lacks}")));
+            values.report(
+                column,
+                Kind::UpperAlone,
+                Some(format!("what stands on the object lacks {lacks}")),
+            );
             None
         }
     }
@@ -189,7 +231,10 @@ fn id(values: &mut Values<'_>) -> String {
         return id;
     }
     if values.columns.get(Column::Id).is_some() {
-        values.findings.note("no id: the row number is used, such as row-12", values.row.number);
+        values.findings.note(
+            "no id: the row number is used, such as row-12",
+            values.row.number,
+        );
     }
     format!("row-{}", values.row.number)
 }
@@ -197,7 +242,9 @@ fn id(values: &mut Values<'_>) -> String {
 /// The floor as it is named, and its height over that of the building.
 fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>) {
     let name = values.text(Column::Floor);
-    let Some(finder) = reading.floors else { return (name, level(values)) };
+    let Some(finder) = reading.floors else {
+        return (name, level(values));
+    };
     let has_column = values.columns.get(Column::Floor).is_some();
     // A section "Level 3" over rows without a floor of their own.
     let is_section = name.is_empty() && !has_column;
@@ -215,7 +262,10 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             }
             // A floor whose height is given is not guessed.
             match finder.identity(text).filter(|_| !finder.names(text)) {
-                Some((1, _)) => values.findings.note("a basement moves like the ground: level 0", values.row.number),
+                Some((1, _)) => values.findings.note(
+                    "a basement moves like the ground: level 0",
+                    values.row.number,
+                ),
                 Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
                 _ => {}
             }
@@ -245,7 +295,11 @@ fn level(values: &mut Values<'_>) -> Option<f64> {
     } else {
         "0 is the ground, 1 the roof; a basement moves like the ground, so give 0"
     };
-    values.wrong(Column::LevelRatio, Kind::OutOfRange, &Problem::value("the level must be from 0 to 1", hint));
+    values.wrong(
+        Column::LevelRatio,
+        Kind::OutOfRange,
+        &Problem::value("the level must be from 0 to 1", hint),
+    );
     None
 }
 
@@ -275,16 +329,35 @@ fn size(values: &mut Values<'_>) -> Size {
         blocks: Vec::new(),
     };
     round(values, &mut size, all.is_round);
-    let Some(height_m) = size.height_m else { return size };
-    if size.cg_height_m.is_some_and(|cg_height_m| cg_height_m >= height_m) {
-        values.report(Column::CgHeight, Kind::OutOfRange, Some("is not below the top of the object".to_owned()));
+    let Some(height_m) = size.height_m else {
+        return size;
+    };
+    if size
+        .cg_height_m
+        .is_some_and(|cg_height_m| cg_height_m >= height_m)
+    {
+        values.report(
+            Column::CgHeight,
+            Kind::OutOfRange,
+            Some("is not below the top of the object".to_owned()),
+        );
         size.cg_height_m = None;
     }
-    let planes = [(size.thickness_m, Column::BaseThickness), (size.width_m, Column::BaseWidth)];
+    let planes = [
+        (size.thickness_m, Column::BaseThickness),
+        (size.width_m, Column::BaseWidth),
+    ];
     for (side, column) in planes {
         let Some(side_m) = side else { continue };
-        let base = if column == Column::BaseThickness { &mut size.base_thickness_m } else { &mut size.base_width_m };
-        let feet = Shape { base_width_m: *base, ..Shape::default() };
+        let base = if column == Column::BaseThickness {
+            &mut size.base_thickness_m
+        } else {
+            &mut size.base_width_m
+        };
+        let feet = Shape {
+            base_width_m: *base,
+            ..Shape::default()
+        };
         if let Err(error) = feet.block(height_m, side_m) {
             if base.take().is_some() {
                 refuse_block(values, column, &error);
@@ -293,8 +366,14 @@ fn size(values: &mut Values<'_>) -> Size {
             }
             continue;
         }
-        let feet = Shape { base_width_m: *base, ..Shape::default() };
-        let whole = Shape { cg_height_m: size.cg_height_m, ..feet };
+        let feet = Shape {
+            base_width_m: *base,
+            ..Shape::default()
+        };
+        let whole = Shape {
+            cg_height_m: size.cg_height_m,
+            ..feet
+        };
         match whole.block(height_m, side_m) {
             Ok(block) => size.blocks.push(block),
             Err(error) => {
@@ -314,11 +393,17 @@ fn size(values: &mut Values<'_>) -> Size {
 fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
     let diameter_m = values.positive(Column::Diameter);
     let sides = [Column::Thickness, Column::Width];
-    let is_marked = is_marked || diameter_m.is_some() || sides.into_iter().any(|column| values.is_diameter(column));
+    let is_marked = is_marked
+        || diameter_m.is_some()
+        || sides.into_iter().any(|column| values.is_diameter(column));
     if let (Some(diameter_m), Some(thickness_m)) = (diameter_m, size.thickness_m)
         && (diameter_m - thickness_m).abs() > 0.02 * diameter_m
     {
-        values.report(Column::Diameter, Kind::TwoColumns, Some("differs from the sides of the object".to_owned()));
+        values.report(
+            Column::Diameter,
+            Kind::TwoColumns,
+            Some("differs from the sides of the object".to_owned()),
+        );
     }
     size.thickness_m = size.thickness_m.or(diameter_m);
     let shape = values.shape();
@@ -326,7 +411,11 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
         (Some(thickness), Some(width)) => (thickness - width).abs() <= 0.02 * width,
         (sides, _) => sides.is_some(),
     };
-    let item = values.columns.get(Column::Item).and_then(|one| values.row.get(one.index)).map(Cell::shown);
+    let item = values
+        .columns
+        .get(Column::Item)
+        .and_then(|one| values.row.get(one.index))
+        .map(Cell::shown);
     let is_named = is_equal && item.is_some_and(|item| names_round_object(&item));
     size.is_round = shape.unwrap_or(is_marked || is_named);
     if size.is_round {
@@ -345,7 +434,11 @@ fn refuse_block(values: &mut Values<'_>, column: Column, error: &BlockError) {
         }
         _ => "check the number and its unit",
     };
-    values.wrong(column, Kind::OutOfRange, &Problem::value(error.to_string(), hint));
+    values.wrong(
+        column,
+        Kind::OutOfRange,
+        &Problem::value(error.to_string(), hint),
+    );
 }
 
 /// What is under one edge.
@@ -358,7 +451,12 @@ struct Support {
 
 fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
     let mut words = Words::default();
-    for column in [Column::Stiffness, Column::PadStiffness, Column::SeriesStiffness, Column::PadThickness] {
+    for column in [
+        Column::Stiffness,
+        Column::PadStiffness,
+        Column::SeriesStiffness,
+        Column::PadThickness,
+    ] {
         if let Some((_, text)) = values.positive_text(column) {
             words.set(column.name(), text);
         }
@@ -370,7 +468,13 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
     let mut support = Support::default();
     if !entry.is_empty() {
         let Some(prior) = (lookup.cushion)(&entry) else {
-            refuse_entry(values, Column::Cushion, &entry, lookup.cushion_names, "cushion");
+            refuse_entry(
+                values,
+                Column::Cushion,
+                &entry,
+                lookup.cushion_names,
+                "cushion",
+            );
             return support;
         };
         words.set(Column::Cushion.name(), entry);
@@ -388,7 +492,10 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
         return support;
     }
     // Missing data cost the object its verdict, but do not stop the reading.
-    if words.get("stiffness").is_none() && words.get("pad_stiffness").is_none() && words.get("law").is_none() {
+    if words.get("stiffness").is_none()
+        && words.get("pad_stiffness").is_none()
+        && words.get("law").is_none()
+    {
         let column = pad_column(values);
         values.report(column, Kind::PadAlone, None);
         return Support::default();
@@ -399,17 +506,26 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
     }
     match cushion::resolve(&words, mass_kg) {
         Ok(edge) => {
-            let doubts = mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
+            let doubts =
+                mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
             if doubts.is_some_and(|doubts| !doubts.is_empty()) {
-                let column =
-                    if values.is_filled(Column::PadStiffness) { Column::PadStiffness } else { Column::Stiffness };
+                let column = if values.is_filled(Column::PadStiffness) {
+                    Column::PadStiffness
+                } else {
+                    Column::Stiffness
+                };
                 values.report(column, Kind::Stiffness, None);
             }
             support.cushion = Some(edge);
             support
         }
         Err(problems) => {
-            if mass_kg.is_none() && problems.problems.iter().all(|problem| problem.keys == ["damping"]) {
+            if mass_kg.is_none()
+                && problems
+                    .problems
+                    .iter()
+                    .all(|problem| problem.keys == ["damping"])
+            {
                 values.report(Column::Cushion, Kind::DampingMass, None);
             } else {
                 for problem in &problems.problems {
@@ -440,11 +556,26 @@ fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
 
 /// The column of a key of a cushion; keys of a library entry belong to the column with its name.
 fn column_of(problem: &Problem) -> Column {
-    let column = |key: &&str| COLUMNS.iter().find(|spec| spec.name == *key).map(|spec| spec.column);
-    problem.keys.iter().find_map(column).unwrap_or(Column::Cushion)
+    let column = |key: &&str| {
+        COLUMNS
+            .iter()
+            .find(|spec| spec.name == *key)
+            .map(|spec| spec.column)
+    };
+    problem
+        .keys
+        .iter()
+        .find_map(column)
+        .unwrap_or(Column::Cushion)
 }
 
-fn refuse_entry(values: &mut Values<'_>, column: Column, entry: &str, names: &[String], library: &str) {
+fn refuse_entry(
+    values: &mut Values<'_>,
+    column: Column,
+    entry: &str,
+    names: &[String],
+    library: &str,
+) {
     let all: Vec<&str> = names.iter().map(String::as_str).collect();
     let entry = shorten(entry);
     let hint = match nearest(&entry, &all) {
@@ -454,7 +585,11 @@ fn refuse_entry(values: &mut Values<'_>, column: Column, entry: &str, names: &[S
         }
         None => {
             let some: Vec<&str> = all.iter().copied().take(6).collect();
-            format!("known: {}{}", some.join(", "), if all.len() > 6 { " and more" } else { "" })
+            format!(
+                "known: {}{}",
+                some.join(", "),
+                if all.len() > 6 { " and more" } else { "" }
+            )
         }
     };
     let message = format!("is not an entry of the {library} library");
@@ -472,8 +607,16 @@ fn tolerance(values: &mut Values<'_>, lookup: &Lookup<'_>) -> Option<Tolerance> 
         source: "the inventory".to_owned(),
         confidence: Confidence::Stated,
     };
-    let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = &stated;
-    let is_stated = [peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m].into_iter().any(Option::is_some);
+    let Tolerance {
+        peak_m_s2,
+        duration_s,
+        velocity_change_m_s,
+        edge_lift_m,
+        ..
+    } = &stated;
+    let is_stated = [peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m]
+        .into_iter()
+        .any(Option::is_some);
     if duration_s.is_some() && peak_m_s2.is_none() {
         values.report(Column::ToleranceDuration, Kind::PulseAlone, None);
     }
@@ -484,12 +627,22 @@ fn tolerance(values: &mut Values<'_>, lookup: &Lookup<'_>) -> Option<Tolerance> 
     if is_stated {
         let hint = "keep either the entry or the values in the other tolerance columns";
         let message = "tolerance_entry and the other tolerance columns exclude each other";
-        values.wrong(Column::ToleranceEntry, Kind::Unreadable, &Problem::value(message, hint));
+        values.wrong(
+            Column::ToleranceEntry,
+            Kind::Unreadable,
+            &Problem::value(message, hint),
+        );
         return None;
     }
     let found = (lookup.tolerance)(&entry);
     if found.is_none() {
-        refuse_entry(values, Column::ToleranceEntry, &entry, lookup.tolerance_names, "tolerance");
+        refuse_entry(
+            values,
+            Column::ToleranceEntry,
+            &entry,
+            lookup.tolerance_names,
+            "tolerance",
+        );
     }
     found
 }
@@ -504,7 +657,11 @@ fn restitution(values: &mut Values<'_>, blocks: &[Block]) -> Restitution {
         (Some(_), Some(_)) => {
             let hint = "keep one of them; the factor multiplies Housner's restitution";
             let message = "restitution and restitution_factor exclude each other";
-            values.wrong(Column::RestitutionFactor, Kind::Unreadable, &Problem::value(message, hint));
+            values.wrong(
+                Column::RestitutionFactor,
+                Kind::Unreadable,
+                &Problem::value(message, hint),
+            );
             return Restitution::Housner;
         }
         (None, Some(factor)) => (Column::RestitutionFactor, Restitution::Factor(factor)),
@@ -517,6 +674,13 @@ fn restitution(values: &mut Values<'_>, blocks: &[Block]) -> Restitution {
 
 /// The first column that describes a pad.
 fn pad_column(values: &mut Values<'_>) -> Column {
-    let columns = [Column::PadThickness, Column::PadsPerEdge, Column::SeriesStiffness];
-    columns.into_iter().find(|column| values.is_filled(*column)).unwrap_or(Column::PadThickness)
+    let columns = [
+        Column::PadThickness,
+        Column::PadsPerEdge,
+        Column::SeriesStiffness,
+    ];
+    columns
+        .into_iter()
+        .find(|column| values.is_filled(*column))
+        .unwrap_or(Column::PadThickness)
 }

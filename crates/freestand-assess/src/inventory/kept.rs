@@ -28,8 +28,12 @@ pub fn lines_of_items(items: &[Item]) -> Result<Vec<u8>, Problem> {
     let mut lines = Vec::new();
     for item in items {
         let broken = || {
-            let message = format!("row {} (\"{}\") cannot be kept for a shard", item.row, item.id);
-            Problem::new(ProblemKind::Computation, message).hint("this is a defect of freestand; please report it")
+            let message = format!(
+                "row {} (\"{}\") cannot be kept for a shard",
+                item.row, item.id
+            );
+            Problem::new(ProblemKind::Computation, message)
+                .hint("this is a defect of freestand; please report it")
         };
         let line = serde_json::to_vec(item).map_err(|_| broken())?;
         if serde_json::from_slice::<Item>(&line).ok().as_ref() != Some(item) {
@@ -43,7 +47,10 @@ pub fn lines_of_items(items: &[Item]) -> Result<Vec<u8>, Problem> {
 
 /// The rows of [`lines_of_items`]; `None` where these are not such lines.
 pub fn items_from_lines(lines: &[u8]) -> Option<Vec<Item>> {
-    lines.split_inclusive(|byte| *byte == b'\n').map(|line| serde_json::from_slice(line).ok()).collect()
+    lines
+        .split_inclusive(|byte| *byte == b'\n')
+        .map(|line| serde_json::from_slice(line).ok())
+        .collect()
 }
 
 /// The restitution of a row, for its field of [`Item`].
@@ -61,15 +68,32 @@ pub(super) mod questions {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    pub(in super::super) fn serialize<S: Serializer>(asked: &Option<Questions>, to: S) -> Result<S::Ok, S::Error> {
-        let name = |asked: Questions| Questions::ALL.iter().find(|(_, one)| *one == asked).map(|(name, _)| *name);
+    pub(in super::super) fn serialize<S: Serializer>(
+        asked: &Option<Questions>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        let name = |asked: Questions| {
+            Questions::ALL
+                .iter()
+                .find(|(_, one)| *one == asked)
+                .map(|(name, _)| *name)
+        };
         asked.and_then(name).serialize(to)
     }
 
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Questions>, D::Error> {
-        let Some(name) = Option::<String>::deserialize(from)? else { return Ok(None) };
-        let found = Questions::ALL.iter().find(|(known, _)| *known == name).map(|(_, one)| *one);
-        found.map(Some).ok_or_else(|| D::Error::custom("an unknown question"))
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Option<Questions>, D::Error> {
+        let Some(name) = Option::<String>::deserialize(from)? else {
+            return Ok(None);
+        };
+        let found = Questions::ALL
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map(|(_, one)| *one);
+        found
+            .map(Some)
+            .ok_or_else(|| D::Error::custom("an unknown question"))
     }
 }
 
@@ -88,14 +112,21 @@ mod tests {
                     a,1.1,0.3,0.1,80.7,5,2190,0.9,falls,no,free,3,=1+1 \"x\"\n\
                     a,tall,,,,,,,falls+shock,yes,,roof,\n";
         let options = ReadOptions::new(&Lookup::NONE);
-        parse_inventory(list.into(), "list.csv".as_ref(), &options).unwrap().inventory.items
+        parse_inventory(list.into(), "list.csv".as_ref(), &options)
+            .unwrap()
+            .inventory
+            .items
     }
 
     /// The second row has doubts, an id that was changed and almost no values.
     #[test]
     fn a_row_is_the_same_when_it_is_read_back() {
         let items = items();
-        assert!(items[0].cushion.is_some() && items[0].questions.is_some() && !items[1].doubts.is_empty());
+        assert!(
+            items[0].cushion.is_some()
+                && items[0].questions.is_some()
+                && !items[1].doubts.is_empty()
+        );
         let lines = lines_of_items(&items).unwrap();
         assert_eq!(items_from_lines(&lines).unwrap(), items);
         assert_eq!(items_from_lines(&lines[..lines.len() - 3]), None);
@@ -105,24 +136,57 @@ mod tests {
     #[test]
     fn every_law_and_every_restitution_is_kept() {
         let laws = [
-            ContactLaw::Linear { stiffness_n_m: 0.1 + 0.2 },
-            ContactLaw::Power { coefficient_n_mn: 1e7 / 3.0, exponent: 1.5 },
-            ContactLaw::KelvinVoigt { stiffness_n_m: 1e5, damping_n_s_m: 1e2 / 7.0 },
-            ContactLaw::HuntCrossley { coefficient_n_mn: 1e6, exponent: 1.5, dissipation_s_m: 0.3 },
-            ContactLaw::Tangent { stiffness_n_m: 1e5, bottoming_m: 0.01 },
-            ContactLaw::Tabulated { compressions_m: vec![0.0, 0.001, 0.002], forces_n: vec![0.0, 5.0, 25.0] },
+            ContactLaw::Linear {
+                stiffness_n_m: 0.1 + 0.2,
+            },
+            ContactLaw::Power {
+                coefficient_n_mn: 1e7 / 3.0,
+                exponent: 1.5,
+            },
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m: 1e5,
+                damping_n_s_m: 1e2 / 7.0,
+            },
+            ContactLaw::HuntCrossley {
+                coefficient_n_mn: 1e6,
+                exponent: 1.5,
+                dissipation_s_m: 0.3,
+            },
+            ContactLaw::Tangent {
+                stiffness_n_m: 1e5,
+                bottoming_m: 0.01,
+            },
+            ContactLaw::Tabulated {
+                compressions_m: vec![0.0, 0.001, 0.002],
+                forces_n: vec![0.0, 5.0, 25.0],
+            },
             ContactLaw::Series {
                 parts: vec![
                     ContactLaw::Linear { stiffness_n_m: 1e5 },
-                    ContactLaw::Tangent { stiffness_n_m: 2e5, bottoming_m: 0.02 },
+                    ContactLaw::Tangent {
+                        stiffness_n_m: 2e5,
+                        bottoming_m: 0.02,
+                    },
                 ],
             },
         ];
-        let restitutions = [Restitution::Housner, Restitution::Value(0.3), Restitution::Factor(1.1)];
+        let restitutions = [
+            Restitution::Housner,
+            Restitution::Value(0.3),
+            Restitution::Factor(1.1),
+        ];
         for (law, restitution) in laws.into_iter().zip(restitutions.into_iter().cycle()) {
             let cushion = Cushion::new(law).unwrap();
-            let edge = EdgeCushion { cushion, pad_thickness_m: Some(0.02), notes: vec!["two pads".to_owned()] };
-            let item = Item { cushion: Some(edge), restitution, ..items().swap_remove(0) };
+            let edge = EdgeCushion {
+                cushion,
+                pad_thickness_m: Some(0.02),
+                notes: vec!["two pads".to_owned()],
+            };
+            let item = Item {
+                cushion: Some(edge),
+                restitution,
+                ..items().swap_remove(0)
+            };
             let lines = lines_of_items(std::slice::from_ref(&item)).unwrap();
             assert_eq!(items_from_lines(&lines).unwrap(), [item]);
         }
@@ -134,14 +198,26 @@ mod tests {
         let line = String::from_utf8(lines_of_items(&items()[..1]).unwrap()).unwrap();
         let stiffness = r#""stiffness_n_m":2190000.0"#;
         assert!(line.contains(stiffness), "{line}");
-        assert_eq!(items_from_lines(line.replace(stiffness, r#""stiffness_n_m":-1.0"#).as_bytes()), None);
+        assert_eq!(
+            items_from_lines(
+                line.replace(stiffness, r#""stiffness_n_m":-1.0"#)
+                    .as_bytes()
+            ),
+            None
+        );
     }
 
     /// A number that JSON does not have is refused, and not lost.
     #[test]
     fn what_cannot_be_kept_is_refused() {
-        let item = Item { height_m: Some(f64::INFINITY), ..items().swap_remove(0) };
+        let item = Item {
+            height_m: Some(f64::INFINITY),
+            ..items().swap_remove(0)
+        };
         let message = lines_of_items(&[item]).unwrap_err().message;
-        assert!(message.starts_with("row 2 (\"a\") cannot be kept"), "{message}");
+        assert!(
+            message.starts_with("row 2 (\"a\") cannot be kept"),
+            "{message}"
+        );
     }
 }

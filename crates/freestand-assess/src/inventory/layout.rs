@@ -43,13 +43,21 @@ pub(super) struct Header {
 /// Smallest number of known headings; with a size one less.
 const MIN_HEADINGS: usize = 3;
 
-pub(super) const SIZES: [Column; 5] =
-    [Column::Height, Column::Thickness, Column::Width, Column::Dimensions, Column::Diameter];
+pub(super) const SIZES: [Column; 5] = [
+    Column::Height,
+    Column::Thickness,
+    Column::Width,
+    Column::Dimensions,
+    Column::Diameter,
+];
 
 /// Finds the headings among the first rows of a sheet: the row with the most known names.
 pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Header> {
     let searched = rows.get(..SEARCHED_ROWS.min(rows.len()))?;
-    let known: Vec<usize> = searched.iter().map(|row| score(&mapped(row, mapping))).collect();
+    let known: Vec<usize> = searched
+        .iter()
+        .map(|row| score(&mapped(row, mapping)))
+        .collect();
     let most = known.iter().copied().max().filter(|&most| most > 0)?;
     let at = known.iter().position(|&count| count == most)?;
     header_at(rows, at, mapping)
@@ -71,7 +79,11 @@ fn header_at(rows: &[Row], at: usize, mapping: Option<&Mapping>) -> Option<Heade
         first_row: 0,
     };
     // Some forms have "Location" above "building, floor, room", and "Size (mm)" above "H, W, D".
-    if let Some(above) = at.checked_sub(1).and_then(|at| rows.get(at)).filter(|row| row.number + 1 == main.number) {
+    if let Some(above) = at
+        .checked_sub(1)
+        .and_then(|at| rows.get(at))
+        .filter(|row| row.number + 1 == main.number)
+    {
         header.take_group(above);
     }
     let mut next = rows.get(at + 1).filter(|row| row.number == main.number + 1);
@@ -79,7 +91,9 @@ fn header_at(rows: &[Row], at: usize, mapping: Option<&Mapping>) -> Option<Heade
         header.last_row = below.number;
         header.headings.extend(texts(below));
         header.meanings.extend(meanings_of(below));
-        next = rows.get(at + 2).filter(|row| row.number == below.number + 1);
+        next = rows
+            .get(at + 2)
+            .filter(|row| row.number == below.number + 1);
     }
     if let Some((row, units)) = next.and_then(|row| Some((row, unit_row(row, &header.meanings)?))) {
         header.last_row = row.number;
@@ -105,10 +119,14 @@ impl Header {
         let lasts: Vec<u32> = groups.keys().copied().skip(1).chain([u32::MAX]).collect();
         for ((first, text), last) in groups.iter().zip(lasts) {
             for (column, found) in self.meanings.range(*first..last) {
-                let Some(dimension) = dimension(found.column).filter(|_| found.unit == HeadingUnit::None) else {
+                let Some(dimension) =
+                    dimension(found.column).filter(|_| found.unit == HeadingUnit::None)
+                else {
                     continue;
                 };
-                let Some(inner) = text.split(['(', '[']).nth(1) else { continue };
+                let Some(inner) = text.split(['(', '[']).nth(1) else {
+                    continue;
+                };
                 if let Ok(unit) = find(inner.trim_end_matches([')', ']', ' ']), dimension) {
                     self.units.insert(*column, unit);
                 }
@@ -119,7 +137,8 @@ impl Header {
     /// Adds a heading that the file does not have.
     pub(super) fn add(&mut self, column: u32, text: &str) {
         self.headings.insert(column, text.to_owned());
-        self.meanings.extend(meaning(text).map(|found| (column, found)));
+        self.meanings
+            .extend(meaning(text).map(|found| (column, found)));
         self.width = self.width.map(|width| width.max(column + 1));
     }
 
@@ -131,7 +150,10 @@ impl Header {
 
 fn texts(row: &Row) -> BTreeMap<u32, String> {
     let cells = row.cells.iter().filter(|(_, cell)| !cell.is_blank());
-    cells.map(|(column, cell)| (*column, cell.shown().trim().to_owned())).filter(|(_, text)| !text.is_empty()).collect()
+    cells
+        .map(|(column, cell)| (*column, cell.shown().trim().to_owned()))
+        .filter(|(_, text)| !text.is_empty())
+        .collect()
 }
 
 /// What the texts of a row mean as headings.
@@ -147,7 +169,10 @@ fn meanings_of(row: &Row) -> BTreeMap<u32, Meaning> {
     // B, T and P are sizes beside other letters for sizes only.
     let has = |column: Column| found.values().any(|meaning| meaning.column == column);
     let is_letter = |index: &u32| matches!(row.get(*index), Some(Cell::Text(text)) if text.chars().take_while(|c| c.is_alphabetic()).count() == 1);
-    let sizes = found.iter().filter(|(index, meaning)| SIZES.contains(&meaning.column) && is_letter(index)).count();
+    let sizes = found
+        .iter()
+        .filter(|(index, meaning)| SIZES.contains(&meaning.column) && is_letter(index))
+        .count();
     let letters: Vec<(u32, Meaning)> = row
         .cells
         .iter()
@@ -169,7 +194,9 @@ fn mapped(row: &Row, mapping: Option<&Mapping>) -> BTreeMap<u32, Meaning> {
     let mut found = meanings_of(row);
     let Some(mapping) = mapping else { return found };
     for (index, text) in texts(row) {
-        let Some(one) = mapping.column(&text) else { continue };
+        let Some(one) = mapping.column(&text) else {
+            continue;
+        };
         found.remove(&index);
         if let Some(column) = one.column {
             found.insert(index, Meaning::mapped(column, one.unit));
@@ -192,14 +219,24 @@ fn distinct(meanings: &BTreeMap<u32, Meaning>) -> Vec<Column> {
 fn score(meanings: &BTreeMap<u32, Meaning>) -> usize {
     let found = distinct(meanings);
     let has_size = found.iter().any(|column| SIZES.contains(column));
-    if found.len() + usize::from(has_size) >= MIN_HEADINGS { found.len() } else { 0 }
+    if found.len() + usize::from(has_size) >= MIN_HEADINGS {
+        found.len()
+    } else {
+        0
+    }
 }
 
 /// Whether a row below the headings contains only names of columns.
 fn is_second_row(row: &Row, header: &Header) -> bool {
     let texts = texts(row);
-    let is_new = texts.keys().any(|column| !header.meanings.contains_key(column));
-    texts.len() >= 2 && is_new && texts.values().all(|text| meaning(text).is_some() && text.parse::<f64>().is_err())
+    let is_new = texts
+        .keys()
+        .any(|column| !header.meanings.contains_key(column));
+    texts.len() >= 2
+        && is_new
+        && texts
+            .values()
+            .all(|text| meaning(text).is_some() && text.parse::<f64>().is_err())
 }
 
 /// The units of a row that contains nothing else, except for the word "units" and words under
@@ -223,15 +260,17 @@ fn unit_row(row: &Row, meanings: &BTreeMap<u32, Meaning>) -> Option<BTreeMap<u32
                     | "単位"
             );
         match meanings.get(&column) {
-            Some(meaning) => match dimension(meaning.column).map(|dimension| find(&text, dimension)) {
-                Some(Ok(unit)) => {
-                    found.insert(column, unit);
+            Some(meaning) => {
+                match dimension(meaning.column).map(|dimension| find(&text, dimension)) {
+                    Some(Ok(unit)) => {
+                        found.insert(column, unit);
+                    }
+                    _ if is_filler => {}
+                    // "pcs" under a quantity, "text" under a name.
+                    _ if is_unit_like(&text) && dimension(meaning.column).is_none() => {}
+                    _ => return None,
                 }
-                _ if is_filler => {}
-                // "pcs" under a quantity, "text" under a name.
-                _ if is_unit_like(&text) && dimension(meaning.column).is_none() => {}
-                _ => return None,
-            },
+            }
             None if is_filler || is_unit_like(&text) => {}
             None => return None,
         }
@@ -308,17 +347,29 @@ const MAX_TABLES: usize = 200;
 
 /// The tables of a sheet, one below the other: headings that differ from those above begin another one.
 /// With them the row from which nothing is read, because there are too many.
-pub(super) fn tables(rows: &[Row], first: &Header, mapping: Option<&Mapping>) -> (Vec<Table>, Option<u32>) {
+pub(super) fn tables(
+    rows: &[Row],
+    first: &Header,
+    mapping: Option<&Mapping>,
+) -> (Vec<Table>, Option<u32>) {
     let mut found = Vec::new();
     let mut header = first.clone();
     loop {
         let (body, other) = body(rows, &header);
-        let last =
-            body.objects.last().and_then(|(place, _)| rows.get(*place)).map_or(header.last_row, |row| row.number);
+        let last = body
+            .objects
+            .last()
+            .and_then(|(place, _)| rows.get(*place))
+            .map_or(header.last_row, |row| row.number);
         found.push(Table { header, body });
         let next = other.and_then(|place| header_at(rows, place, mapping));
         match next {
-            Some(next) if found.len() < MAX_TABLES => header = Header { first_row: last + 1, ..next },
+            Some(next) if found.len() < MAX_TABLES => {
+                header = Header {
+                    first_row: last + 1,
+                    ..next
+                }
+            }
             Some(next) => return (found, Some(next.row)),
             None => return (found, None),
         }
@@ -333,7 +384,11 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
     if header.has_unit_row
         && let Some(row) = rows.iter().find(|row| row.number == header.last_row)
     {
-        body.left_out.push(LeftOut { row: row.number, kind: RowKind::Units, text: text_of(row) });
+        body.left_out.push(LeftOut {
+            row: row.number,
+            kind: RowKind::Units,
+            text: text_of(row),
+        });
     }
     // Whether there are objects below is known from the end.
     let first = rows.partition_point(|row| row.number <= header.last_row);
@@ -347,7 +402,10 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
             found => kinds.push((place, found)),
         }
     }
-    let last_object = kinds.iter().rfind(|(_, sort)| *sort == Sort::Object).map_or(0, |(place, _)| *place);
+    let last_object = kinds
+        .iter()
+        .rfind(|(_, sort)| *sort == Sort::Object)
+        .map_or(0, |(place, _)| *place);
     let mut section = None;
     for (place, sort) in kinds {
         let Some(row) = rows.get(place) else { continue };
@@ -357,7 +415,8 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
                 continue;
             }
             Sort::Lone if place < last_object && !is_note(&text_of(row)) => {
-                body.sections.push(text_of(row).trim_end_matches(':').trim().to_owned());
+                body.sections
+                    .push(text_of(row).trim_end_matches(':').trim().to_owned());
                 section = Some(body.sections.len() - 1);
                 RowKind::Section
             }
@@ -367,7 +426,11 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
         match kind {
             RowKind::Units => {
                 let units = unit_row(row, &header.meanings).unwrap_or_default();
-                body.units.extend(units.into_iter().map(|(column, unit)| (row.number, column, unit)));
+                body.units.extend(
+                    units
+                        .into_iter()
+                        .map(|(column, unit)| (row.number, column, unit)),
+                );
             }
             // The headings again may state other units.
             RowKind::Header => {
@@ -379,7 +442,11 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
             }
             _ => {}
         }
-        body.left_out.push(LeftOut { row: row.number, kind, text: text_of(row) });
+        body.left_out.push(LeftOut {
+            row: row.number,
+            kind,
+            text: text_of(row),
+        });
     }
     body.left_out.sort_by_key(|left| left.row);
     (body, other)
@@ -389,7 +456,10 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
 /// may follow: "Level 2 (dimensions in mm)".
 fn is_note(text: &str) -> bool {
     let first = text.split(['(', ',', ';', ':']).next().unwrap_or_default();
-    begins_note(text) || [Dimension::Length, Dimension::Mass].into_iter().any(|of| sentence_unit(first, of).is_some())
+    begins_note(text)
+        || [Dimension::Length, Dimension::Mass]
+            .into_iter()
+            .any(|of| sentence_unit(first, of).is_some())
 }
 
 /// What a row is, before it is known whether objects follow.
@@ -415,8 +485,7 @@ fn sort(row: &Row, header: &Header) -> Sort {
         };
     }
     // Most rows of a list have a number, and neither headings nor units do.
-    let is_word =
-        |cell: &Cell| matches!(cell, Cell::Text(text) if !text.trim_start().starts_with(|c: char| c.is_ascii_digit()));
+    let is_word = |cell: &Cell| matches!(cell, Cell::Text(text) if !text.trim_start().starts_with(|c: char| c.is_ascii_digit()));
     if row.cells.iter().all(|(_, cell)| is_word(cell)) {
         if let Some(kind) = header_again(row, header) {
             return kind;
@@ -426,15 +495,25 @@ fn sort(row: &Row, header: &Header) -> Sort {
         }
     }
     if first.is_some_and(|(_, cell)| matches!(cell, Cell::Text(text) if begins_total(text))) {
-        let mut sizes = header.meanings.iter().filter(|(_, meaning)| SIZES.contains(&meaning.column));
+        let mut sizes = header
+            .meanings
+            .iter()
+            .filter(|(_, meaning)| SIZES.contains(&meaning.column));
         let is_filled = |cell: &Cell| !cell.is_blank() && !is_missing(&cell.shown());
         if !sizes.any(|(index, _)| row.get(*index).is_some_and(is_filled)) {
             return Sort::Left(RowKind::Total);
         }
     }
-    let known =
-        row.cells.iter().filter(|(index, cell)| header.meanings.contains_key(index) && !cell.is_blank()).count();
-    if known >= 2 { Sort::Object } else { Sort::Left(RowKind::Note) }
+    let known = row
+        .cells
+        .iter()
+        .filter(|(index, cell)| header.meanings.contains_key(index) && !cell.is_blank())
+        .count();
+    if known >= 2 {
+        Sort::Object
+    } else {
+        Sort::Left(RowKind::Note)
+    }
 }
 
 /// Whether a row has the headings again, or those of another table.
@@ -461,13 +540,26 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
             .get(index)
             .zip(row.get(*index))
             .is_some_and(|(heading, cell)| canonical(heading) == canonical(&cell.shown()));
-        !is_same_text && header.meanings.get(index).is_none_or(|known| known.column != found.column)
+        !is_same_text
+            && header
+                .meanings
+                .get(index)
+                .is_none_or(|known| known.column != found.column)
     };
     let is_another = score(&here) > 0 && here.iter().any(is_moved);
     if same >= 2 && same > other {
-        return Some(if is_another { Sort::Other } else { Sort::Left(RowKind::Header) });
+        return Some(if is_another {
+            Sort::Other
+        } else {
+            Sort::Left(RowKind::Header)
+        });
     }
-    let knows_all = here.values().all(|found| header.meanings.values().any(|known| known.column == found.column));
+    let knows_all = here.values().all(|found| {
+        header
+            .meanings
+            .values()
+            .any(|known| known.column == found.column)
+    });
     let enough = if knows_all { MIN_HEADINGS } else { 4 };
     let is_other = score(&here) >= enough && here.len() > other / 2;
     is_other.then_some(Sort::Other)
@@ -475,11 +567,23 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
 
 /// A warning about formulas without a value in rows that are no objects: they cost nothing.
 pub(super) fn unevaluated(rows: &[Row], is_left_out: &dyn Fn(&Row) -> bool) -> Option<String> {
-    let is_empty = |row: &&Row| row.cells.iter().any(|(_, cell)| matches!(cell, Cell::Unevaluated));
-    let found: Vec<u32> = rows.iter().filter(is_empty).filter(|row| is_left_out(row)).map(|row| row.number).collect();
+    let is_empty = |row: &&Row| {
+        row.cells
+            .iter()
+            .any(|(_, cell)| matches!(cell, Cell::Unevaluated))
+    };
+    let found: Vec<u32> = rows
+        .iter()
+        .filter(is_empty)
+        .filter(|row| is_left_out(row))
+        .map(|row| row.number)
+        .collect();
     let named: Vec<String> = found.iter().take(5).map(u32::to_string).collect();
-    let more =
-        if found.len() > named.len() { format!(" and {} more", found.len() - named.len()) } else { String::new() };
+    let more = if found.len() > named.len() {
+        format!(" and {} more", found.len() - named.len())
+    } else {
+        String::new()
+    };
     let noun = if found.len() == 1 { "row" } else { "rows" };
     let said = "formulas without a value in rows that are no objects are left empty";
     (!found.is_empty()).then(|| format!("{noun} {}{more}: {said}", named.join(", ")))
@@ -487,8 +591,12 @@ pub(super) fn unevaluated(rows: &[Row], is_left_out: &dyn Fn(&Row) -> bool) -> O
 
 /// The texts of a row.
 fn text_of(row: &Row) -> String {
-    let texts: Vec<String> =
-        row.cells.iter().filter(|(_, cell)| !cell.is_blank()).map(|(_, cell)| cell.shown().trim().to_owned()).collect();
+    let texts: Vec<String> = row
+        .cells
+        .iter()
+        .filter(|(_, cell)| !cell.is_blank())
+        .map(|(_, cell)| cell.shown().trim().to_owned())
+        .collect();
     texts.join(" | ")
 }
 
@@ -498,24 +606,51 @@ mod tests {
 
     fn rows(lines: &[&str]) -> Vec<Row> {
         let row = |(number, line): (usize, &&str)| {
-            let cells = line.split(',').enumerate().filter(|(_, text)| !text.is_empty());
-            let cells = cells.map(|(column, text)| (column as u32, Cell::Text(text.to_owned()))).collect();
-            Row { number: number as u32 + 1, line: None, cells, width: None }
+            let cells = line
+                .split(',')
+                .enumerate()
+                .filter(|(_, text)| !text.is_empty());
+            let cells = cells
+                .map(|(column, text)| (column as u32, Cell::Text(text.to_owned())))
+                .collect();
+            Row {
+                number: number as u32 + 1,
+                line: None,
+                cells,
+                width: None,
+            }
         };
-        lines.iter().enumerate().map(row).filter(|row| !row.is_blank()).collect()
+        lines
+            .iter()
+            .enumerate()
+            .map(row)
+            .filter(|row| !row.is_blank())
+            .collect()
     }
 
     #[test]
     fn headings_are_found_below_titles() {
         let found = find_header(
-            &rows(&["Inventory of the item store", "", "Priority: 1 high", "id,item,height [mm],maker", "a,b,1"]),
+            &rows(&[
+                "Inventory of the item store",
+                "",
+                "Priority: 1 high",
+                "id,item,height [mm],maker",
+                "a,b,1",
+            ]),
             None,
         );
         let found = found.unwrap();
-        assert_eq!((found.row, found.last_row, found.known, found.above), (4, 4, 3, 2));
+        assert_eq!(
+            (found.row, found.last_row, found.known, found.above),
+            (4, 4, 3, 2)
+        );
         assert_eq!(found.headings[&3], "maker");
         assert!(find_header(&rows(&["a,b,c", "1,2,3"]), None).is_none());
-        assert!(find_header(&rows(&["id,item"]), None).is_none() && find_header(&rows(&["id,height"]), None).is_some());
+        assert!(
+            find_header(&rows(&["id,item"]), None).is_none()
+                && find_header(&rows(&["id,height"]), None).is_some()
+        );
     }
 
     #[test]
@@ -527,26 +662,52 @@ mod tests {
                 ",,building,floor,room,,LS,PL,FL",
                 "1,rack,A,2,3,1,H,M,L",
             ],
-            ["Priority,Nonstructural Item,,,,Quantity,,,", ",,building,floor,room,,LS,PL,FL", "1,rack,A,2,3,1,H,M,L"],
+            [
+                "Priority,Nonstructural Item,,,,Quantity,,,",
+                ",,building,floor,room,,LS,PL,FL",
+                "1,rack,A,2,3,1,H,M,L",
+            ],
         ] {
             let found = find_header(&rows(&lines), None).unwrap();
             assert_eq!((found.last_row, found.known), (2, 9), "{found:?}");
-            assert_eq!((found.headings[&2].as_str(), found.headings[&1].as_str()), ("building", "Nonstructural Item"));
+            assert_eq!(
+                (found.headings[&2].as_str(), found.headings[&1].as_str()),
+                ("building", "Nonstructural Item")
+            );
         }
     }
 
     #[test]
     fn units_may_have_a_row_of_their_own_or_stand_above() {
-        let found =
-            find_header(&rows(&["item,height,mass,level_ratio,x", "Units,mm,[kg],-,EUR", "rack,1800,140,1,2"]), None)
-                .unwrap();
+        let found = find_header(
+            &rows(&[
+                "item,height,mass,level_ratio,x",
+                "Units,mm,[kg],-,EUR",
+                "rack,1800,140,1,2",
+            ]),
+            None,
+        )
+        .unwrap();
         assert_eq!((found.last_row, found.has_unit_row), (2, true));
-        assert_eq!([1, 2].map(|column| found.unit(column).map(CellUnit::symbol)), [Some("mm"), Some("kg")]);
+        assert_eq!(
+            [1, 2].map(|column| found.unit(column).map(CellUnit::symbol)),
+            [Some("mm"), Some("kg")]
+        );
         let found = find_header(&rows(&["item,height,mass", "kg,mm,mm"]), None).unwrap();
         assert!(found.units.is_empty());
-        let found =
-            find_header(&rows(&[",,Size (cm),,", "id,item,H,W,D,Weight (kg)", "1,rack,1,2,3,4"]), None).unwrap();
-        assert_eq!([2, 3, 4].map(|column| found.unit(column).map(CellUnit::symbol)), [Some("cm"); 3]);
+        let found = find_header(
+            &rows(&[
+                ",,Size (cm),,",
+                "id,item,H,W,D,Weight (kg)",
+                "1,rack,1,2,3,4",
+            ]),
+            None,
+        )
+        .unwrap();
+        assert_eq!(
+            [2, 3, 4].map(|column| found.unit(column).map(CellUnit::symbol)),
+            [Some("cm"); 3]
+        );
     }
 
     #[test]
@@ -566,8 +727,22 @@ mod tests {
         let header = find_header(&all, None).unwrap();
         let (body, other) = body(&all, &header);
         assert_eq!(other, None);
-        let kinds: Vec<(u32, &str)> = body.left_out.iter().map(|left| (left.row, left.kind.name())).collect();
-        assert_eq!(kinds, [(2, "section"), (4, "header"), (5, "total"), (6, "section"), (8, "units"), (10, "note")]);
+        let kinds: Vec<(u32, &str)> = body
+            .left_out
+            .iter()
+            .map(|left| (left.row, left.kind.name()))
+            .collect();
+        assert_eq!(
+            kinds,
+            [
+                (2, "section"),
+                (4, "header"),
+                (5, "total"),
+                (6, "section"),
+                (8, "units"),
+                (10, "note")
+            ]
+        );
         assert_eq!(body.sections, ["Ward 3", "Ward 4"]);
         assert_eq!(body.objects, [(2, Some(0)), (6, Some(1)), (8, Some(1))]);
         assert_eq!(body.units.len(), 2);

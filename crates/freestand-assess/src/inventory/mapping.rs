@@ -55,9 +55,17 @@ impl Mapping {
     pub fn load(path: &Path) -> Result<Self, Problems> {
         let hint = "name a mapping file; `write_columns` writes one to edit";
         let bytes = load_up_to(path, 4 << 20, "is too large for a mapping file", hint)?;
-        let text = String::from_utf8(bytes)
-            .map_err(|_| Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path).hint(hint))?;
-        Self::parse(&text).map_err(|error| error.into_iter().map(|problem| problem.in_file(path)).collect())
+        let text = String::from_utf8(bytes).map_err(|_| {
+            Problem::new(ProblemKind::Format, "is not text (UTF-8)")
+                .in_file(path)
+                .hint(hint)
+        })?;
+        Self::parse(&text).map_err(|error| {
+            error
+                .into_iter()
+                .map(|problem| problem.in_file(path))
+                .collect()
+        })
     }
 
     /// Reads the text of a mapping file.
@@ -77,23 +85,33 @@ impl Mapping {
         let line = |at: usize| 1 + text.get(..at).unwrap_or(text).matches('\n').count();
         let document = Document::parse(text).map_err(|error| {
             let message = format!("not TOML: {}", error.message().replace('`', "\""));
-            let problem =
-                Problem::new(ProblemKind::Format, message).hint("write \"Heading\" = \"height\" under [columns]");
-            error.span().map_or(problem.clone(), |span| problem.at_line(line(span.start)))
+            let problem = Problem::new(ProblemKind::Format, message)
+                .hint("write \"Heading\" = \"height\" under [columns]");
+            error
+                .span()
+                .map_or(problem.clone(), |span| problem.at_line(line(span.start)))
         })?;
-        let mut found = Self { sha256: freestand_input::file::sha256_hex(text.as_bytes()), ..Self::default() };
+        let mut found = Self {
+            sha256: freestand_input::file::sha256_hex(text.as_bytes()),
+            ..Self::default()
+        };
         let mut problems = Problems::default();
         for (name, item) in document.as_table() {
             let span = item.span().map_or(0, |span| span.start);
             let Some(table) = item.as_table_like().filter(|_| TABLES.contains(&name)) else {
                 let message = format!("unknown table [{}]", shorten(name));
                 problems.push(
-                    Problem::value(message, "known: [columns], [floors], [units], [numbers]").at_line(line(span)),
+                    Problem::value(message, "known: [columns], [floors], [units], [numbers]")
+                        .at_line(line(span)),
                 );
                 continue;
             };
             for (key, item) in table.iter() {
-                let at = table.key(key).and_then(|key| key.span()).or(item.span()).map_or(span, |span| span.start);
+                let at = table
+                    .key(key)
+                    .and_then(|key| key.span())
+                    .or(item.span())
+                    .map_or(span, |span| span.start);
                 if let Err(problem) = found.entry(name, key, item) {
                     problems.push(problem.at_line(line(at)));
                 }
@@ -103,25 +121,40 @@ impl Mapping {
     }
 
     fn entry(&mut self, table: &str, key: &str, item: &Item) -> Result<(), Problem> {
-        let wrong =
-            |hint: &str| Problem::value(format!("\"{}\" has a value that is not understood", shorten(key)), hint);
+        let wrong = |hint: &str| {
+            Problem::value(
+                format!("\"{}\" has a value that is not understood", shorten(key)),
+                hint,
+            )
+        };
         match table {
             "columns" => {
                 let hint = "write \"height\", { name = \"height\", unit = \"in\" } or \"ignore\"";
                 let (name, unit) = match item.as_value() {
                     Some(Value::String(name)) => (name.value().clone(), None),
                     Some(Value::InlineTable(table)) => {
-                        let text = |key: &str| table.get(key).and_then(Value::as_str).map(str::to_owned);
+                        let text =
+                            |key: &str| table.get(key).and_then(Value::as_str).map(str::to_owned);
                         (text("name").ok_or_else(|| wrong(hint))?, text("unit"))
                     }
                     _ => return Err(wrong(hint)),
                 };
                 if let Some(name) = cost_name(&name) {
                     self.costs.push((canonical(key), name, unit));
-                    self.columns.push((canonical(key), Mapped { column: None, unit: None }));
+                    self.columns.push((
+                        canonical(key),
+                        Mapped {
+                            column: None,
+                            unit: None,
+                        },
+                    ));
                     return Ok(());
                 }
-                let column = if name == "ignore" { None } else { Some(column(&name)?) };
+                let column = if name == "ignore" {
+                    None
+                } else {
+                    Some(column(&name)?)
+                };
                 let unit = match (column, unit) {
                     (Some(column), Some(unit)) => Some(unit_of(&unit, column)?),
                     _ => None,
@@ -131,11 +164,14 @@ impl Mapping {
             "floors" if key == "first_floor" => {
                 let name = item.as_str().unwrap_or_default();
                 let found = FirstFloor::ALL.iter().find(|(other, _)| *other == name);
-                self.first_floor = Some(found.ok_or_else(|| wrong("write \"ground\" or \"above\""))?.1);
+                self.first_floor = Some(
+                    found
+                        .ok_or_else(|| wrong("write \"ground\" or \"above\""))?
+                        .1,
+                );
             }
             "floors" => {
-                let hint =
-                    "write a share of the height such as 0.75, an elevation such as \"12 m\", or another floor's name";
+                let hint = "write a share of the height such as 0.75, an elevation such as \"12 m\", or another floor's name";
                 let floor = match item.as_value() {
                     Some(Value::Float(ratio)) => MappedFloor::Ratio(*ratio.value()),
                     Some(Value::Integer(ratio)) if (0..=1).contains(ratio.value()) => {
@@ -154,13 +190,17 @@ impl Mapping {
             }
             "units" => {
                 let column = column(key)?;
-                let text = item.as_str().ok_or_else(|| wrong("write a unit, such as \"lb\""))?;
+                let text = item
+                    .as_str()
+                    .ok_or_else(|| wrong("write a unit, such as \"lb\""))?;
                 self.units.push((column, unit_of(text, column)?));
             }
             _ => match (key, item.as_str()) {
                 ("decimal", Some("comma")) => self.decimal = Some(Decimal::Comma),
                 ("decimal", Some("point")) => self.decimal = Some(Decimal::Point),
-                ("decimal", _) => return Err(wrong("write decimal = \"comma\" or decimal = \"point\"")),
+                ("decimal", _) => {
+                    return Err(wrong("write decimal = \"comma\" or decimal = \"point\""));
+                }
                 _ => return Err(wrong("known under [numbers]: decimal")),
             },
         }
@@ -170,29 +210,44 @@ impl Mapping {
     /// What the file says about a heading.
     pub(super) fn column(&self, heading: &str) -> Option<Mapped> {
         let words = canonical(heading);
-        self.columns.iter().find(|(other, _)| *other == words).map(|(_, mapped)| *mapped)
+        self.columns
+            .iter()
+            .find(|(other, _)| *other == words)
+            .map(|(_, mapped)| *mapped)
     }
 
     /// Whether a heading is named as one that is not read.
     pub(super) fn ignores(&self, heading: &str) -> bool {
-        self.column(heading).is_some_and(|mapped| mapped.column.is_none()) && self.cost(heading).is_none()
+        self.column(heading)
+            .is_some_and(|mapped| mapped.column.is_none())
+            && self.cost(heading).is_none()
     }
 
     /// The column of costs that the file makes of a heading, and its currency.
     pub(super) fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
         let words = canonical(heading);
-        self.costs.iter().find(|(other, ..)| *other == words).map(|(_, name, unit)| (*name, unit.clone()))
+        self.costs
+            .iter()
+            .find(|(other, ..)| *other == words)
+            .map(|(_, name, unit)| (*name, unit.clone()))
     }
 
     /// The unit of a column by its name.
     pub(super) fn unit(&self, column: Column) -> Option<CellUnit> {
-        self.units.iter().find(|(other, _)| *other == column).map(|(_, unit)| *unit)
+        self.units
+            .iter()
+            .find(|(other, _)| *other == column)
+            .map(|(_, unit)| *unit)
     }
 
     /// Headings that the file names and the list does not have.
     pub(super) fn unused(&self, headings: impl Iterator<Item = String> + Clone) -> Vec<String> {
         let has = |words: &str| headings.clone().any(|heading| canonical(&heading) == words);
-        self.columns.iter().filter(|(words, _)| !has(words)).map(|(words, _)| words.clone()).collect()
+        self.columns
+            .iter()
+            .filter(|(words, _)| !has(words))
+            .map(|(words, _)| words.clone())
+            .collect()
     }
 
     /// The floors of a building with those of the file.
@@ -208,8 +263,10 @@ impl Mapping {
                 MappedFloor::Ratio(ratio) => *ratio,
                 MappedFloor::Elevation(elevation) => {
                     let Some(height) = all.height_m.filter(|height| *height > 0.0) else {
-                        let message =
-                            format!("the elevation of \"{}\" needs the height of the building", shorten(name));
+                        let message = format!(
+                            "the elevation of \"{}\" needs the height of the building",
+                            shorten(name)
+                        );
                         return Err(Problem::value(
                             message,
                             "give a study with the building, or a share of the height such as 0.75",
@@ -220,8 +277,12 @@ impl Mapping {
                 MappedFloor::As(other) => match finder.find(other) {
                     super::floors::Found::Ratio(ratio, _) => ratio,
                     _ => {
-                        let message = format!("\"{}\" is not a floor that is known", shorten(other));
-                        return Err(Problem::value(message, "give `storeys`, or a share of the height such as 0.75"));
+                        let message =
+                            format!("\"{}\" is not a floor that is known", shorten(other));
+                        return Err(Problem::value(
+                            message,
+                            "give `storeys`, or a share of the height such as 0.75",
+                        ));
                     }
                 },
             };
@@ -239,9 +300,14 @@ fn column(name: &str) -> Result<Column, Problem> {
         return Ok(found.column);
     }
     let names: Vec<&str> = COLUMNS.iter().map(|spec| spec.name).collect();
-    let hint = nearest(name, &names)
-        .map_or_else(|| format!("known: {}", names.join(", ")), |near| format!("did you mean {near}?"));
-    Err(Problem::value(format!("\"{}\" is not the name of a column", shorten(name)), hint))
+    let hint = nearest(name, &names).map_or_else(
+        || format!("known: {}", names.join(", ")),
+        |near| format!("did you mean {near}?"),
+    );
+    Err(Problem::value(
+        format!("\"{}\" is not the name of a column", shorten(name)),
+        hint,
+    ))
 }
 
 fn unit_of(text: &str, column: Column) -> Result<CellUnit, Problem> {
@@ -249,11 +315,16 @@ fn unit_of(text: &str, column: Column) -> Result<CellUnit, Problem> {
         let message = format!("\"{}\" is not a unit of {}", shorten(text), column.name());
         Problem::value(message, "write a unit such as mm, in, kg or lb")
     };
-    dimension(column).and_then(|dimension| find(text, dimension).ok()).ok_or_else(refused)
+    dimension(column)
+        .and_then(|dimension| find(text, dimension).ok())
+        .ok_or_else(refused)
 }
 
 /// A mapping file to edit: every heading of a list with what it was taken for, by the mapping in use if there is one.
-pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], used: Option<&Mapping>) -> String {
+pub(super) fn written(
+    columns: &[(String, Option<Column>, Option<CellUnit>)],
+    used: Option<&Mapping>,
+) -> String {
     let mut text = String::from(
         "# What the columns of the list are. Edit it and give it back with --columns.\n\
          # \"Heading\" = \"name\", { name = \"height\", unit = \"mm\" }, or \"ignore\"\n[columns]\n",
@@ -263,21 +334,26 @@ pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], us
         let named = match column {
             Some(column) => Some((column.name(), unit.map(|unit| unit.symbol().to_owned()))),
             None if used.is_some_and(|used| used.ignores(heading)) => None,
-            None => used.and_then(|used| used.cost(heading)).or_else(|| mapped_cost(heading)),
+            None => used
+                .and_then(|used| used.cost(heading))
+                .or_else(|| mapped_cost(heading)),
         };
         let value = match named {
             None => "\"ignore\"".to_owned(),
             Some((name, None)) => format!("\"{name}\""),
-            Some((name, Some(unit))) => format!("{{ name = \"{name}\", unit = {} }}", Value::from(unit)),
+            Some((name, Some(unit))) => {
+                format!("{{ name = \"{name}\", unit = {} }}", Value::from(unit))
+            }
         };
         text += &format!("{} = {value}\n", key.trim());
     }
     text += "\n# Floors by their names: a share of the height, an elevation, or another floor.\n[floors]\n\
              # \"Annex upper\" = 0.75\n# first_floor = \"ground\"\n\n\
              # Units of columns without one.\n[units]\n# mass = \"lb\"\n\n[numbers]\n";
-    let sign = used
-        .and_then(|used| used.decimal)
-        .map_or_else(|| "# decimal = \"comma\"".to_owned(), |sign| format!("decimal = \"{}\"", sign.name()));
+    let sign = used.and_then(|used| used.decimal).map_or_else(
+        || "# decimal = \"comma\"".to_owned(),
+        |sign| format!("decimal = \"{}\"", sign.name()),
+    );
     text += &format!("{sign}\n");
     text
 }
@@ -294,23 +370,56 @@ mod tests {
         )
         .unwrap();
         let height = mapping.column("HGT over-all").unwrap();
-        assert_eq!((height.column, height.unit.map(CellUnit::symbol)), (Some(Column::Height), Some("in")));
-        assert_eq!(mapping.column("Cost"), Some(Mapped { column: None, unit: None }));
+        assert_eq!(
+            (height.column, height.unit.map(CellUnit::symbol)),
+            (Some(Column::Height), Some("in"))
+        );
+        assert_eq!(
+            mapping.column("Cost"),
+            Some(Mapped {
+                column: None,
+                unit: None
+            })
+        );
         assert_eq!(mapping.unit(Column::Mass).map(CellUnit::symbol), Some("lb"));
         assert_eq!(mapping.decimal, Some(Decimal::Comma));
-        let floors = mapping.floors(&Floors { height_m: Some(12.0), storeys: Some(4), ..Floors::default() }).unwrap();
-        let named: Vec<(&str, f64)> = floors.named.iter().map(|(name, ratio)| (name.as_str(), *ratio)).collect();
-        assert_eq!(named, [("Annex upper", 0.75), ("Loft", 0.75), ("Street", 0.0)]);
+        let floors = mapping
+            .floors(&Floors {
+                height_m: Some(12.0),
+                storeys: Some(4),
+                ..Floors::default()
+            })
+            .unwrap();
+        let named: Vec<(&str, f64)> = floors
+            .named
+            .iter()
+            .map(|(name, ratio)| (name.as_str(), *ratio))
+            .collect();
+        assert_eq!(
+            named,
+            [("Annex upper", 0.75), ("Loft", 0.75), ("Street", 0.0)]
+        );
         assert!(mapping.floors(&Floors::default()).is_err());
     }
 
     #[test]
     fn all_that_is_wrong_has_its_line() {
-        let error = Mapping::parse("[columns]\nA = \"hight\"\nB = 3\n[floors]\nC = 7\n[flors]\nx = 1\n").unwrap_err();
+        let error =
+            Mapping::parse("[columns]\nA = \"hight\"\nB = 3\n[floors]\nC = 7\n[flors]\nx = 1\n")
+                .unwrap_err();
         let lines: Vec<Option<usize>> = error.problems.iter().map(|problem| problem.line).collect();
         assert_eq!(lines, [Some(2), Some(3), Some(5), Some(6)], "{error}");
-        assert!(error.problems[0].hint.as_deref().is_some_and(|hint| hint.contains("height")));
-        assert!(Mapping::parse("[columns\n").unwrap_err().problems[0].line.is_some());
+        assert!(
+            error.problems[0]
+                .hint
+                .as_deref()
+                .is_some_and(|hint| hint.contains("height"))
+        );
+        assert!(
+            Mapping::parse("[columns\n").unwrap_err().problems[0]
+                .line
+                .is_some()
+        );
     }
 
     #[test]
@@ -325,14 +434,29 @@ mod tests {
             None,
         );
         let mapping = Mapping::parse(&text).unwrap();
-        assert_eq!(mapping.cost("Replacement value NZD"), Some(("replacement_cost", Some("NZD".to_owned()))), "{text}");
-        assert!(mapping.ignores("x") && !mapping.ignores("Replacement value NZD") && !mapping.ignores("y"));
+        assert_eq!(
+            mapping.cost("Replacement value NZD"),
+            Some(("replacement_cost", Some("NZD".to_owned()))),
+            "{text}"
+        );
+        assert!(
+            mapping.ignores("x")
+                && !mapping.ignores("Replacement value NZD")
+                && !mapping.ignores("y")
+        );
         // What a mapping ignores stays ignored, and what it renamed keeps its name.
         let used = Mapping::parse("[columns]\nWert = { name = \"replacement_cost\", unit = \"EUR\" }\n\"Replacement value NZD\" = \"ignore\"\n[numbers]\ndecimal = \"comma\"\n").unwrap();
-        let again = ["Wert", "Replacement value NZD"].map(|heading| (heading.to_owned(), None, None));
+        let again =
+            ["Wert", "Replacement value NZD"].map(|heading| (heading.to_owned(), None, None));
         let again = Mapping::parse(&written(&again, Some(&used))).unwrap();
-        assert_eq!(again.cost("Wert"), Some(("replacement_cost", Some("EUR".to_owned()))));
+        assert_eq!(
+            again.cost("Wert"),
+            Some(("replacement_cost", Some("EUR".to_owned())))
+        );
         assert!(again.ignores("Replacement value NZD") && again.decimal == Some(Decimal::Comma));
-        assert_eq!(mapping.column("Höhe \"h\"").map(|mapped| mapped.column), Some(Some(Column::Height)));
+        assert_eq!(
+            mapping.column("Höhe \"h\"").map(|mapped| mapped.column),
+            Some(Some(Column::Height))
+        );
     }
 }

@@ -6,7 +6,9 @@ use std::path::Path;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Note, Workbook, Worksheet, XlsxError};
+use rust_xlsxwriter::{
+    DocProperties, ExcelDateTime, Format, FormatAlign, Note, Workbook, Worksheet, XlsxError,
+};
 
 use super::cell::{Cell, MAX_CELL_CHARS};
 use super::problems::{Finding, Severity};
@@ -24,14 +26,22 @@ const MAX_COPIED: usize = 4_000_000;
 ///
 /// # Errors
 /// A list that cannot be read, or is too large to copy.
-pub fn marked_copy(path: &Path, options: &ReadOptions<'_>, findings: &[Finding]) -> Result<Vec<u8>, Problems> {
+pub fn marked_copy(
+    path: &Path,
+    options: &ReadOptions<'_>,
+    findings: &[Finding],
+) -> Result<Vec<u8>, Problems> {
     let in_file = |problem: Problem| problem.in_file(path);
     let mut sheet = Sheet::open(load(path)?, options.sheet, options.mapping).map_err(in_file)?;
     sheet.edit(options.edits).map_err(in_file)?;
     let cells: usize = sheet.rows.iter().map(|row| row.cells.len()).sum();
     if cells > MAX_COPIED {
         let message = format!("{cells} cells are too many for a marked copy");
-        return Err(in_file(Problem::value(message, "leave `out` away, and see the problems with `json`")).into());
+        return Err(in_file(Problem::value(
+            message,
+            "leave `out` away, and see the problems with `json`",
+        ))
+        .into());
     }
     Ok(copy(&sheet, findings).map_err(|error| in_file(failed(&error)))?)
 }
@@ -66,10 +76,18 @@ fn copy(sheet: &Sheet, findings: &[Finding]) -> Result<Vec<u8>, XlsxError> {
     let mut workbook = Workbook::new();
     // With the current date, the bytes would differ from run to run.
     let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
-    workbook.set_properties(&DocProperties::new().set_title("Checked inventory").set_creation_datetime(&created));
+    workbook.set_properties(
+        &DocProperties::new()
+            .set_title("Checked inventory")
+            .set_creation_datetime(&created),
+    );
     let name = sheet.name.clone().unwrap_or_else(|| "List".to_owned());
     fill(workbook.add_worksheet().set_name(&name)?, sheet, &marks)?;
-    let second = if name.eq_ignore_ascii_case("problems") { "Problems found" } else { "Problems" };
+    let second = if name.eq_ignore_ascii_case("problems") {
+        "Problems found"
+    } else {
+        "Problems"
+    };
     problems(workbook.add_worksheet().set_name(second)?, findings)?;
     workbook.save_to_buffer()
 }
@@ -84,7 +102,10 @@ fn word(finding: &Finding) -> String {
 }
 
 fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxError> {
-    let bold = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top);
+    let bold = Format::new()
+        .set_bold()
+        .set_text_wrap()
+        .set_align(FormatAlign::Top);
     let red = Format::new().set_background_color("#F8B4B4");
     let yellow = Format::new().set_background_color("#FFF2A8");
     let plain = Format::new();
@@ -92,8 +113,14 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
     let [struck, struck_red, struck_yellow] =
         [&plain, &red, &yellow].map(|format| format.clone().set_font_strikethrough());
     for merged in &sheet.merges.all {
-        let (first, last) = (merged.rows.0.saturating_sub(1), merged.rows.1.saturating_sub(1));
-        let (left, right) = (u16::try_from(merged.columns.0), u16::try_from(merged.columns.1));
+        let (first, last) = (
+            merged.rows.0.saturating_sub(1),
+            merged.rows.1.saturating_sub(1),
+        );
+        let (left, right) = (
+            u16::try_from(merged.columns.0),
+            u16::try_from(merged.columns.1),
+        );
         if let (Ok(left), Ok(right)) = (left, right) {
             // Overlaps are refused; the copy then has the cells without that merge.
             let _ = to.merge_range(first, left, last, right, "", &plain);
@@ -102,8 +129,12 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
     for row in &sheet.rows {
         let at = row.number.saturating_sub(1);
         for (column, cell) in &row.cells {
-            let Ok(index) = u16::try_from(*column) else { continue };
-            let mark = marks.get(&(row.number, *column)).map(|(severity, _)| *severity);
+            let Ok(index) = u16::try_from(*column) else {
+                continue;
+            };
+            let mark = marks
+                .get(&(row.number, *column))
+                .map(|(severity, _)| *severity);
             let is_hidden = sheet.hidden.rows.binary_search(&row.number).is_ok();
             let format = match mark {
                 Some(Severity::Error) if is_hidden => &struck_red,
@@ -127,10 +158,17 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
     }
     // In the order of the sheet: the same list gives the same bytes.
     for ((row, column), (severity, text)) in marks {
-        let Ok(index) = u16::try_from(*column) else { continue };
-        let color = if *severity == Severity::Error { "#F8B4B4" } else { "#FFF2A8" };
-        let note =
-            Note::new(text.chars().take(2000).collect::<String>()).set_author("freestand").set_background_color(color);
+        let Ok(index) = u16::try_from(*column) else {
+            continue;
+        };
+        let color = if *severity == Severity::Error {
+            "#F8B4B4"
+        } else {
+            "#FFF2A8"
+        };
+        let note = Note::new(text.chars().take(2000).collect::<String>())
+            .set_author("freestand")
+            .set_background_color(color);
         to.insert_note(row.saturating_sub(1), index, &note)?;
     }
     to.set_freeze_panes(sheet.header.last_row, 0)?;
@@ -156,10 +194,25 @@ fn problems(to: &mut Worksheet, findings: &[Finding]) -> Result<(), XlsxError> {
     }
     for (row, finding) in (1u32..).zip(findings) {
         let cells = finding.cells();
-        let places: Vec<String> =
-            if cells.is_empty() { finding.rows.iter().map(|row| format!("row {row}")).collect() } else { cells };
+        let places: Vec<String> = if cells.is_empty() {
+            finding
+                .rows
+                .iter()
+                .map(|row| format!("row {row}"))
+                .collect()
+        } else {
+            cells
+        };
         let more = if places.len() > 20 { " …" } else { "" };
-        let places = format!("{}{more}", places.iter().take(20).cloned().collect::<Vec<_>>().join(", "));
+        let places = format!(
+            "{}{more}",
+            places
+                .iter()
+                .take(20)
+                .cloned()
+                .collect::<Vec<_>>()
+                .join(", ")
+        );
         let texts = [
             finding.severity.name().to_owned(),
             finding.kind.name().to_owned(),

@@ -66,12 +66,12 @@ pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{
-    CellsRead, ColumnRead, ReadOptions, Reading, inspect_headings, inspect_inventory, mapping_of_headings,
-    parse_inventory, read_inventory,
+    CellsRead, ColumnRead, ReadOptions, Reading, inspect_headings, inspect_inventory,
+    mapping_of_headings, parse_inventory, read_inventory,
 };
 pub use report::{
-    CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN,
-    SenseReport, check_report, problem_reports, senses,
+    CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport,
+    RowReport, SHOWN, SenseReport, check_report, problem_reports, senses,
 };
 pub use template::{template_csv, template_xlsx};
 pub(crate) use vocabulary::rating;
@@ -280,6 +280,8 @@ pub struct Inventory {
 impl Inventory {
     /// Whether a cell has no value that should have one.
     pub fn has_errors(&self) -> bool {
-        self.findings.iter().any(|finding| finding.severity == Severity::Error)
+        self.findings
+            .iter()
+            .any(|finding| finding.severity == Severity::Error)
     }
 }

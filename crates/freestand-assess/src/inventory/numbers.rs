@@ -27,7 +27,11 @@ impl Decimal {
     }
 
     fn of(sign: char) -> Self {
-        if sign == ',' { Self::Comma } else { Self::Point }
+        if sign == ',' {
+            Self::Comma
+        } else {
+            Self::Point
+        }
     }
 
     fn other(self) -> Self {
@@ -44,7 +48,11 @@ pub(super) enum Number {
     /// One reading, with a decimal point; and what it tells about the decimal sign.
     Sure(String, Option<Decimal>),
     /// `1.200` or `1,200`: the reading with this sign as the decimal one, and the other one.
-    Either { sign: Decimal, as_decimal: String, as_thousands: String },
+    Either {
+        sign: Decimal,
+        as_decimal: String,
+        as_thousands: String,
+    },
     /// `1.2.3`: none.
     Malformed,
 }
@@ -59,7 +67,10 @@ pub(super) enum Piece<'t> {
 
 /// Characters by which groups of three digits may be separated, beside point and comma.
 fn is_group_mark(c: char) -> bool {
-    matches!(c, ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{2007}' | '\'')
+    matches!(
+        c,
+        ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{2007}' | '\''
+    )
 }
 
 /// Takes a cell apart into numbers and what is between them. The text must be [`plain`].
@@ -90,7 +101,14 @@ pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
 /// Where the number that begins at `start` ends.
 fn number_end(text: &str, start: usize) -> usize {
     let bytes = text.as_bytes();
-    let digits = |from: usize| bytes.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
+    let digits = |from: usize| {
+        bytes
+            .get(from..)
+            .unwrap_or_default()
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count()
+    };
     let mut end = start + digits(start);
     let mut group = end - start;
     while let Some(mark) = text.get(end..).and_then(|rest| rest.chars().next()) {
@@ -118,7 +136,12 @@ fn number_end(text: &str, start: usize) -> usize {
         let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
         let length = digits(end + 1 + sign);
         let after = end + 1 + sign + length;
-        if length > 0 && !text.get(after..).and_then(|rest| rest.chars().next()).is_some_and(char::is_alphabetic) {
+        if length > 0
+            && !text
+                .get(after..)
+                .and_then(|rest| rest.chars().next())
+                .is_some_and(char::is_alphabetic)
+        {
             end = after;
         }
     }
@@ -126,7 +149,8 @@ fn number_end(text: &str, start: usize) -> usize {
 }
 
 fn is_fraction(rest: &str) -> bool {
-    rest.trim_start().starts_with(['½', '¼', '¾', '⅓', '⅔', '⅛', '⅜', '⅝', '⅞'])
+    rest.trim_start()
+        .starts_with(['½', '¼', '¾', '⅓', '⅔', '⅛', '⅜', '⅝', '⅞'])
 }
 
 /// What a run of digits and signs means.
@@ -139,16 +163,26 @@ fn number(text: &str) -> Number {
     let groups: Vec<&str> = mantissa.split(|c: char| !c.is_ascii_digit()).collect();
     let digits = |groups: &[&str]| groups.concat();
     let has_thousands = |groups: &[&str]| {
-        groups.first().is_some_and(|first| (1..=3).contains(&first.len()) && *first != "0")
+        groups
+            .first()
+            .is_some_and(|first| (1..=3).contains(&first.len()) && *first != "0")
             && groups.iter().skip(1).all(|group| group.len() == 3)
     };
     let sure = |whole: String, fraction: &str, evidence| {
-        let whole = if whole.is_empty() { "0".to_owned() } else { whole };
+        let whole = if whole.is_empty() {
+            "0".to_owned()
+        } else {
+            whole
+        };
         let point = if fraction.is_empty() { "" } else { "." };
         Number::Sure(format!("{whole}{point}{fraction}{exponent}"), evidence)
     };
-    let Some((&last, before)) = marks.split_last() else { return sure(mantissa.to_owned(), "", None) };
-    let Some((&fraction, whole)) = groups.split_last() else { return Number::Malformed };
+    let Some((&last, before)) = marks.split_last() else {
+        return sure(mantissa.to_owned(), "", None);
+    };
+    let Some((&fraction, whole)) = groups.split_last() else {
+        return Number::Malformed;
+    };
     let is_sign = |c: char| matches!(c, '.' | ',');
     if before.is_empty() && is_sign(last) {
         let before_sign = whole.first().copied().unwrap_or_default();
@@ -159,7 +193,11 @@ fn number(text: &str) -> Number {
             && exponent.is_empty();
         return if is_open {
             let as_decimal = format!("{before_sign}.{fraction}");
-            Number::Either { sign, as_decimal, as_thousands: format!("{before_sign}{fraction}") }
+            Number::Either {
+                sign,
+                as_decimal,
+                as_thousands: format!("{before_sign}{fraction}"),
+            }
         } else {
             sure(before_sign.to_owned(), fraction, Some(sign))
         };
@@ -167,7 +205,11 @@ fn number(text: &str) -> Number {
     // Several marks of one kind: thousands, and the other sign is the decimal one.
     if before.iter().all(|mark| same_kind(*mark, last)) {
         let evidence = is_sign(last).then(|| Decimal::of(last).other());
-        return if has_thousands(&groups) { sure(digits(&groups), "", evidence) } else { Number::Malformed };
+        return if has_thousands(&groups) {
+            sure(digits(&groups), "", evidence)
+        } else {
+            Number::Malformed
+        };
     }
     // Two kinds: the last is the decimal sign, once; the first separates thousands.
     let first = before.first().copied().unwrap_or(last);
@@ -175,7 +217,11 @@ fn number(text: &str) -> Number {
         && !same_kind(first, last)
         && before.iter().all(|mark| same_kind(*mark, first))
         && has_thousands(whole);
-    if is_well_formed { sure(digits(whole), fraction, Some(Decimal::of(last))) } else { Number::Malformed }
+    if is_well_formed {
+        sure(digits(whole), fraction, Some(Decimal::of(last)))
+    } else {
+        Number::Malformed
+    }
 }
 
 fn same_kind(a: char, b: char) -> bool {
@@ -183,7 +229,10 @@ fn same_kind(a: char, b: char) -> bool {
 }
 
 /// The text of pieces with every number in one reading; `read` chooses between two.
-pub(super) fn joined<E>(pieces: &[Piece<'_>], mut read: impl FnMut(&Number) -> Result<String, E>) -> Result<String, E> {
+pub(super) fn joined<E>(
+    pieces: &[Piece<'_>],
+    mut read: impl FnMut(&Number) -> Result<String, E>,
+) -> Result<String, E> {
     let mut text = String::new();
     for piece in pieces {
         match piece {
@@ -197,7 +246,10 @@ pub(super) fn joined<E>(pieces: &[Piece<'_>], mut read: impl FnMut(&Number) -> R
 /// A text with full-width letters, digits and signs as plain ones, one kind of quotation marks, and
 /// a minus where there is one.
 pub(super) fn plain(text: &str) -> String {
-    if text.bytes().all(|byte| (b' '..0x7f).contains(&byte) && !matches!(byte, b'\'' | b'`')) {
+    if text
+        .bytes()
+        .all(|byte| (b' '..0x7f).contains(&byte) && !matches!(byte, b'\'' | b'`'))
+    {
         return text.trim().to_owned();
     }
     let mut out = String::with_capacity(text.len());
@@ -226,7 +278,11 @@ pub(super) fn plain(text: &str) -> String {
 pub(super) fn is_plausible(column: Column, value: f64) -> bool {
     let range = match column {
         Column::Height => 0.1..=6.0,
-        Column::Thickness | Column::Width | Column::Diameter | Column::BaseThickness | Column::BaseWidth => 0.05..=6.0,
+        Column::Thickness
+        | Column::Width
+        | Column::Diameter
+        | Column::BaseThickness
+        | Column::BaseWidth => 0.05..=6.0,
         Column::CgHeight => 0.02..=5.0,
         Column::Mass => 0.5..=100e3,
         Column::Tolerance => 0.3 * 9.80665..=1000.0 * 9.80665,
@@ -237,7 +293,9 @@ pub(super) fn is_plausible(column: Column, value: f64) -> bool {
         Column::Stiffness | Column::PadStiffness | Column::SeriesStiffness => PAD_STIFFNESS_N_M,
         Column::LevelRatio | Column::Restitution | Column::Accepted | Column::Friction => 0.0..=1.0,
         Column::RestitutionFactor => 0.3..=2.0,
-        Column::Quantity | Column::PadsPerEdge => return (1.0..=5000.0).contains(&value) && value.fract() == 0.0,
+        Column::Quantity | Column::PadsPerEdge => {
+            return (1.0..=5000.0).contains(&value) && value.fract() == 0.0;
+        }
         _ => return true,
     };
     range.contains(&value)
@@ -251,7 +309,9 @@ mod tests {
         let text = plain(text);
         let mut found = pieces(&text);
         assert_eq!(found.len(), 1, "{text}: {found:?}");
-        let Piece::Number(number) = found.remove(0) else { panic!("{text}") };
+        let Piece::Number(number) = found.remove(0) else {
+            panic!("{text}")
+        };
         number
     }
 
@@ -279,7 +339,11 @@ mod tests {
             ("1.5e3", "1.5e3", Some(Point)),
             ("007", "007", None),
         ] {
-            assert_eq!(one(text), Number::Sure(value.to_owned(), evidence), "{text}");
+            assert_eq!(
+                one(text),
+                Number::Sure(value.to_owned(), evidence),
+                "{text}"
+            );
         }
         for (text, sign, decimal, thousands) in [
             ("1.200", Point, "1.200", "1200"),
@@ -287,7 +351,15 @@ mod tests {
             ("120,000", Comma, "120.000", "120000"),
         ] {
             let (as_decimal, as_thousands) = (decimal.to_owned(), thousands.to_owned());
-            assert_eq!(one(text), Number::Either { sign, as_decimal, as_thousands }, "{text}");
+            assert_eq!(
+                one(text),
+                Number::Either {
+                    sign,
+                    as_decimal,
+                    as_thousands
+                },
+                "{text}"
+            );
         }
         for text in ["1.2.3", "12.05.2019", "1,25,000", "1.25.000,5", "1,200.5.6"] {
             assert_eq!(one(text), Number::Malformed, "{text}");

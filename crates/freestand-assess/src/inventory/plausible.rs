@@ -33,8 +33,9 @@ pub(super) fn is_density_plausible(mass_kg: f64, volume_m3: f64) -> bool {
 /// What is doubtful about the values of an object, with the column that it is said of.
 pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
     let mut found = Vec::new();
-    let is_outside =
-        |value: Option<f64>, range: &std::ops::RangeInclusive<f64>| value.is_some_and(|value| !range.contains(&value));
+    let is_outside = |value: Option<f64>, range: &std::ops::RangeInclusive<f64>| {
+        value.is_some_and(|value| !range.contains(&value))
+    };
     // What is not even possible is said by `implausible`.
     let possible = |column, value: Option<f64>| value.filter(|value| is_possible(column, *value));
     if is_outside(possible(Column::Height, item.height_m), &HEIGHT_M) {
@@ -59,15 +60,24 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
         }
         // Without a width, the thickness stands for it.
         let volume = height * thickness * item.width_m.unwrap_or(thickness);
-        if item.mass_kg.is_some_and(|mass| !is_density_plausible(mass, volume)) {
+        if item
+            .mass_kg
+            .is_some_and(|mass| !is_density_plausible(mass, volume))
+        {
             found.push((Kind::Density, Column::Mass));
         }
     }
-    let peak = item.tolerance.as_ref().and_then(|tolerance| tolerance.peak_m_s2);
+    let peak = item
+        .tolerance
+        .as_ref()
+        .and_then(|tolerance| tolerance.peak_m_s2);
     if is_outside(peak.map(|peak| peak / G0_M_S2), &TOLERANCE_G) {
         found.push((Kind::Tolerance, Column::Tolerance));
     }
-    let stiffness = item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m());
+    let stiffness = item
+        .cushion
+        .as_ref()
+        .and_then(|edge| edge.cushion.linear_stiffness_n_m());
     if let Some(stiffness) = stiffness {
         let sink = item.mass_kg.map(|mass| mass * G0_M_S2 / (2.0 * stiffness));
         if !PAD_STIFFNESS_N_M.contains(&stiffness) || sink.is_some_and(|sink| sink > MAX_SINK_M) {

@@ -165,9 +165,14 @@ pub struct Finding {
 impl Finding {
     /// The cells, such as `D2`; empty where no column is known.
     pub fn cells(&self) -> Vec<String> {
-        let Some(index) = self.index else { return Vec::new() };
+        let Some(index) = self.index else {
+            return Vec::new();
+        };
         let letters = letters(index as usize);
-        self.rows.iter().map(|row| format!("{letters}{row}")).collect()
+        self.rows
+            .iter()
+            .map(|row| format!("{letters}{row}"))
+            .collect()
     }
 
     /// What is wrong, in a sentence without the cells.
@@ -190,15 +195,27 @@ impl Finding {
     /// `error: unreadable: Height: 60 cells (D2, D3, D4 …), such as "tall0x"; hint: …`.
     pub fn line(&self) -> String {
         let cells = self.cells();
-        let places: Vec<String> =
-            if cells.is_empty() { self.rows.iter().map(|row| format!("row {row}")).collect() } else { cells };
+        let places: Vec<String> = if cells.is_empty() {
+            self.rows.iter().map(|row| format!("row {row}")).collect()
+        } else {
+            cells
+        };
         let more = if places.len() > 3 { " …" } else { "" };
         let noun = if self.index.is_some() { "cell" } else { "row" };
         let first: Vec<String> = places.iter().take(3).cloned().collect();
-        let shown = if first.is_empty() { String::new() } else { format!(" ({}{more})", first.join(", ")) };
-        let count =
-            if self.rows.is_empty() { String::new() } else { format!("{}{shown}", counted(self.rows.len(), noun)) };
-        let such = self.examples.first().map_or_else(String::new, |text| format!(", such as \"{}\"", shorten(text)));
+        let shown = if first.is_empty() {
+            String::new()
+        } else {
+            format!(" ({}{more})", first.join(", "))
+        };
+        let count = if self.rows.is_empty() {
+            String::new()
+        } else {
+            format!("{}{shown}", counted(self.rows.len(), noun))
+        };
+        let such = self.examples.first().map_or_else(String::new, |text| {
+            format!(", such as \"{}\"", shorten(text))
+        });
         let said = match (&self.detail, self.kind) {
             (Some(detail), _) => format!("; {detail}"),
             (None, Kind::Unreadable) => String::new(),
@@ -206,10 +223,16 @@ impl Finding {
         };
         let name = self.name();
         if self.rows.is_empty() {
-            let (severity, kind, message) = (self.severity.name(), self.kind.name(), self.message());
+            let (severity, kind, message) =
+                (self.severity.name(), self.kind.name(), self.message());
             return format!("{severity}: {kind}: {message}{such}; hint: {}", self.hint);
         }
-        format!("{}: {}: {name}: {count}{such}{said}; hint: {}", self.severity.name(), self.kind.name(), self.hint)
+        format!(
+            "{}: {}: {name}: {count}{such}{said}; hint: {}",
+            self.severity.name(),
+            self.kind.name(),
+            self.hint
+        )
     }
 }
 
@@ -223,16 +246,33 @@ const MAX_LINES: usize = 12;
 pub fn console_lines(findings: &[Finding]) -> Vec<String> {
     let mut order: Vec<&Finding> = findings.iter().collect();
     // What leaves objects without a verdict comes first.
-    order.sort_by_key(|finding| (finding.edits.is_empty(), std::cmp::Reverse(finding.rows.len()), finding.severity));
-    let mut lines: Vec<String> = order.iter().take(MAX_LINES).map(|finding| finding.line()).collect();
+    order.sort_by_key(|finding| {
+        (
+            finding.edits.is_empty(),
+            std::cmp::Reverse(finding.rows.len()),
+            finding.severity,
+        )
+    });
+    let mut lines: Vec<String> = order
+        .iter()
+        .take(MAX_LINES)
+        .map(|finding| finding.line())
+        .collect();
     if order.len() > MAX_LINES {
-        lines.push(format!("and {}: --json", more_kinds(order.len() - MAX_LINES)));
+        lines.push(format!(
+            "and {}: --json",
+            more_kinds(order.len() - MAX_LINES)
+        ));
     }
     lines
 }
 
 fn more_kinds(count: usize) -> String {
-    if count == 1 { "1 more kind".to_owned() } else { format!("{count} more kinds") }
+    if count == 1 {
+        "1 more kind".to_owned()
+    } else {
+        format!("{count} more kinds")
+    }
 }
 
 /// The problems so far.
@@ -263,13 +303,20 @@ pub(super) struct Place<'h> {
 
 impl Place<'_> {
     /// A problem of whole rows.
-    pub(super) const ROW: Place<'static> = Place { column: None, index: None, heading: None };
+    pub(super) const ROW: Place<'static> = Place {
+        column: None,
+        index: None,
+        heading: None,
+    };
 }
 
 impl Findings {
     /// None so far; `is_strict`: every doubt is an error.
     pub(super) fn new(is_strict: bool) -> Self {
-        Self { is_strict, ..Self::default() }
+        Self {
+            is_strict,
+            ..Self::default()
+        }
     }
 
     /// Adds a cell to the problem of its kind and column.
@@ -281,7 +328,11 @@ impl Findings {
         example: &str,
         detail: Option<String>,
     ) {
-        let severity = if self.is_strict { Severity::Error } else { kind.severity() };
+        let severity = if self.is_strict {
+            Severity::Error
+        } else {
+            kind.severity()
+        };
         let key = (kind, place.column, place.index);
         let at = *self.places.entry(key).or_insert_with(|| {
             self.all.push(Finding {
@@ -298,13 +349,18 @@ impl Findings {
             });
             self.all.len() - 1
         });
-        let Some(finding) = self.all.get_mut(at) else { return };
+        let Some(finding) = self.all.get_mut(at) else {
+            return;
+        };
         if let Some(row) = row
             && finding.rows.last() != Some(&row)
         {
             finding.rows.push(row);
         }
-        if finding.examples.len() < 3 && !example.is_empty() && !finding.examples.iter().any(|other| other == example) {
+        if finding.examples.len() < 3
+            && !example.is_empty()
+            && !finding.examples.iter().any(|other| other == example)
+        {
             finding.examples.push(shorten(example));
         }
     }
@@ -330,7 +386,11 @@ impl Findings {
             }
         }
         for noted in later.notes {
-            match self.notes.iter_mut().find(|first| first.words == noted.words) {
+            match self
+                .notes
+                .iter_mut()
+                .find(|first| first.words == noted.words)
+            {
                 Some(first) => {
                     first.count += noted.count;
                     let room = 5usize.saturating_sub(first.rows.len());
@@ -343,7 +403,10 @@ impl Findings {
 
     /// Replaces the hint of a problem.
     pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: String) {
-        if let Some(finding) = self.places.get(&(kind, place.column, place.index)).and_then(|at| self.all.get_mut(*at))
+        if let Some(finding) = self
+            .places
+            .get(&(kind, place.column, place.index))
+            .and_then(|at| self.all.get_mut(*at))
         {
             finding.hint = hint;
         }
@@ -351,19 +414,27 @@ impl Findings {
 
     /// Adds a text that would mend or confirm a cell of a problem.
     pub(super) fn propose(&mut self, kind: Kind, place: Place<'_>, edit: &str) {
-        let Some(at) = self.places.get(&(kind, place.column, place.index)) else { return };
-        let Some(finding) = self.all.get_mut(*at) else { return };
+        let Some(at) = self.places.get(&(kind, place.column, place.index)) else {
+            return;
+        };
+        let Some(finding) = self.all.get_mut(*at) else {
+            return;
+        };
         if finding.edits.is_empty() {
             let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
             let same = finding.examples.first().map_or("", String::as_str);
             finding.hint = if edit.ends_with(&format!("={}", same.trim())) {
                 format!("correct {cell}, or confirm it by `edit = \"{edit}\"`")
             } else {
-                format!("read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`")
+                format!(
+                    "read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`"
+                )
             };
         } else if finding.edits.len() < NAMED_EDITS {
             let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
-            finding.hint.push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
+            finding
+                .hint
+                .push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
         }
         finding.edits.push(edit.to_owned());
     }
@@ -373,7 +444,11 @@ impl Findings {
         let noted = match self.notes.iter_mut().position(|noted| noted.words == words) {
             Some(at) => self.notes.get_mut(at),
             None => {
-                self.notes.push(Noted { words, rows: Vec::new(), count: 0 });
+                self.notes.push(Noted {
+                    words,
+                    rows: Vec::new(),
+                    count: 0,
+                });
                 self.notes.last_mut()
             }
         };
@@ -395,14 +470,24 @@ impl Findings {
 
     /// The problems, and the warnings about rows.
     pub(super) fn finish(mut self) -> (Vec<Finding>, Vec<String>) {
-        for finding in self.all.iter_mut().filter(|finding| finding.edits.len() > NAMED_EDITS) {
+        for finding in self
+            .all
+            .iter_mut()
+            .filter(|finding| finding.edits.len() > NAMED_EDITS)
+        {
             let more = counted(finding.edits.len() - NAMED_EDITS, "more cell");
-            finding.hint.push_str(&format!("; {more} to correct or confirm in the same way"));
+            finding
+                .hint
+                .push_str(&format!("; {more} to correct or confirm in the same way"));
         }
         let said = |noted: &Noted| {
             let rows: Vec<String> = noted.rows.iter().map(u32::to_string).collect();
             let more = noted.count - noted.rows.len();
-            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            let more = if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            };
             let noun = if noted.count == 1 { "row" } else { "rows" };
             format!("{noun} {}{more}: {}", rows.join(", "), noted.words)
         };
@@ -418,9 +503,19 @@ mod tests {
     #[test]
     fn problems_are_one_for_each_kind_and_column() {
         let mut findings = Findings::default();
-        let place = Place { column: Some(Column::Height), index: Some(3), heading: Some("Height") };
+        let place = Place {
+            column: Some(Column::Height),
+            index: Some(3),
+            heading: Some("Height"),
+        };
         for row in 2..62 {
-            findings.add(Kind::Unreadable, place, Some(row), &format!("tall{}x", row % 2), None);
+            findings.add(
+                Kind::Unreadable,
+                place,
+                Some(row),
+                &format!("tall{}x", row % 2),
+                None,
+            );
         }
         let (all, _) = findings.finish();
         assert_eq!(
@@ -428,20 +523,30 @@ mod tests {
             "error: unreadable: Height: 60 cells (D2, D3, D4 …), such as \"tall0x\"; hint: correct the cell, \
              or leave it empty if the value is not known"
         );
-        assert_eq!((all.len(), all[0].examples.len(), all[0].rows.len()), (1, 2, 60));
+        assert_eq!(
+            (all.len(), all[0].examples.len(), all[0].rows.len()),
+            (1, 2, 60)
+        );
     }
 
     #[test]
     fn the_console_has_a_dozen_lines() {
         let mut findings = Findings::default();
         for index in 0..15 {
-            let place = Place { column: None, index: Some(index), heading: Some("x") };
+            let place = Place {
+                column: None,
+                index: Some(index),
+                heading: Some("x"),
+            };
             for row in 0..=index {
                 findings.add(Kind::Unreadable, place, Some(row), "", None);
             }
         }
         let lines = console_lines(&findings.finish().0);
-        assert_eq!((lines.len(), lines[12].as_str()), (13, "and 3 more kinds: --json"));
+        assert_eq!(
+            (lines.len(), lines[12].as_str()),
+            (13, "and 3 more kinds: --json")
+        );
         assert!(lines[0].contains("15 cells"), "{}", lines[0]);
     }
 }

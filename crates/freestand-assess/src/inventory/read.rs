@@ -172,7 +172,11 @@ pub fn inspect_inventory(path: &Path, options: &ReadOptions<'_>) -> Result<Readi
 ///
 /// # Errors
 /// As [`read_inventory`].
-pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -> Result<Reading, Problems> {
+pub fn parse_inventory(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions<'_>,
+) -> Result<Reading, Problems> {
     let sha256 = sha256_hex(&bytes);
     let in_file = |problem: Problem| problem.in_file(path);
     let mut sheet = Sheet::open(bytes, options.sheet, options.mapping).map_err(in_file)?;
@@ -183,16 +187,27 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     let (tables, unread_from) = tables(&sheet.rows, &sheet.header, options.mapping);
     if tables.iter().all(|table| table.body.objects.is_empty()) {
         let problem = Problem::new(ProblemKind::Format, "there are no rows below the headings");
-        return Err(problem.hint("put one object into each row").in_file(path).into());
+        return Err(problem
+            .hint("put one object into each row")
+            .in_file(path)
+            .into());
     }
     warnings.extend(sheet.formulas.warning());
     let left_out = |row: &Row| {
-        let has = |table: &Table| table.body.left_out.binary_search_by_key(&row.number, |left| left.row).is_ok();
+        let has = |table: &Table| {
+            table
+                .body
+                .left_out
+                .binary_search_by_key(&row.number, |left| left.row)
+                .is_ok()
+        };
         tables.iter().any(has)
     };
     warnings.extend(unevaluated(&sheet.rows, &left_out));
     if let Some(row) = unread_from {
-        warnings.push(format!("row {row} begins another table of very many: it and what follows are not read"));
+        warnings.push(format!(
+            "row {row} begins another table of very many: it and what follows are not read"
+        ));
     }
     let floors = match options.mapping {
         Some(mapping) => mapping.floors(&options.floors)?,
@@ -225,25 +240,51 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
             .get(Column::LevelRatio)
             .is_none()
             .then(|| FloorFinder::new(&floors, &names, columns.is_imperial, columns.is_japanese));
-        let one = ReadTable { sheet: &sheet, table, columns, finder: finder.as_ref(), options };
+        let one = ReadTable {
+            sheet: &sheet,
+            table,
+            columns,
+            finder: finder.as_ref(),
+            options,
+        };
         whole.add(&one, &mut findings);
     }
     if let Some(mapping) = options.mapping {
-        let headings = tables.iter().flat_map(|table| table.header.headings.values().cloned());
+        let headings = tables
+            .iter()
+            .flat_map(|table| table.header.headings.values().cloned());
         for heading in mapping.unused(headings) {
-            warnings.push(format!("the mapping file names the heading \"{heading}\", which the list does not have"));
+            warnings.push(format!(
+                "the mapping file names the heading \"{heading}\", which the list does not have"
+            ));
         }
     }
-    let Whole { mut items, columns: columns_read, carried, headings, mapped, same_floors, .. } = whole;
+    let Whole {
+        mut items,
+        columns: columns_read,
+        carried,
+        headings,
+        mapped,
+        same_floors,
+        ..
+    } = whole;
     for item in &mut items {
         item.carried.resize(carried.len(), String::new());
     }
     tell_duplicates(&mut items, &tables, &understood, &mut findings);
-    for item in items.iter_mut().filter(|item| sheet.hidden.rows.binary_search(&item.row).is_ok()) {
+    for item in items
+        .iter_mut()
+        .filter(|item| sheet.hidden.rows.binary_search(&item.row).is_ok())
+    {
         findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", None);
         item.doubts.push(Kind::HiddenRow);
     }
-    warnings.extend(hidden_columns(&sheet, &tables, &understood, options.mapping));
+    warnings.extend(hidden_columns(
+        &sheet,
+        &tables,
+        &understood,
+        options.mapping,
+    ));
     let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
     confirm(&mut items, options.edits, &mut findings, &cell);
     if let ([_], [columns]) = (tables.as_slice(), understood.as_slice()) {
@@ -252,8 +293,15 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     warnings.extend(same_floors.warning());
     let (findings, notes) = findings.finish();
     warnings.extend(notes);
-    let cells = if options.wants_cells { cells_read(&sheet, &tables) } else { Vec::new() };
-    let mut left_out: Vec<LeftOut> = tables.into_iter().flat_map(|table| table.body.left_out).collect();
+    let cells = if options.wants_cells {
+        cells_read(&sheet, &tables)
+    } else {
+        Vec::new()
+    };
+    let mut left_out: Vec<LeftOut> = tables
+        .into_iter()
+        .flat_map(|table| table.body.left_out)
+        .collect();
     left_out.sort_by_key(|left| left.row);
     let inventory = Inventory {
         libraries: Vec::new(),
@@ -269,7 +317,11 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     Ok(Reading {
         inventory,
         columns: columns_read,
-        units: if understood.iter().any(|columns| columns.is_imperial) { UnitSystem::Us } else { UnitSystem::Si },
+        units: if understood.iter().any(|columns| columns.is_imperial) {
+            UnitSystem::Us
+        } else {
+            UnitSystem::Si
+        },
         header_row: sheet.header.row,
         left_out,
         mapping_file: super::mapping::written(&mapped, options.mapping),
@@ -285,13 +337,26 @@ fn hidden_columns(
     understood: &[Understood],
     mapping: Option<&Mapping>,
 ) -> Option<String> {
-    let is_hidden = |index: u32| sheet.hidden.columns.iter().any(|(first, last)| (*first..=*last).contains(&index));
-    let uses = understood.iter().flat_map(|columns| &columns.uses).map(|one| (one.index, &one.heading));
-    let headings = tables.iter().flat_map(|table| &table.header.headings).map(|(index, heading)| (*index, heading));
+    let is_hidden = |index: u32| {
+        sheet
+            .hidden
+            .columns
+            .iter()
+            .any(|(first, last)| (*first..=*last).contains(&index))
+    };
+    let uses = understood
+        .iter()
+        .flat_map(|columns| &columns.uses)
+        .map(|one| (one.index, &one.heading));
+    let headings = tables
+        .iter()
+        .flat_map(|table| &table.header.headings)
+        .map(|(index, heading)| (*index, heading));
     let costs = headings.filter(|(_, heading)| is_cost(heading, mapping));
     let read = uses.chain(costs).filter(|(index, _)| is_hidden(*index));
-    let mut named: Vec<String> =
-        read.map(|(index, heading)| format!("{} ({})", letters(index as usize), shorten(heading))).collect();
+    let mut named: Vec<String> = read
+        .map(|(index, heading)| format!("{} ({})", letters(index as usize), shorten(heading)))
+        .collect();
     named.sort_unstable();
     named.dedup();
     (!named.is_empty()).then(|| {
@@ -306,8 +371,16 @@ fn hidden_columns(
 }
 
 /// The columns of the table in which a row is.
-fn columns_of<'a>(row: u32, tables: &[Table], understood: &'a [Understood]) -> Option<&'a Understood> {
-    understood.get(tables.partition_point(|table| table.header.row < row).checked_sub(1)?)
+fn columns_of<'a>(
+    row: u32,
+    tables: &[Table],
+    understood: &'a [Understood],
+) -> Option<&'a Understood> {
+    understood.get(
+        tables
+            .partition_point(|table| table.header.row < row)
+            .checked_sub(1)?,
+    )
 }
 
 /// The cell of a size of an object.
@@ -319,8 +392,15 @@ fn size_cell(
     understood: &[Understood],
 ) -> Option<SizeCell> {
     let columns = columns_of(item.row, tables, understood)?;
-    let row = sheet.rows.get(sheet.rows.binary_search_by_key(&item.row, |row| row.number).ok()?)?;
-    let used = [column, Column::Dimensions, Column::Diameter].into_iter().filter_map(|column| columns.get(column));
+    let row = sheet.rows.get(
+        sheet
+            .rows
+            .binary_search_by_key(&item.row, |row| row.number)
+            .ok()?,
+    )?;
+    let used = [column, Column::Dimensions, Column::Diameter]
+        .into_iter()
+        .filter_map(|column| columns.get(column));
     let mut cells = used.filter_map(|one| Some((one, row.get(one.index)?)));
     let (one, cell) = cells.find(|(_, cell)| !cell.is_blank())?;
     Some(SizeCell {
@@ -337,10 +417,16 @@ fn size_cell(
 fn cells_read(sheet: &Sheet, tables: &[Table]) -> Vec<CellsRead> {
     let texts = |row: &Row| {
         let text = |index: &u32| row.get(*index).map(Cell::shown).unwrap_or_default();
-        CellsRead { row: row.number, texts: sheet.header.headings.keys().map(text).collect() }
+        CellsRead {
+            row: row.number,
+            texts: sheet.header.headings.keys().map(text).collect(),
+        }
     };
     let objects = tables.iter().flat_map(|table| &table.body.objects);
-    objects.filter_map(|(place, _)| sheet.rows.get(*place)).map(texts).collect()
+    objects
+        .filter_map(|(place, _)| sheet.rows.get(*place))
+        .map(texts)
+        .collect()
 }
 
 /// The names of floors in all tables, or of sections where a table has no column of floors.
@@ -349,7 +435,11 @@ fn floor_names(sheet: &Sheet, tables: &[Table], understood: &[Understood]) -> Ve
     for (table, columns) in tables.iter().zip(understood) {
         match columns.get(Column::Floor) {
             Some(one) => {
-                let rows = table.body.objects.iter().filter_map(|(place, _)| sheet.rows.get(*place));
+                let rows = table
+                    .body
+                    .objects
+                    .iter()
+                    .filter_map(|(place, _)| sheet.rows.get(*place));
                 names.extend(rows.filter_map(|row| Some(row.get(one.index)?.shown())));
             }
             None => names.extend(table.body.sections.iter().cloned()),
@@ -392,7 +482,11 @@ impl Whole {
         let above = self.carried.len();
         let mut slots = Vec::with_capacity(one.columns.carried.len());
         for (_, heading) in &one.columns.carried {
-            let same = self.carried.iter().take(above).position(|other| canonical(other) == canonical(heading));
+            let same = self
+                .carried
+                .iter()
+                .take(above)
+                .position(|other| canonical(other) == canonical(heading));
             slots.push(same.unwrap_or(self.carried.len()));
             if same.is_none() {
                 self.carried.push(heading.clone());
@@ -411,7 +505,8 @@ impl Whole {
             }
         }
         self.items.extend(items);
-        self.columns.extend(columns_read(one.columns, &counts, one.table.header.row));
+        self.columns
+            .extend(columns_read(one.columns, &counts, one.table.header.row));
         self.headings.extend(one.headings());
         for heading in one.columns.headings(&one.table.header) {
             if self.seen.insert(canonical(&heading.0)) {
@@ -430,8 +525,13 @@ struct SameFloors {
 
 impl SameFloors {
     fn take(&mut self, item: &mut Item, finder: &FloorFinder) {
-        let Some(identity) = finder.identity(&item.floor) else { return };
-        let first = self.first.entry((item.building.clone(), identity)).or_insert_with(|| item.floor.clone());
+        let Some(identity) = finder.identity(&item.floor) else {
+            return;
+        };
+        let first = self
+            .first
+            .entry((item.building.clone(), identity))
+            .or_insert_with(|| item.floor.clone());
         if *first != item.floor {
             let other = (item.floor.clone(), first.clone());
             if !self.others.contains(&other) && self.others.len() < MAX_MEANT {
@@ -447,22 +547,37 @@ impl SameFloors {
             .iter()
             .map(|(other, first)| format!("\"{}\" is \"{}\"", shorten(other), shorten(first)))
             .collect();
-        (!said.is_empty()).then(|| format!("one floor has several names in the list: {}", said.join(", ")))
+        (!said.is_empty()).then(|| {
+            format!(
+                "one floor has several names in the list: {}",
+                said.join(", ")
+            )
+        })
     }
 }
 
 impl ReadTable<'_> {
     /// The objects, and for each column the cells with and without a value.
     fn items(&self, all_findings: &mut Findings) -> (Vec<Item>, Vec<(usize, usize)>) {
-        let Self { sheet, table, columns, finder, options } = *self;
+        let Self {
+            sheet,
+            table,
+            columns,
+            finder,
+            options,
+        } = *self;
         let body = &table.body;
         let read_part = |part: &[(usize, Option<usize>)]| {
             let mut findings = Findings::new(options.is_strict);
             let mut counts = vec![(0, 0); columns.uses.len()];
             let mut items = Vec::with_capacity(part.len());
             for (place, section) in part {
-                let Some(row) = sheet.rows.get(*place) else { continue };
-                let section = section.and_then(|section| body.sections.get(section)).map_or("", String::as_str);
+                let Some(row) = sheet.rows.get(*place) else {
+                    continue;
+                };
+                let section = section
+                    .and_then(|section| body.sections.get(section))
+                    .map_or("", String::as_str);
                 let mut values = Values {
                     row,
                     rows: &sheet.rows,
@@ -474,19 +589,29 @@ impl ReadTable<'_> {
                     counts: &mut counts,
                 };
                 let carried = carried(&mut values, sheet, &table.header);
-                let reading = item::Reading { lookup: options.lookup, floors: finder, section };
+                let reading = item::Reading {
+                    lookup: options.lookup,
+                    floors: finder,
+                    section,
+                };
                 items.push(item(&mut values, &reading, carried));
             }
             (items, counts, findings)
         };
         // Parts are put together in their order: the result does not depend on the threads.
-        let parts: Vec<_> = body.objects.par_chunks(ROWS_OF_A_PART).map(read_part).collect();
+        let parts: Vec<_> = body
+            .objects
+            .par_chunks(ROWS_OF_A_PART)
+            .map(read_part)
+            .collect();
         let mut counts = vec![(0, 0); columns.uses.len()];
         let mut items = Vec::with_capacity(body.objects.len());
         for (part, part_counts, part_findings) in parts {
             items.extend(part);
             all_findings.append(part_findings);
-            for ((values, missing), (more_values, more_missing)) in counts.iter_mut().zip(part_counts) {
+            for ((values, missing), (more_values, more_missing)) in
+                counts.iter_mut().zip(part_counts)
+            {
                 *values += more_values;
                 *missing += more_missing;
             }
@@ -498,12 +623,17 @@ impl ReadTable<'_> {
         let objects = &self.table.body.objects;
         let one = |(index, heading): (&u32, &String)| {
             let found = self.columns.uses.iter().find(|one| one.index == *index);
-            let rows = objects.iter().filter_map(|(place, _)| self.sheet.rows.get(*place)).take(SAMPLED_ROWS);
+            let rows = objects
+                .iter()
+                .filter_map(|(place, _)| self.sheet.rows.get(*place))
+                .take(SAMPLED_ROWS);
             HeadingReport {
                 column: letters(*index as usize),
                 heading: heading.clone(),
                 name: found.map(|one| one.column.name()),
-                unit: found.and_then(|one| one.unit).map(|unit| unit.symbol().to_owned()),
+                unit: found
+                    .and_then(|one| one.unit)
+                    .map(|unit| unit.symbol().to_owned()),
                 header_row: self.table.header.row,
                 samples: samples(rows, *index),
             }
@@ -516,7 +646,10 @@ impl ReadTable<'_> {
 fn samples<'r>(rows: impl Iterator<Item = &'r Row>, index: u32) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for row in rows {
-        let text = row.get(index).map(|cell| shorten(cell.shown().trim())).unwrap_or_default();
+        let text = row
+            .get(index)
+            .map(|cell| shorten(cell.shown().trim()))
+            .unwrap_or_default();
         if !text.is_empty() && !found.contains(&text) {
             found.push(text);
         }
@@ -533,15 +666,34 @@ fn samples<'r>(rows: impl Iterator<Item = &'r Row>, index: u32) -> Vec<String> {
 /// # Errors
 /// A file that is no list at all.
 pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingReport>, Problems> {
-    let rows = super::source::first_rows(load(path)?, sheet).map_err(|problem| problem.in_file(path))?;
-    let texts = |row: &Row| row.cells.iter().filter(|(_, cell)| is_heading(cell)).count();
+    let rows =
+        super::source::first_rows(load(path)?, sheet).map_err(|problem| problem.in_file(path))?;
+    let texts = |row: &Row| {
+        row.cells
+            .iter()
+            .filter(|(_, cell)| is_heading(cell))
+            .count()
+    };
     // The widest row of texts that has a row below it.
-    let most = rows.iter().take(rows.len().saturating_sub(1)).map(texts).max().unwrap_or(0);
-    let at = rows.iter().position(|row| texts(row) == most).filter(|_| most >= 2);
+    let most = rows
+        .iter()
+        .take(rows.len().saturating_sub(1))
+        .map(texts)
+        .max()
+        .unwrap_or(0);
+    let at = rows
+        .iter()
+        .position(|row| texts(row) == most)
+        .filter(|_| most >= 2);
     let Some((header, below)) = at.and_then(|at| Some((rows.get(at)?, rows.get(at + 1..)?))) else {
-        let problem =
-            Problem::new(ProblemKind::Format, "the first rows contain no row of texts that could be headings");
-        return Err(problem.hint("put a heading over each column").in_file(path).into());
+        let problem = Problem::new(
+            ProblemKind::Format,
+            "the first rows contain no row of texts that could be headings",
+        );
+        return Err(problem
+            .hint("put a heading over each column")
+            .in_file(path)
+            .into());
     };
     let one = |(index, cell): &(u32, Cell)| {
         let text = cell.shown().trim().to_owned();
@@ -549,13 +701,20 @@ pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingR
         HeadingReport {
             column: letters(*index as usize),
             name: found.as_ref().map(|found| found.column.name()),
-            unit: found.and_then(|found| found.unit.symbol()).map(str::to_owned),
+            unit: found
+                .and_then(|found| found.unit.symbol())
+                .map(str::to_owned),
             header_row: header.number,
             samples: samples(below.iter().take(SAMPLED_ROWS), *index),
             heading: text,
         }
     };
-    Ok(header.cells.iter().filter(|(_, cell)| is_heading(cell)).map(one).collect())
+    Ok(header
+        .cells
+        .iter()
+        .filter(|(_, cell)| is_heading(cell))
+        .map(one)
+        .collect())
 }
 
 fn is_heading(cell: &Cell) -> bool {
@@ -578,9 +737,9 @@ fn bound_carried(columns: &mut Understood, objects: usize) {
     let most = MAX_CARRIED.min(MAX_CARRIED_CELLS / objects.max(1));
     if columns.carried.len() > most {
         let dropped = columns.carried.len() - most;
-        columns
-            .warnings
-            .push(format!("{dropped} columns that are not read are left out: at most {most} are carried through"));
+        columns.warnings.push(format!(
+            "{dropped} columns that are not read are left out: at most {most} are carried through"
+        ));
         columns.carried.truncate(most);
     }
 }
@@ -593,19 +752,29 @@ fn unread(columns: &Understood) -> Vec<String> {
         .iter()
         .take(MAX_MEANT)
         .filter_map(|(index, heading)| {
-            let words = canonical(heading.split(['(', '[']).next().unwrap_or_default()).replace(' ', "_");
+            let words =
+                canonical(heading.split(['(', '[']).next().unwrap_or_default()).replace(' ', "_");
             // Short words resemble too many names.
-            let near = nearest(&words, &names).filter(|_| words.chars().count() > 3 && heading.len() < 100)?;
+            let near = nearest(&words, &names)
+                .filter(|_| words.chars().count() > 3 && heading.len() < 100)?;
             let place = format!("column {} ({})", letters(*index as usize), shorten(heading));
-            Some(format!("{place} is not read, only carried through: did you mean {near}?"))
+            Some(format!(
+                "{place} is not read, only carried through: did you mean {near}?"
+            ))
         })
         .collect();
-    let has = |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
+    let has =
+        |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
     let is_round = columns.get(Column::Diameter).is_some();
-    for (column, what) in [(Column::Height, "heights"), (Column::Thickness, "depths (thicknesses)")] {
+    for (column, what) in [
+        (Column::Height, "heights"),
+        (Column::Thickness, "depths (thicknesses)"),
+    ] {
         let has_side = is_round && column == Column::Thickness;
         if !has(column) && !has_side {
-            said.push(format!("the list has no column of {what} that is known: objects without it have no verdict"));
+            said.push(format!(
+                "the list has no column of {what} that is known: objects without it have no verdict"
+            ));
         }
     }
     said
@@ -618,23 +787,41 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
     let mut carried = vec![String::new(); columns.carried.len()];
     // In a CSV a number with a decimal comma that is not in quotes moves every cell after it.
     if let (Some(width), Some(_)) = (header.width, sheet.separator)
-        && row.cells.iter().any(|(index, cell)| *index >= width && !cell.is_blank())
+        && row
+            .cells
+            .iter()
+            .any(|(index, cell)| *index >= width && !cell.is_blank())
     {
         let count = row.cells.last().map_or(0, |(index, _)| index + 1);
         let detail = format!("has {count} cells for {width} headings, so its numbers are not used");
-        values.findings.add(Kind::Unreadable, Place::ROW, Some(row.number), "", Some(detail));
+        values.findings.add(
+            Kind::Unreadable,
+            Place::ROW,
+            Some(row.number),
+            "",
+            Some(detail),
+        );
         let hint = "put cells that contain the separator in quotes, or give every column a heading";
-        values.findings.hint(Kind::Unreadable, Place::ROW, hint.to_owned());
+        values
+            .findings
+            .hint(Kind::Unreadable, Place::ROW, hint.to_owned());
         values.is_shifted = true;
     }
     for (index, cell) in &row.cells {
-        if let Ok(at) = columns.carried.binary_search_by_key(index, |(index, _)| *index) {
+        if let Ok(at) = columns
+            .carried
+            .binary_search_by_key(index, |(index, _)| *index)
+        {
             match cell {
-                Cell::Error(_) => {
-                    values.findings.note("an error such as #REF! in a column that is carried through", row.number)
-                }
+                Cell::Error(_) => values.findings.note(
+                    "an error such as #REF! in a column that is carried through",
+                    row.number,
+                ),
                 Cell::Unevaluated | Cell::TooLong(_) => {
-                    values.findings.note("a cell without a value in a column that is carried through", row.number);
+                    values.findings.note(
+                        "a cell without a value in a column that is carried through",
+                        row.number,
+                    );
                 }
                 _ => {}
             }
@@ -642,14 +829,22 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
                 *slot = cell.shown();
             }
         } else if !header.headings.contains_key(index) && !cell.is_blank() && !values.is_shifted {
-            values.findings.note("cells in columns without a heading are not read", row.number);
+            values.findings.note(
+                "cells in columns without a heading are not read",
+                row.number,
+            );
         }
     }
     carried
 }
 
 /// Gives later rows with an id that occurred before a number: no output could tell them apart.
-fn tell_duplicates(items: &mut [Item], tables: &[Table], understood: &[Understood], findings: &mut Findings) {
+fn tell_duplicates(
+    items: &mut [Item],
+    tables: &[Table],
+    understood: &[Understood],
+    findings: &mut Findings,
+) {
     let mut seen: HashMap<String, u32> = items.iter().map(|item| (item.id.clone(), 0)).collect();
     for item in items {
         let count = seen.entry(item.id.clone()).or_insert(0);
@@ -661,9 +856,14 @@ fn tell_duplicates(items: &mut [Item], tables: &[Table], understood: &[Understoo
         while seen.contains_key(&format!("{} #{number}", item.id)) {
             number += 1;
         }
-        let id = columns_of(item.row, tables, understood).and_then(|columns| columns.get(Column::Id));
+        let id =
+            columns_of(item.row, tables, understood).and_then(|columns| columns.get(Column::Id));
         let place = match id {
-            Some(one) => Place { column: Some(Column::Id), index: Some(one.index), heading: Some(&one.heading) },
+            Some(one) => Place {
+                column: Some(Column::Id),
+                index: Some(one.index),
+                heading: Some(&one.heading),
+            },
             None => Place::ROW,
         };
         findings.add(Kind::DuplicateId, place, Some(item.row), &item.id, None);
@@ -674,7 +874,11 @@ fn tell_duplicates(items: &mut [Item], tables: &[Table], understood: &[Understoo
     }
 }
 
-fn columns_read(columns: &Understood, counts: &[(usize, usize)], header_row: u32) -> Vec<ColumnRead> {
+fn columns_read(
+    columns: &Understood,
+    counts: &[(usize, usize)],
+    header_row: u32,
+) -> Vec<ColumnRead> {
     let one = |(one, (values, missing)): (&super::understood::Use, &(usize, usize))| {
         let has_unit = dimension(one.column).is_some_and(|dimension| dimension != Dimension::Ratio);
         ColumnRead {
@@ -683,7 +887,10 @@ fn columns_read(columns: &Understood, counts: &[(usize, usize)], header_row: u32
             header_row,
             name: one.column.name(),
             unit: one.unit.map(|unit| unit.symbol().to_owned()),
-            unit_source: one.unit_source.map(|source| source.name()).or(has_unit.then_some("cell")),
+            unit_source: one
+                .unit_source
+                .map(|source| source.name())
+                .or(has_unit.then_some("cell")),
             dialect: one.dialect.name(),
             values: *values,
             missing: *missing,

@@ -12,7 +12,10 @@ pub const SHOWN: usize = 10;
 
 /// How a list was understood: the document of `freestand inventory check`.
 #[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct CheckReport {
     pub path: String,
     pub sha256: String,
@@ -65,12 +68,22 @@ pub struct SenseReport {
 /// What a column can be taken for, in the order of the template.
 pub fn senses() -> Vec<SenseReport> {
     let unit = |spec: &ColumnSpec| (!spec.unit.is_empty()).then_some(spec.unit);
-    COLUMNS.iter().map(|spec| SenseReport { name: spec.name, meaning: spec.meaning, unit: unit(spec) }).collect()
+    COLUMNS
+        .iter()
+        .map(|spec| SenseReport {
+            name: spec.name,
+            meaning: spec.meaning,
+            unit: unit(spec),
+        })
+        .collect()
 }
 
 /// How many rows have each kind of value.
 #[derive(Debug, Default, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct Counts {
     pub rows: usize,
     /// The sum of the quantities of all rows.
@@ -85,7 +98,10 @@ pub struct Counts {
 
 /// One of the first rows.
 #[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct RowReport {
     pub row: u32,
     pub id: String,
@@ -105,7 +121,10 @@ pub struct RowReport {
 
 /// An object, in SI; what the list does not say is `null`.
 #[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct ObjectReport {
     pub row: u32,
     pub section: Option<String>,
@@ -141,7 +160,10 @@ pub struct ObjectReport {
 
 /// A row that is not an object.
 #[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct LeftOutReport {
     pub row: u32,
     pub kind: &'static str,
@@ -162,7 +184,10 @@ pub struct CellsReport {
 
 /// A problem, with all its cells.
 #[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct ProblemReport {
     pub severity: &'static str,
     pub kind: &'static str,
@@ -179,7 +204,11 @@ pub struct ProblemReport {
 }
 
 /// The report on a list as it was read; messages name keys in this style.
-pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeyStyle) -> CheckReport {
+pub fn check_report(
+    reading: &Reading,
+    marked_copy: Option<String>,
+    style: KeyStyle,
+) -> CheckReport {
     let inventory = &reading.inventory;
     let left_out = reading.left_out.iter().map(|left| LeftOutReport {
         row: left.row,
@@ -206,15 +235,32 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
 }
 
 fn cells(reading: &Reading) -> CellsReport {
-    let first = reading.headings.iter().filter(|one| one.header_row == reading.header_row);
-    let (columns, headings) = first.map(|one| (one.column.clone(), one.heading.clone())).unzip();
+    let first = reading
+        .headings
+        .iter()
+        .filter(|one| one.header_row == reading.header_row);
+    let (columns, headings) = first
+        .map(|one| (one.column.clone(), one.heading.clone()))
+        .unzip();
     let rows = reading.cells.iter().map(|cells| cells.row).collect();
-    CellsReport { columns, headings, rows, texts: reading.cells.iter().map(|cells| cells.texts.clone()).collect() }
+    CellsReport {
+        columns,
+        headings,
+        rows,
+        texts: reading
+            .cells
+            .iter()
+            .map(|cells| cells.texts.clone())
+            .collect(),
+    }
 }
 
 /// The problems of a list; messages name keys in this style.
 pub fn problem_reports(findings: &[Finding], style: KeyStyle) -> Vec<ProblemReport> {
-    findings.iter().map(|finding| problem(finding, style)).collect()
+    findings
+        .iter()
+        .map(|finding| problem(finding, style))
+        .collect()
 }
 
 fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
@@ -254,8 +300,13 @@ fn object(item: &Item) -> ObjectReport {
         is_round: item.is_round,
         cg_height_m: item.cg_height_m,
         mass_kg: item.mass_kg,
-        stiffness_n_m: item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m()),
-        tolerance_g: tolerance.and_then(|tolerance| tolerance.peak_m_s2).map(|peak| peak / G0_M_S2),
+        stiffness_n_m: item
+            .cushion
+            .as_ref()
+            .and_then(|edge| edge.cushion.linear_stiffness_n_m()),
+        tolerance_g: tolerance
+            .and_then(|tolerance| tolerance.peak_m_s2)
+            .map(|peak| peak / G0_M_S2),
         tolerance_duration_s: tolerance.and_then(|tolerance| tolerance.duration_s),
         anchored: item.anchored,
         life_safety: rated(item.consequences.life_safety),
@@ -272,7 +323,10 @@ fn object(item: &Item) -> ObjectReport {
 }
 
 fn counts(items: &[Item]) -> Counts {
-    let mut counts = Counts { rows: items.len(), ..Counts::default() };
+    let mut counts = Counts {
+        rows: items.len(),
+        ..Counts::default()
+    };
     for item in items {
         counts.objects += u64::from(item.quantity);
         counts.with_size += usize::from(item.height_m.is_some() && item.thickness_m.is_some());

@@ -3,30 +3,52 @@
 use freestand_input::words::canonical;
 
 /// Words for a diameter in the cell of a size, in the form of [`canonical`].
-const DIAMETER: [&str; 12] =
-    ["ø", "⌀", "dia", "diam", "diameter", "diametre", "diametro", "durchmesser", "round", "rund", "rond", "直径"];
+const DIAMETER: [&str; 12] = [
+    "ø",
+    "⌀",
+    "dia",
+    "diam",
+    "diameter",
+    "diametre",
+    "diametro",
+    "durchmesser",
+    "round",
+    "rund",
+    "rond",
+    "直径",
+];
 
 /// A length without the words that make it a diameter, and whether there were any: `Ø230`,
 /// `500 dia`, `dia. 500 mm`.
 pub(super) fn without_diameter(text: &str) -> (String, bool) {
-    if text.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',' | b' ')) {
+    if text
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',' | b' '))
+    {
         return (text.to_owned(), false);
     }
-    let is_mark = |word: &str| DIAMETER.contains(&canonical(word).as_str()) || matches!(word, "⌀" | "Ø" | "ø");
+    let is_mark = |word: &str| {
+        DIAMETER.contains(&canonical(word).as_str()) || matches!(word, "⌀" | "Ø" | "ø")
+    };
     let mut rest = text.trim().to_owned();
     let mut was_found = false;
     loop {
         let without_mark = rest.trim_start_matches(['Ø', 'ø', '⌀']).trim_start();
-        let start = without_mark.find(|c: char| !c.is_alphabetic()).unwrap_or(without_mark.len());
+        let start = without_mark
+            .find(|c: char| !c.is_alphabetic())
+            .unwrap_or(without_mark.len());
         let (first, after) = without_mark.split_at(start);
         // "rund 180 cm" is about 180 cm, "180 cm rund" is a diameter.
-        let begins =
-            (is_mark(first) && canonical(first) != "rund").then(|| after.trim_start_matches(['.', ':', '=', ' ']));
+        let begins = (is_mark(first) && canonical(first) != "rund")
+            .then(|| after.trim_start_matches(['.', ':', '=', ' ']));
         let before = begins.unwrap_or(without_mark);
         let bare = before.trim_end_matches(['.', ')', ' ', 'Ø', 'ø', '⌀']);
-        let end = bare
-            .rfind(|c: char| !c.is_alphabetic())
-            .map_or(0, |at| at + bare.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8));
+        let end = bare.rfind(|c: char| !c.is_alphabetic()).map_or(0, |at| {
+            at + bare
+                .get(at..)
+                .and_then(|rest| rest.chars().next())
+                .map_or(1, char::len_utf8)
+        });
         let (left, last) = bare.split_at(end);
         let ends = is_mark(last) && !left.trim().is_empty();
         let shorter = if ends {
@@ -75,11 +97,23 @@ pub(super) fn names_round_object(text: &str) -> bool {
     const HOLDERS: &str = "rack cabinet store storage trolley cart cage holder stand shelf shelves shelving box \
         case cupboard washer press machine warmer wagen schrank regal armoire chariot armadio armario";
     // "Bust on a column": what it stands on is another object.
-    const ON: [&str; 7] = [" on ", " auf ", " sur ", " sobre ", " su ", " next to ", " with "];
+    const ON: [&str; 7] = [
+        " on ",
+        " auf ",
+        " sur ",
+        " sobre ",
+        " su ",
+        " next to ",
+        " with ",
+    ];
     let all = canonical(text);
-    let words = ON.iter().fold(all.as_str(), |words, on| words.split(on).next().unwrap_or(words));
+    let words = ON.iter().fold(all.as_str(), |words, on| {
+        words.split(on).next().unwrap_or(words)
+    });
     let has = |all: &str| words.split(' ').any(|word| is_among(word, all));
-    let is_compound = words.split(' ').any(|word| word.ends_with("flasche") || word.ends_with("flaschen"));
+    let is_compound = words
+        .split(' ')
+        .any(|word| word.ends_with("flasche") || word.ends_with("flaschen"));
     (has(ROUND) || is_compound || words.contains("ボンベ")) && !has(HOLDERS)
 }
 
@@ -103,7 +137,15 @@ mod tests {
             assert_eq!(without_diameter(text), (rest.to_owned(), true), "{text}");
             assert!(names_diameter(text), "{text}");
         }
-        for text in ["230", "1.8 m", "6'2\"", "rack", "dia", "72\" (1829 mm)", "rund 180 cm"] {
+        for text in [
+            "230",
+            "1.8 m",
+            "6'2\"",
+            "rack",
+            "dia",
+            "72\" (1829 mm)",
+            "rund 180 cm",
+        ] {
             assert_eq!(without_diameter(text), (text.to_owned(), false), "{text}");
         }
         assert!(!names_diameter("1800 mm") && !names_diameter("ground"));
@@ -111,16 +153,32 @@ mod tests {
 
     #[test]
     fn names_of_round_objects_and_of_what_holds_them() {
-        for text in ["Oxygen cylinder G size", "Gasflasche", "LN2 dewar on roller base", "Vase Ming", "Oil drum"] {
+        for text in [
+            "Oxygen cylinder G size",
+            "Gasflasche",
+            "LN2 dewar on roller base",
+            "Vase Ming",
+            "Oil drum",
+        ] {
             assert!(names_round_object(text), "{text}");
         }
-        for text in
-            ["bookcase", "Bottle rack", "Cylinder cage", "Gas bottle cabinet", "Flaschenschrank", "bust on a column"]
-        {
+        for text in [
+            "bookcase",
+            "Bottle rack",
+            "Cylinder cage",
+            "Gas bottle cabinet",
+            "Flaschenschrank",
+            "bust on a column",
+        ] {
             assert!(!names_round_object(text), "{text}");
         }
         assert_eq!(
-            [shape("Cylinder"), shape("box"), shape("odd"), shape("polygon:8")],
+            [
+                shape("Cylinder"),
+                shape("box"),
+                shape("odd"),
+                shape("polygon:8")
+            ],
             [Some(true), Some(false), None, Some(true)]
         );
     }

@@ -10,17 +10,30 @@ use super::vocabulary::is_ditto;
 /// The unit that the cell of a column of units states for lengths or masses: `cm`, `mm / kg`.
 pub(super) fn cell_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
     // A quotation mark may repeat the cell above.
-    (text.len() < 40 && !is_ditto(text)).then(|| sentence_unit(&format!("unit: {text}"), dimension)).flatten()
+    (text.len() < 40 && !is_ditto(text))
+        .then(|| sentence_unit(&format!("unit: {text}"), dimension))
+        .flatten()
 }
 
 /// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
 pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
     const LENGTHS: &str = "dimension dimensions dim dims size sizes length lengths measurements measures masse \
         abmessungen langen grossen cotes mesures dimensiones medidas cotas dimensioni misure quote 寸法 heights";
-    const MASSES: &str =
-        "weight weights mass masses gewicht gewichte massen poids peso pesos masas pesi 重量 質量 wt wts";
-    const BOTH: [&str; 9] = ["units", "unit", "einheiten", "einheit", "unites", "unite", "unidades", "unita", "単位"];
-    const BEFORE: [&str; 12] = ["in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all"];
+    const MASSES: &str = "weight weights mass masses gewicht gewichte massen poids peso pesos masas pesi 重量 質量 wt wts";
+    const BOTH: [&str; 9] = [
+        "units",
+        "unit",
+        "einheiten",
+        "einheit",
+        "unites",
+        "unite",
+        "unidades",
+        "unita",
+        "単位",
+    ];
+    const BEFORE: [&str; 12] = [
+        "in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all",
+    ];
     const CHAIN: [&str; 7] = ["and", "und", "et", "y", "e", "or", "&"];
     let wanted = match dimension {
         Dimension::Length => LENGTHS,
@@ -31,9 +44,15 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
     let mut words: Vec<String> = Vec::new();
     let mut kind = 0;
     for c in text.chars() {
-        let now = if matches!(c, ':' | '：' | '=' | '(' | '[' | ',' | '、' | '&' | '/' | 'は') {
+        let now = if matches!(
+            c,
+            ':' | '：' | '=' | '(' | '[' | ',' | '、' | '&' | '/' | 'は'
+        ) {
             3
-        } else if c.is_ascii_alphanumeric() || ('\u{c0}'..='\u{24f}').contains(&c) || matches!(c, '"' | '\'') {
+        } else if c.is_ascii_alphanumeric()
+            || ('\u{c0}'..='\u{24f}').contains(&c)
+            || matches!(c, '"' | '\'')
+        {
             1
         } else if c.is_alphabetic() {
             2
@@ -67,7 +86,10 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
             is_due = true;
         } else if let Ok(unit) = find(word, dimension)
             && (is_due || !word.is_ascii())
-            && (plain != "in" || words.get(place + 1).is_none_or(|next| !next.chars().all(char::is_alphanumeric)))
+            && (plain != "in"
+                || words
+                    .get(place + 1)
+                    .is_none_or(|next| !next.chars().all(char::is_alphanumeric)))
         {
             if is_wanted {
                 if found.is_some_and(|other| other != unit) {
@@ -79,8 +101,12 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
             is_due = true;
         } else {
             // "mm, kg", "mm and kg": units in a chain.
-            let is_unit = [Dimension::Mass, Dimension::Length].iter().any(|other| find(word, *other).is_ok());
-            is_due &= is_unit || CHAIN.contains(&plain.as_str()) || matches!(word.as_str(), "," | "、" | "/" | "&");
+            let is_unit = [Dimension::Mass, Dimension::Length]
+                .iter()
+                .any(|other| find(word, *other).is_ok());
+            is_due &= is_unit
+                || CHAIN.contains(&plain.as_str())
+                || matches!(word.as_str(), "," | "、" | "/" | "&");
         }
     }
     found
@@ -95,8 +121,16 @@ mod tests {
         let symbol = |text: &str, dimension| sentence_unit(text, dimension).map(CellUnit::symbol);
         for (text, length, mass) in [
             ("All dimensions in mm", Some("mm"), None),
-            ("All dimensions in mm, weights in kg", Some("mm"), Some("kg")),
-            ("All dimensions are in inches and weights in lb.", Some("in"), Some("lb")),
+            (
+                "All dimensions in mm, weights in kg",
+                Some("mm"),
+                Some("kg"),
+            ),
+            (
+                "All dimensions are in inches and weights in lb.",
+                Some("in"),
+                Some("lb"),
+            ),
             ("Alle Maße in cm, Gewichte in kg", Some("cm"), Some("kg")),
             ("Dimensions en cm, poids en kg", Some("cm"), Some("kg")),
             ("Medidas en cm", Some("cm"), None),
@@ -110,7 +144,14 @@ mod tests {
             ("Dimensions were taken in May", None, None),
             ("Weights in kg", None, Some("kg")),
         ] {
-            assert_eq!((symbol(text, Dimension::Length), symbol(text, Dimension::Mass)), (length, mass), "{text}");
+            assert_eq!(
+                (
+                    symbol(text, Dimension::Length),
+                    symbol(text, Dimension::Mass)
+                ),
+                (length, mass),
+                "{text}"
+            );
         }
     }
 }

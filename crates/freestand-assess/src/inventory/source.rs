@@ -63,7 +63,9 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     if bytes.starts_with(b"PK") {
         let mut workbook = Workbook::open(bytes)?;
         for (name, is_visible) in workbook.sheets() {
-            if sheet.map_or(is_visible, |wanted| name.trim().eq_ignore_ascii_case(wanted.trim())) {
+            if sheet.map_or(is_visible, |wanted| {
+                name.trim().eq_ignore_ascii_case(wanted.trim())
+            }) {
                 let mut rows = Vec::new();
                 workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
                 found.push(rows);
@@ -89,17 +91,27 @@ impl Sheet {
     /// # Errors
     /// A file that is neither CSV nor XLSX, a sheet or headings that are not found, or more cells
     /// than a list has.
-    pub(super) fn open(bytes: Vec<u8>, sheet: Option<&str>, mapping: Option<&Mapping>) -> Result<Self, Problem> {
+    pub(super) fn open(
+        bytes: Vec<u8>,
+        sheet: Option<&str>,
+        mapping: Option<&Mapping>,
+    ) -> Result<Self, Problem> {
         if bytes.starts_with(b"PK") {
             return Self::open_workbook(bytes, sheet, mapping);
         }
         if bytes.starts_with(b"\xD0\xCF\x11\xE0") {
-            return Err(Problem::new(ProblemKind::Format, "is an old workbook (.xls), or one with a password")
-                .hint("save it as .xlsx without a password, or as CSV"));
+            return Err(Problem::new(
+                ProblemKind::Format,
+                "is an old workbook (.xls), or one with a password",
+            )
+            .hint("save it as .xlsx without a password, or as CSV"));
         }
         if let Some(sheet) = sheet {
-            return Err(Problem::new(ProblemKind::Value, format!("a CSV has no sheet \"{}\"", shorten(sheet)))
-                .hint("remove `sheet`, or give a workbook (.xlsx)"));
+            return Err(Problem::new(
+                ProblemKind::Value,
+                format!("a CSV has no sheet \"{}\"", shorten(sheet)),
+            )
+            .hint("remove `sheet`, or give a workbook (.xlsx)"));
         }
         Self::open_csv(bytes, mapping)
     }
@@ -116,7 +128,9 @@ impl Sheet {
                 failure = Some(problem);
             }
             if let Some(found) = found
-                && best.as_ref().is_none_or(|(other, _)| other.known < found.known)
+                && best
+                    .as_ref()
+                    .is_none_or(|(other, _)| other.known < found.known)
             {
                 best = Some((found, separator));
             }
@@ -138,15 +152,25 @@ impl Sheet {
         })
     }
 
-    fn open_workbook(bytes: Vec<u8>, wanted: Option<&str>, mapping: Option<&Mapping>) -> Result<Self, Problem> {
+    fn open_workbook(
+        bytes: Vec<u8>,
+        wanted: Option<&str>,
+        mapping: Option<&Mapping>,
+    ) -> Result<Self, Problem> {
         let mut workbook = Workbook::open(bytes)?;
         let sheets = workbook.sheets();
         let listed = || {
-            let names: Vec<String> = sheets.iter().take(10).map(|(name, _)| format!("\"{}\"", shorten(name))).collect();
+            let names: Vec<String> = sheets
+                .iter()
+                .take(10)
+                .map(|(name, _)| format!("\"{}\"", shorten(name)))
+                .collect();
             names.join(", ")
         };
         if let Some(wanted) = wanted {
-            let Some((name, _)) = sheets.iter().find(|(name, _)| name.trim().eq_ignore_ascii_case(wanted.trim()))
+            let Some((name, _)) = sheets
+                .iter()
+                .find(|(name, _)| name.trim().eq_ignore_ascii_case(wanted.trim()))
             else {
                 let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
                 return Err(Problem::value(message, format!("its sheets: {}", listed())));
@@ -161,7 +185,9 @@ impl Sheet {
         let mut found: Vec<(String, Header)> = Vec::new();
         let mut hidden = Vec::new();
         for (name, is_visible) in &sheets {
-            let Some(header) = find_in(&mut workbook, name, mapping)? else { continue };
+            let Some(header) = find_in(&mut workbook, name, mapping)? else {
+                continue;
+            };
             if *is_visible {
                 found.push((name.clone(), header));
             } else {
@@ -170,16 +196,25 @@ impl Sheet {
         }
         let most = found.iter().map(|(_, header)| header.known).max();
         // The first one: an archive behind it may have more columns.
-        let best = most.and_then(|most| found.iter().position(|(_, header)| 3 * header.known >= 2 * most));
+        let best = most.and_then(|most| {
+            found
+                .iter()
+                .position(|(_, header)| 3 * header.known >= 2 * most)
+        });
         let Some(best) = best else {
             if let Some(name) = hidden.first() {
-                let message = format!("only the hidden sheet {name} has the headings of an inventory");
-                return Err(Problem::new(ProblemKind::Format, message).hint("name it with `sheet`, or unhide it"));
+                let message =
+                    format!("only the hidden sheet {name} has the headings of an inventory");
+                return Err(Problem::new(ProblemKind::Format, message)
+                    .hint("name it with `sheet`, or unhide it"));
             }
             return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
         };
         let (name, header) = found.swap_remove(best);
-        let others: Vec<String> = found.iter().map(|(name, _)| format!("\"{}\"", shorten(name))).collect();
+        let others: Vec<String> = found
+            .iter()
+            .map(|(name, _)| format!("\"{}\"", shorten(name)))
+            .collect();
         let mut warnings = Vec::new();
         if !others.is_empty() {
             warnings.push(format!(
@@ -192,24 +227,45 @@ impl Sheet {
         Self::of(&mut workbook, &name, header, warnings)
     }
 
-    fn of(workbook: &mut Workbook, name: &str, header: Header, warnings: Vec<String>) -> Result<Self, Problem> {
+    fn of(
+        workbook: &mut Workbook,
+        name: &str,
+        header: Header,
+        warnings: Vec<String>,
+    ) -> Result<Self, Problem> {
         let mut all = Collected::up_to(workbook::MAX_CELLS);
         let formulas = workbook.rows(name, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         let merges = workbook.merges(name)?;
         let hidden = workbook.hidden(name);
-        Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, hidden, warnings })
+        Ok(Self {
+            name: Some(name.to_owned()),
+            rows,
+            merges,
+            header,
+            separator: None,
+            formulas,
+            hidden,
+            warnings,
+        })
     }
 
     /// A warning about rows above the headings.
     pub(super) fn title_warning(&self) -> Option<String> {
-        let sheet = self.name.as_ref().map(|sheet| format!("sheet \"{}\", ", shorten(sheet))).unwrap_or_default();
+        let sheet = self
+            .name
+            .as_ref()
+            .map(|sheet| format!("sheet \"{}\", ", shorten(sheet)))
+            .unwrap_or_default();
         let rows = match self.header.above {
             0 => return None,
             1 => "the row above them is".to_owned(),
             count => format!("the {count} rows above them are"),
         };
-        Some(format!("{sheet}the headings are in row {}; {rows} not part of the list", self.header.row))
+        Some(format!(
+            "{sheet}the headings are in row {}; {rows} not part of the list",
+            self.header.row
+        ))
     }
 }
 
@@ -222,7 +278,11 @@ struct Collected {
 
 impl Collected {
     fn up_to(most: usize) -> Self {
-        Self { rows: Vec::new(), cells: 0, most }
+        Self {
+            rows: Vec::new(),
+            cells: 0,
+            most,
+        }
     }
 
     fn take(&mut self, row: Row) -> Flow {
@@ -231,13 +291,21 @@ impl Collected {
         }
         self.cells += row.cells.len();
         self.rows.push(row);
-        if self.cells > self.most { Flow::Enough } else { Flow::More }
+        if self.cells > self.most {
+            Flow::Enough
+        } else {
+            Flow::More
+        }
     }
 
     fn finish(self) -> Result<Vec<Row>, Problem> {
         if self.cells > self.most {
-            let message = format!("the sheet has more than {} cells, too many for an inventory", self.most);
-            return Err(Problem::new(ProblemKind::Format, message).hint("split it into one file for each building"));
+            let message = format!(
+                "the sheet has more than {} cells, too many for an inventory",
+                self.most
+            );
+            return Err(Problem::new(ProblemKind::Format, message)
+                .hint("split it into one file for each building"));
         }
         Ok(self.rows)
     }
@@ -247,10 +315,18 @@ fn keep(rows: &mut Vec<Row>, row: Row) -> Flow {
     if !row.is_blank() {
         rows.push(row);
     }
-    if rows.len() < SEARCHED_ROWS + 2 { Flow::More } else { Flow::Enough }
+    if rows.len() < SEARCHED_ROWS + 2 {
+        Flow::More
+    } else {
+        Flow::Enough
+    }
 }
 
-fn find_in(workbook: &mut Workbook, sheet: &str, mapping: Option<&Mapping>) -> Result<Option<Header>, Problem> {
+fn find_in(
+    workbook: &mut Workbook,
+    sheet: &str,
+    mapping: Option<&Mapping>,
+) -> Result<Option<Header>, Problem> {
     let mut rows = Vec::new();
     workbook.rows(sheet, &mut |row| keep(&mut rows, row))?;
     Ok(find_header(&rows, mapping))

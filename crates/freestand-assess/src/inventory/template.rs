@@ -60,7 +60,10 @@ const EXAMPLES: [&[(Column, &str)]; 3] = [
         (Column::ToleranceDuration, "11"),
         (Column::ToleranceEdgeLift, "50"),
         (Column::Accepted, "0.05"),
-        (Column::Notes, "stiffness of everything under one edge, from a drop test"),
+        (
+            Column::Notes,
+            "stiffness of everything under one edge, from a drop test",
+        ),
     ],
     &[
         (Column::Id, "example-3"),
@@ -74,13 +77,20 @@ const EXAMPLES: [&[(Column, &str)]; 3] = [
         (Column::LevelRatio, "0"),
         (Column::Height, "1500"),
         (Column::Thickness, "230"),
-        (Column::Notes, "without mass, cushion or tolerance, only overturning is assessed"),
+        (
+            Column::Notes,
+            "without mass, cushion or tolerance, only overturning is assessed",
+        ),
     ],
 ];
 
 /// The heading of a column, with its unit.
 fn heading(spec: &ColumnSpec) -> String {
-    if spec.unit.is_empty() { spec.name.to_owned() } else { format!("{} [{}]", spec.name, spec.unit) }
+    if spec.unit.is_empty() {
+        spec.name.to_owned()
+    } else {
+        format!("{} [{}]", spec.name, spec.unit)
+    }
 }
 
 /// The columns of the template.
@@ -91,15 +101,24 @@ fn columns() -> impl Iterator<Item = &'static ColumnSpec> {
 fn table() -> Table {
     let row = |example: &&[(Column, &str)]| {
         let cell = |spec: &ColumnSpec| {
-            let text = example.iter().find(|(column, _)| *column == spec.column).map_or("", |(_, text)| text);
+            let text = example
+                .iter()
+                .find(|(column, _)| *column == spec.column)
+                .map_or("", |(_, text)| text);
             Written::of(
                 text,
-                !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Casters),
+                !matches!(
+                    spec.holds,
+                    Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Casters
+                ),
             )
         };
         columns().map(cell).collect()
     };
-    Table { headings: columns().map(heading).collect(), rows: EXAMPLES.iter().map(row).collect() }
+    Table {
+        headings: columns().map(heading).collect(),
+        rows: EXAMPLES.iter().map(row).collect(),
+    }
 }
 
 /// The template as CSV.
@@ -124,15 +143,26 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
     let bold = Format::new().set_bold().set_background_color("#DDE7F0");
     let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
     let sheet = workbook.add_worksheet().set_name("Columns")?;
-    for (column, (title, width)) in
-        (0u16..).zip([("Column", 26), ("Unit", 8), ("Required", 10), ("Cells", 28), ("Meaning", 70), ("Example", 18)])
-    {
+    for (column, (title, width)) in (0u16..).zip([
+        ("Column", 26),
+        ("Unit", 8),
+        ("Required", 10),
+        ("Cells", 28),
+        ("Meaning", 70),
+        ("Example", 18),
+    ]) {
         sheet.write_string_with_format(0, column, title, &bold)?;
         sheet.set_column_width(column, width)?;
     }
     for (row, spec) in (1u32..).zip(columns()) {
-        let cells =
-            [spec.name, spec.unit, if spec.is_required { "yes" } else { "" }, cells(spec), spec.meaning, spec.example];
+        let cells = [
+            spec.name,
+            spec.unit,
+            if spec.is_required { "yes" } else { "" },
+            cells(spec),
+            spec.meaning,
+            spec.example,
+        ];
         for (column, text) in (0u16..).zip(cells) {
             sheet.write_string_with_format(row, column, text, &wrap)?;
         }

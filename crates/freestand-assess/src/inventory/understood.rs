@@ -92,33 +92,60 @@ pub(super) struct Use {
 impl Use {
     /// The unit of bare numbers in a row.
     pub(super) fn unit_at(&self, row: u32) -> Option<CellUnit> {
-        self.stated_at(row).or_else(|| self.row_unit(row)).or(self.unit)
+        self.stated_at(row)
+            .or_else(|| self.row_unit(row))
+            .or(self.unit)
     }
 
     /// The unit that is stated for the whole column, or for a part of it.
     fn stated_at(&self, row: u32) -> Option<CellUnit> {
-        let later = self.later_units.iter().rev().find(|(from, _)| *from < row).map(|(_, unit)| *unit);
-        later.or_else(|| self.unit.filter(|_| !self.unit_source.is_some_and(UnitSource::is_assumed)))
+        let later = self
+            .later_units
+            .iter()
+            .rev()
+            .find(|(from, _)| *from < row)
+            .map(|(_, unit)| *unit);
+        later.or_else(|| {
+            self.unit
+                .filter(|_| !self.unit_source.is_some_and(UnitSource::is_assumed))
+        })
     }
 
     fn row_unit(&self, row: u32) -> Option<CellUnit> {
-        let at = self.row_units.binary_search_by_key(&row, |(row, _)| *row).ok()?;
+        let at = self
+            .row_units
+            .binary_search_by_key(&row, |(row, _)| *row)
+            .ok()?;
         self.row_units.get(at).map(|(_, unit)| *unit)
     }
 
     /// Two units of a row that differ, in words, where no mapping file decides.
     pub(super) fn contradiction_at(&self, row: u32) -> Option<String> {
-        let stated = self.stated_at(row).filter(|_| self.unit_source != Some(UnitSource::Mapping))?;
+        let stated = self
+            .stated_at(row)
+            .filter(|_| self.unit_source != Some(UnitSource::Mapping))?;
         // A row of units below a sentence is the later word.
         let sentence = self.sentence_unit.filter(|_| Some(stated) == self.unit);
-        let others = [(self.row_unit(row), "the row"), (sentence, "a sentence of the list")];
-        let (other, by) = others.into_iter().find_map(|(unit, by)| Some((unit.filter(|unit| *unit != stated)?, by)))?;
-        Some(format!("{} by the heading, {} by {by}", stated.symbol(), other.symbol()))
+        let others = [
+            (self.row_unit(row), "the row"),
+            (sentence, "a sentence of the list"),
+        ];
+        let (other, by) = others
+            .into_iter()
+            .find_map(|(unit, by)| Some((unit.filter(|unit| *unit != stated)?, by)))?;
+        Some(format!(
+            "{} by the heading, {} by {by}",
+            stated.symbol(),
+            other.symbol()
+        ))
     }
 
     /// Whether the unit is neither in the heading nor in the cells.
     pub(super) fn is_unit_stated_outside(&self) -> bool {
-        matches!(self.unit_source, Some(UnitSource::UnitRow | UnitSource::Sentence))
+        matches!(
+            self.unit_source,
+            Some(UnitSource::UnitRow | UnitSource::Sentence)
+        )
     }
 
     /// Whether the unit of a bare number of a row was assumed.
@@ -157,11 +184,15 @@ pub(super) struct Evidence<'a> {
 
 impl Evidence<'_> {
     fn objects(&self) -> impl Iterator<Item = &Row> {
-        self.body.objects.iter().filter_map(|(place, _)| self.rows.get(*place))
+        self.body
+            .objects
+            .iter()
+            .filter_map(|(place, _)| self.rows.get(*place))
     }
 
     fn cells(&self, index: u32) -> impl Iterator<Item = (&Row, &Cell)> {
-        self.objects().filter_map(move |row| Some((row, row.get(index)?)))
+        self.objects()
+            .filter_map(move |row| Some((row, row.get(index)?)))
     }
 
     /// The texts of a column that may hold numbers.
@@ -181,9 +212,14 @@ pub(super) fn understand(evidence: &Evidence<'_>) -> Understood {
     assumed_units(&mut all, evidence);
     plausible_dialects(&mut all, evidence);
     all.is_imperial = {
-        let systems: Vec<bool> = all.uses.iter().filter_map(|one| is_metric(one.unit?)).collect();
+        let systems: Vec<bool> = all
+            .uses
+            .iter()
+            .filter_map(|one| is_metric(one.unit?))
+            .collect();
         let metric = systems.iter().filter(|&&metric| metric).count();
-        !systems.is_empty() && 2 * metric < systems.len() || systems.is_empty() && cells_are_imperial(&all, evidence)
+        !systems.is_empty() && 2 * metric < systems.len()
+            || systems.is_empty() && cells_are_imperial(&all, evidence)
     };
     all
 }
@@ -191,9 +227,14 @@ pub(super) fn understand(evidence: &Evidence<'_>) -> Understood {
 fn cells_are_imperial(all: &Understood, evidence: &Evidence<'_>) -> bool {
     let (mut metric, mut imperial) = (0, 0);
     for one in &all.uses {
-        let Some(dimension) = dimension(one.column) else { continue };
+        let Some(dimension) = dimension(one.column) else {
+            continue;
+        };
         for (row, text) in evidence.texts(one.index).take(50) {
-            match stated_unit(&text, dimension).or(one.row_unit(row.number)).and_then(is_metric) {
+            match stated_unit(&text, dimension)
+                .or(one.row_unit(row.number))
+                .and_then(is_metric)
+            {
                 Some(true) => metric += 1,
                 Some(false) => imperial += 1,
                 None => {}
@@ -206,7 +247,11 @@ fn cells_are_imperial(all: &Understood, evidence: &Evidence<'_>) -> bool {
 impl Understood {
     /// The columns with one name, the one that is read first.
     pub(super) fn all(&self, column: Column) -> impl Iterator<Item = &Use> {
-        self.firsts.get(column as usize).into_iter().flatten().filter_map(|place| self.uses.get(*place))
+        self.firsts
+            .get(column as usize)
+            .into_iter()
+            .flatten()
+            .filter_map(|place| self.uses.get(*place))
     }
 
     /// The column with this name.
@@ -215,10 +260,17 @@ impl Understood {
     }
 
     /// Every heading with what it was taken for, as a mapping file has it.
-    pub(super) fn headings(&self, header: &Header) -> Vec<(String, Option<Column>, Option<CellUnit>)> {
+    pub(super) fn headings(
+        &self,
+        header: &Header,
+    ) -> Vec<(String, Option<Column>, Option<CellUnit>)> {
         let one = |(index, heading): (&u32, &String)| {
             let found = self.uses.iter().find(|one| one.index == *index);
-            (heading.clone(), found.map(|one| one.column), found.and_then(|one| one.unit))
+            (
+                heading.clone(),
+                found.map(|one| one.column),
+                found.and_then(|one| one.unit),
+            )
         };
         header.headings.iter().map(one).collect()
     }
@@ -226,7 +278,9 @@ impl Understood {
 
 /// Which column each heading is.
 fn roles(evidence: &Evidence<'_>) -> Understood {
-    let Evidence { header, mapping, .. } = evidence;
+    let Evidence {
+        header, mapping, ..
+    } = evidence;
     let mut candidates: BTreeMap<u32, Candidate> = BTreeMap::new();
     let mut carried: Vec<(u32, String)> = Vec::new();
     for (index, heading) in &header.headings {
@@ -271,7 +325,12 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
     by_content(&mut candidates, evidence, &mut carried);
     sides(&mut candidates, header, &mut carried, &mut warnings);
     let is_japanese = {
-        let of = |language| candidates.values().filter(|one| one.language == Some(language)).count();
+        let of = |language| {
+            candidates
+                .values()
+                .filter(|one| one.language == Some(language))
+                .count()
+        };
         of(Language::EastAsian) > of(Language::English) + of(Language::Comma)
     };
     second_texts(&mut candidates, header, &mut carried);
@@ -287,8 +346,16 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
             HeadingUnit::Wrong(text) => (None, Some(text)),
             HeadingUnit::None => (None, None),
         };
-        let source = if one.is_mapped { UnitSource::Mapping } else { UnitSource::Heading };
-        let later = evidence.body.units.iter().filter(|(_, column, _)| *column == index);
+        let source = if one.is_mapped {
+            UnitSource::Mapping
+        } else {
+            UnitSource::Heading
+        };
+        let later = evidence
+            .body
+            .units
+            .iter()
+            .filter(|(_, column, _)| *column == index);
         uses.push(Use {
             index,
             slot,
@@ -310,20 +377,37 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
     };
     let firsts = firsts.into_iter().map(by_rank).collect();
     row_units(&mut uses, evidence);
-    Understood { uses, firsts, carried, is_imperial: false, is_japanese, has_both_signs: false, warnings }
+    Understood {
+        uses,
+        firsts,
+        carried,
+        is_imperial: false,
+        is_japanese,
+        has_both_signs: false,
+        warnings,
+    }
 }
 
 /// The rows that have a unit of their own: of several columns of units the next to the right of a
 /// column is its own, as in `Height, Unit, Weight, Unit`; else the last.
 fn row_units(uses: &mut [Use], evidence: &Evidence<'_>) {
-    let columns: Vec<u32> = uses.iter().filter(|one| one.column == Column::Unit).map(|one| one.index).collect();
+    let columns: Vec<u32> = uses
+        .iter()
+        .filter(|one| one.column == Column::Unit)
+        .map(|one| one.index)
+        .collect();
     for one in uses.iter_mut().filter(|_| !columns.is_empty()) {
-        let Some(dimension) = dimension(one.column) else { continue };
+        let Some(dimension) = dimension(one.column) else {
+            continue;
+        };
         let of = |column: &u32| -> Vec<(u32, CellUnit)> {
-            let unit = |(row, cell): (&Row, &Cell)| Some((row.number, cell_unit(&cell.shown(), dimension)?));
+            let unit = |(row, cell): (&Row, &Cell)| {
+                Some((row.number, cell_unit(&cell.shown(), dimension)?))
+            };
             evidence.cells(*column).filter_map(unit).collect()
         };
-        let all: Vec<(u32, Vec<(u32, CellUnit)>)> = columns.iter().map(|column| (*column, of(column))).collect();
+        let all: Vec<(u32, Vec<(u32, CellUnit)>)> =
+            columns.iter().map(|column| (*column, of(column))).collect();
         let mut stating = all.into_iter().filter(|(_, units)| !units.is_empty());
         let mut last = None;
         let next = stating.find_map(|(column, units)| {
@@ -339,14 +423,25 @@ fn row_units(uses: &mut [Use], evidence: &Evidence<'_>) {
 
 /// Of two columns with one name the better heading is read. The other is carried through where it
 /// holds texts or ratios; a second quantity is compared with the first.
-fn second_texts(candidates: &mut BTreeMap<u32, Candidate>, header: &Header, carried: &mut Vec<(u32, String)>) {
-    let mut seen: Vec<(Column, u16, u32)> =
-        candidates.iter().map(|(&index, one)| (one.column, one.rank, index)).collect();
+fn second_texts(
+    candidates: &mut BTreeMap<u32, Candidate>,
+    header: &Header,
+    carried: &mut Vec<(u32, String)>,
+) {
+    let mut seen: Vec<(Column, u16, u32)> = candidates
+        .iter()
+        .map(|(&index, one)| (one.column, one.rank, index))
+        .collect();
     seen.sort_unstable_by_key(|&(column, rank, index)| (column as usize, rank, index));
     for pair in seen.windows(2) {
-        let [(first, ..), (column, _, index)] = *pair else { continue };
+        let [(first, ..), (column, _, index)] = *pair else {
+            continue;
+        };
         let is_unit = column == Column::Unit;
-        if first == column && !is_unit && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio) {
+        if first == column
+            && !is_unit
+            && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio)
+        {
             candidates.remove(&index);
             carry(index, header, carried);
         }
@@ -355,7 +450,10 @@ fn second_texts(candidates: &mut BTreeMap<u32, Candidate>, header: &Header, carr
 
 /// Carries a column through.
 fn carry(index: u32, header: &Header, carried: &mut Vec<(u32, String)>) {
-    carried.push((index, header.headings.get(&index).cloned().unwrap_or_default()));
+    carried.push((
+        index,
+        header.headings.get(&index).cloned().unwrap_or_default(),
+    ));
 }
 
 struct Candidate {
@@ -370,14 +468,24 @@ struct Candidate {
 
 /// Corrects what a heading alone cannot say: an "Item" of running numbers is an id, a column of
 /// ratings without ratings is another one.
-fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>, carried: &mut Vec<(u32, String)>) {
+fn by_content(
+    candidates: &mut BTreeMap<u32, Candidate>,
+    evidence: &Evidence<'_>,
+    carried: &mut Vec<(u32, String)>,
+) {
     let sample = |index: u32| -> Vec<String> {
-        let texts = evidence.cells(index).map(|(_, cell)| cell.shown().trim().to_owned());
+        let texts = evidence
+            .cells(index)
+            .map(|(_, cell)| cell.shown().trim().to_owned());
         texts.filter(|text| !is_missing(text)).take(200).collect()
     };
-    let is_number = |text: &String| text.chars().all(|c| c.is_ascii_digit() || c == '.') && !text.is_empty();
-    let items: Vec<u32> =
-        candidates.iter().filter(|(_, one)| one.column == Column::Item).map(|(index, _)| *index).collect();
+    let is_number =
+        |text: &String| text.chars().all(|c| c.is_ascii_digit() || c == '.') && !text.is_empty();
+    let items: Vec<u32> = candidates
+        .iter()
+        .filter(|(_, one)| one.column == Column::Item)
+        .map(|(index, _)| *index)
+        .collect();
     let has_id = candidates.values().any(|one| one.column == Column::Id);
     if items.len() > 1 {
         for index in items {
@@ -392,10 +500,19 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
         }
     }
     // "Masse" of a Swiss list may be sizes.
-    for (index, one) in candidates.iter_mut().filter(|(_, one)| one.column == Column::Mass) {
+    for (index, one) in candidates
+        .iter_mut()
+        .filter(|(_, one)| one.column == Column::Mass)
+    {
         let texts = sample(*index);
         let is_size = |text: &&String| {
-            sizes(&super::numbers::plain(text), find("mm", Dimension::Length).ok(), None, Choice::Decimal).is_ok()
+            sizes(
+                &super::numbers::plain(text),
+                find("mm", Dimension::Length).ok(),
+                None,
+                Choice::Decimal,
+            )
+            .is_ok()
         };
         let sized = texts.iter().filter(is_size).count();
         if !texts.is_empty() && 2 * sized > texts.len() {
@@ -405,13 +522,18 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
     let mut dropped = Vec::new();
     // "Units" may be a number, "Unit" a ward or "each", "Height unit" a column of units.
     for (index, one) in candidates.iter_mut() {
-        let is_size = matches!(dimension(one.column), Some(Dimension::Length | Dimension::Mass));
+        let is_size = matches!(
+            dimension(one.column),
+            Some(Dimension::Length | Dimension::Mass)
+        );
         if !matches!(one.column, Column::Unit | Column::Quantity) && !is_size {
             continue;
         }
         let texts = sample(*index);
         let is_unit = |text: &&String| {
-            [Dimension::Length, Dimension::Mass].into_iter().any(|dimension| cell_unit(text, dimension).is_some())
+            [Dimension::Length, Dimension::Mass]
+                .into_iter()
+                .any(|dimension| cell_unit(text, dimension).is_some())
         };
         let units = texts.iter().filter(is_unit).count();
         if one.column == Column::Unit {
@@ -423,14 +545,25 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
         }
     }
     for (index, one) in candidates.iter_mut() {
-        if COLUMNS.get(one.column as usize).is_none_or(|spec| spec.holds != Holds::Rating) {
+        if COLUMNS
+            .get(one.column as usize)
+            .is_none_or(|spec| spec.holds != Holds::Rating)
+        {
             continue;
         }
         let texts = sample(*index);
         let rated = texts.iter().filter(|text| rating(text).is_some()).count();
         if texts.len() >= 3 && 2 * rated < texts.len() {
-            let heading = evidence.header.headings.get(index).map(|text| canonical(text)).unwrap_or_default();
-            let floors = texts.iter().filter(|text| super::floors::storey(text).is_some()).count();
+            let heading = evidence
+                .header
+                .headings
+                .get(index)
+                .map(|text| canonical(text))
+                .unwrap_or_default();
+            let floors = texts
+                .iter()
+                .filter(|text| super::floors::storey(text).is_some())
+                .count();
             if heading == "fl" && 2 * floors >= texts.len() {
                 *one = Candidate {
                     column: Column::Floor,
@@ -459,11 +592,16 @@ fn sides(
     carried: &mut Vec<(u32, String)>,
     warnings: &mut Vec<String>,
 ) {
-    let has =
-        |candidates: &BTreeMap<u32, Candidate>, column: Column| candidates.values().any(|one| one.column == column);
+    let has = |candidates: &BTreeMap<u32, Candidate>, column: Column| {
+        candidates.values().any(|one| one.column == column)
+    };
     let widths = |candidates: &BTreeMap<u32, Candidate>, is_long: bool| -> Vec<u32> {
         let of = |one: &&Candidate| one.column == Column::Width && one.is_long_side == is_long;
-        candidates.iter().filter(|(_, one)| of(one)).map(|(index, _)| *index).collect()
+        candidates
+            .iter()
+            .filter(|(_, one)| of(one))
+            .map(|(index, _)| *index)
+            .collect()
     };
     let long = widths(candidates, true);
     let mut short = widths(candidates, false);
@@ -499,20 +637,30 @@ fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
     let said_of_all = sentences(evidence, true);
     // The units of these, where all of them agree.
     let of = |said: &[String], dimension| {
-        let mut units = said.iter().filter_map(|text| sentence_unit(text, dimension));
+        let mut units = said
+            .iter()
+            .filter_map(|text| sentence_unit(text, dimension));
         let first = units.next()?;
         units.all(|other| other == first).then_some(first)
     };
     for one in &mut all.uses {
-        let Some(dimension) = dimension(one.column) else { continue };
-        if let Some(unit) = evidence.mapping.and_then(|mapping| mapping.unit(one.column)) {
+        let Some(dimension) = dimension(one.column) else {
+            continue;
+        };
+        if let Some(unit) = evidence
+            .mapping
+            .and_then(|mapping| mapping.unit(one.column))
+        {
             if one.unit_source != Some(UnitSource::Mapping) {
                 one.unit = Some(unit);
                 one.unit_source = Some(UnitSource::Mapping);
                 one.wrong_unit = None;
             }
         } else if one.unit.is_none() && one.wrong_unit.is_none() {
-            let from_row = evidence.header.unit(one.index).map(|unit| (unit, UnitSource::UnitRow));
+            let from_row = evidence
+                .header
+                .unit(one.index)
+                .map(|unit| (unit, UnitSource::UnitRow));
             let from_sentence = || of(&said, dimension).map(|unit| (unit, UnitSource::Sentence));
             if let Some((unit, source)) = from_row.or_else(from_sentence) {
                 one.unit = Some(unit);
@@ -531,13 +679,30 @@ fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
 fn sentences(evidence: &Evidence<'_>, of_all: bool) -> Vec<String> {
     const EXCEPT: &str = "unless except otherwise sofern ausser sauf salvo tranne excepto";
     let is_one = |left: &LeftOut| !of_all || matches!(left.kind, RowKind::Note | RowKind::Section);
-    let is_whole = |text: &str| !of_all || !canonical(text).split(' ').any(|word| is_among(word, EXCEPT));
+    let is_whole = |text: &str| {
+        !of_all
+            || !canonical(text)
+                .split(' ')
+                .any(|word| is_among(word, EXCEPT))
+    };
     let header = evidence.header;
-    let above = evidence.rows.iter().skip_while(|row| row.number < header.first_row);
+    let above = evidence
+        .rows
+        .iter()
+        .skip_while(|row| row.number < header.first_row);
     let above = above.take_while(|row| row.number < header.row);
     let cells = above.flat_map(|row| row.cells.iter().map(|(_, cell)| cell.shown()));
-    let left = evidence.body.left_out.iter().filter(|left| is_one(left)).map(|left| left.text.clone());
-    cells.chain(left).filter(|text| text.len() < 400 && is_whole(text)).take(300).collect()
+    let left = evidence
+        .body
+        .left_out
+        .iter()
+        .filter(|left| is_one(left))
+        .map(|left| left.text.clone());
+    cells
+        .chain(left)
+        .filter(|text| text.len() < 400 && is_whole(text))
+        .take(300)
+        .collect()
 }
 
 /// The decimal sign of each column from its own cells, or from those of the others.
@@ -566,9 +731,16 @@ fn dialects(all: &mut Understood, evidence: &Evidence<'_>) {
         };
     }
     let has = |dialect| all.uses.iter().any(|one| one.dialect == dialect);
-    all.has_both_signs = has(Dialect::Mixed) || has(Dialect::One(Decimal::Point)) && has(Dialect::One(Decimal::Comma));
-    let mut known = all.uses.iter().filter(|one| one.dialect != Dialect::Open).map(|one| one.dialect);
-    let Some(first @ Dialect::One(_)) = known.next() else { return };
+    all.has_both_signs = has(Dialect::Mixed)
+        || has(Dialect::One(Decimal::Point)) && has(Dialect::One(Decimal::Comma));
+    let mut known = all
+        .uses
+        .iter()
+        .filter(|one| one.dialect != Dialect::Open)
+        .map(|one| one.dialect);
+    let Some(first @ Dialect::One(_)) = known.next() else {
+        return;
+    };
     if known.all(|other| other == first) {
         for one in all.uses.iter_mut().filter(|one| holds_numbers(one.column)) {
             one.dialect = first;
@@ -578,7 +750,10 @@ fn dialects(all: &mut Understood, evidence: &Evidence<'_>) {
 
 fn holds_numbers(column: Column) -> bool {
     let holds = COLUMNS.get(column as usize).map(|spec| spec.holds);
-    matches!(holds, Some(Holds::Quantity(_) | Holds::Count | Holds::Range | Holds::Sizes))
+    matches!(
+        holds,
+        Some(Holds::Quantity(_) | Holds::Count | Holds::Range | Holds::Sizes)
+    )
 }
 
 /// Lengths that the one unit of bare sizes is searched among.
@@ -589,9 +764,15 @@ const CANDIDATES: [&str; 5] = ["mm", "cm", "m", "in", "ft"];
 fn assumed_units(all: &mut Understood, evidence: &Evidence<'_>) {
     let mut open: Vec<usize> = Vec::new();
     // Whether the list is metric, where anything says so.
-    let mut systems: Vec<bool> = all.uses.iter().filter_map(|one| is_metric(one.unit?)).collect();
+    let mut systems: Vec<bool> = all
+        .uses
+        .iter()
+        .filter_map(|one| is_metric(one.unit?))
+        .collect();
     for (place, one) in all.uses.iter_mut().enumerate() {
-        let Some(dimension) = dimension(one.column).filter(|dimension| *dimension != Dimension::Ratio) else {
+        let Some(dimension) =
+            dimension(one.column).filter(|dimension| *dimension != Dimension::Ratio)
+        else {
             continue;
         };
         if one.unit.is_some() || one.wrong_unit.is_some() {
@@ -603,7 +784,9 @@ fn assumed_units(all: &mut Understood, evidence: &Evidence<'_>) {
             if one.unit_at(row.number).is_some() {
                 continue;
             }
-            let Ok(Some(text)) = number_text(cell) else { continue };
+            let Ok(Some(text)) = number_text(cell) else {
+                continue;
+            };
             match stated_unit(&text, dimension) {
                 Some(unit) => match stated.iter_mut().find(|(other, _)| *other == unit) {
                     Some((_, count)) => *count += 1,
@@ -617,7 +800,10 @@ fn assumed_units(all: &mut Understood, evidence: &Evidence<'_>) {
             continue;
         }
         let total: usize = stated.iter().map(|(_, count)| count).sum();
-        let most = stated.iter().filter(|(_, count)| 2 * count >= total).map(|(unit, _)| *unit);
+        let most = stated
+            .iter()
+            .filter(|(_, count)| 2 * count >= total)
+            .map(|(unit, _)| *unit);
         let fitting: Vec<CellUnit> = most.filter(|unit| fits(evidence, one, *unit)).collect();
         match fitting.as_slice() {
             [unit] => {
@@ -630,7 +816,12 @@ fn assumed_units(all: &mut Understood, evidence: &Evidence<'_>) {
     }
     let metric = systems.iter().filter(|&&metric| metric).count();
     let is_metric_list = if systems.is_empty() {
-        let has_comma = evidence.header.meanings.values().filter(|found| found.language != Language::English).count();
+        let has_comma = evidence
+            .header
+            .meanings
+            .values()
+            .filter(|found| found.language != Language::English)
+            .count();
         (2 * has_comma > evidence.header.meanings.len()).then_some(true)
     } else if metric == systems.len() {
         Some(true)
@@ -668,21 +859,30 @@ pub(super) fn choice_of(cell: &Cell, text: &str, dialect: Dialect) -> Option<Cho
 /// Bare sizes of a column in this unit: how many are plausible, of how many.
 fn plausible_count(evidence: &Evidence<'_>, one: &Use, unit: CellUnit) -> (usize, usize) {
     let (mut good, mut count) = (0, 0);
-    let Some(dimension) = dimension(one.column) else { return (0, 0) };
+    let Some(dimension) = dimension(one.column) else {
+        return (0, 0);
+    };
     for (row, cell) in evidence.cells(one.index) {
         if one.unit_at(row.number).is_some() {
             continue;
         }
-        let Ok(Some(text)) = number_text(cell) else { continue };
+        let Ok(Some(text)) = number_text(cell) else {
+            continue;
+        };
         // What has two readings says nothing about the unit.
-        let Some(choice) = choice_of(cell, &text, one.dialect) else { continue };
+        let Some(choice) = choice_of(cell, &text, one.dialect) else {
+            continue;
+        };
         if one.column == Column::Dimensions {
-            let Ok(found) = sizes(&text, Some(unit), one.order.as_deref(), choice) else { continue };
+            let Ok(found) = sizes(&text, Some(unit), one.order.as_deref(), choice) else {
+                continue;
+            };
             if !found.is_bare {
                 continue;
             }
             let height = found.height.map(|size| is_plausible(Column::Height, size));
-            let others = [found.width, found.thickness].map(|size| size.map(|size| is_plausible(Column::Width, size)));
+            let others = [found.width, found.thickness]
+                .map(|size| size.map(|size| is_plausible(Column::Width, size)));
             for is_good in [height, others[0], others[1]].into_iter().flatten() {
                 count += 1;
                 good += usize::from(is_good);
@@ -703,9 +903,18 @@ fn fits(evidence: &Evidence<'_>, one: &Use, unit: CellUnit) -> bool {
 }
 
 fn all_fit(evidence: &Evidence<'_>, open: &[usize], all: &Understood, unit: CellUnit) -> bool {
-    let sizes = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions];
+    let sizes = [
+        Column::Height,
+        Column::Thickness,
+        Column::Width,
+        Column::Dimensions,
+    ];
     let (mut good, mut count) = (0, 0);
-    for one in open.iter().filter_map(|place| all.uses.get(*place)).filter(|one| sizes.contains(&one.column)) {
+    for one in open
+        .iter()
+        .filter_map(|place| all.uses.get(*place))
+        .filter(|one| sizes.contains(&one.column))
+    {
         let (more, of) = plausible_count(evidence, one, unit);
         good += more;
         count += of;
@@ -716,14 +925,27 @@ fn all_fit(evidence: &Evidence<'_>, open: &[usize], all: &Understood, unit: Cell
 /// The decimal sign of columns of which only plausibility tells, or the language.
 fn plausible_dialects(all: &mut Understood, evidence: &Evidence<'_>) {
     let has_comma_headings = {
-        let of = |language| evidence.header.meanings.values().filter(|found| found.language == language).count();
+        let of = |language| {
+            evidence
+                .header
+                .meanings
+                .values()
+                .filter(|found| found.language == language)
+                .count()
+        };
         of(Language::Comma) > of(Language::English)
     };
     // Sizes first: the density of a mass needs them.
     let mut order: Vec<usize> = (0..all.uses.len()).collect();
-    order.sort_by_key(|place| all.uses.get(*place).is_some_and(|one| one.column == Column::Mass));
+    order.sort_by_key(|place| {
+        all.uses
+            .get(*place)
+            .is_some_and(|one| one.column == Column::Mass)
+    });
     for place in order {
-        let Some(one) = all.uses.get(place) else { continue };
+        let Some(one) = all.uses.get(place) else {
+            continue;
+        };
         if one.dialect != Dialect::Open || !holds_numbers(one.column) {
             continue;
         }
@@ -762,16 +984,29 @@ fn plausible_dialects(all: &mut Understood, evidence: &Evidence<'_>) {
 }
 
 /// Whether a reading of a cell is one that such an object can have.
-pub(super) fn is_plausible_reading(all: &Understood, one: &Use, row: &Row, text: &str, choice: Choice) -> bool {
+pub(super) fn is_plausible_reading(
+    all: &Understood,
+    one: &Use,
+    row: &Row,
+    text: &str,
+    choice: Choice,
+) -> bool {
     let unit = one.unit_at(row.number);
     if one.column == Column::Dimensions {
         return sizes(text, unit, one.order.as_deref(), choice).is_ok_and(|found| {
-            found.height.is_none_or(|size| is_plausible(Column::Height, size))
-                && [found.width, found.thickness].iter().flatten().all(|size| is_plausible(Column::Width, *size))
+            found
+                .height
+                .is_none_or(|size| is_plausible(Column::Height, size))
+                && [found.width, found.thickness]
+                    .iter()
+                    .flatten()
+                    .all(|size| is_plausible(Column::Width, *size))
         });
     }
     let dimension = dimension(one.column).unwrap_or(Dimension::Ratio);
-    let Ok(found) = quantity(text, dimension, unit, choice) else { return false };
+    let Ok(found) = quantity(text, dimension, unit, choice) else {
+        return false;
+    };
     if one.column == Column::Mass
         && let Some(volume) = volume(all, row)
     {
@@ -795,7 +1030,10 @@ fn volume(all: &Understood, row: &Row) -> Option<f64> {
         if let Some(choice) = choice_of(cell, &text, one.dialect) {
             return read(choice).filter(is_size);
         }
-        match (read(Choice::Decimal).filter(is_size), read(Choice::Thousands).filter(is_size)) {
+        match (
+            read(Choice::Decimal).filter(is_size),
+            read(Choice::Thousands).filter(is_size),
+        ) {
             (Some(size), None) | (None, Some(size)) => Some(size),
             _ => None,
         }
@@ -806,7 +1044,9 @@ fn volume(all: &Understood, row: &Row) -> Option<f64> {
     {
         let choice = choice_of(cell, &text, one.dialect)?;
         let found = sizes(&text, one.unit_at(row.number), one.order.as_deref(), choice).ok()?;
-        return Some(found.height.or_else(|| size(Column::Height))? * found.thickness? * found.width?);
+        return Some(
+            found.height.or_else(|| size(Column::Height))? * found.thickness? * found.width?,
+        );
     }
     let (height, thickness) = (size(Column::Height)?, size(Column::Thickness)?);
     Some(height * thickness * size(Column::Width).unwrap_or(thickness))

@@ -137,7 +137,11 @@ pub(super) enum NoUnit {
 /// A unit of something else, or no unit at all.
 pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit> {
     let text = text.trim().trim_end_matches('.').trim();
-    let text = text.strip_prefix(['(', '[']).and_then(|rest| rest.strip_suffix([')', ']'])).unwrap_or(text).trim();
+    let text = text
+        .strip_prefix(['(', '['])
+        .and_then(|rest| rest.strip_suffix([')', ']']))
+        .unwrap_or(text)
+        .trim();
     if text.is_empty() || text.len() > 40 {
         return Err(NoUnit::Unknown);
     }
@@ -147,12 +151,25 @@ pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit>
     }
     let words = canonical(text);
     let lower = text.to_lowercase();
-    let word = WORDS.iter().find(|(word, _)| *word == words).map(|(_, symbol)| *symbol);
+    let word = WORDS
+        .iter()
+        .find(|(word, _)| *word == words)
+        .map(|(_, symbol)| *symbol);
     // N_mm and N mm in headings are N/mm.
     let slashed = text.replacen(['_', ' '], "/", 1);
     let mut other = None;
-    for spelling in [Some(text), word, Some(lower.as_str()), Some(slashed.as_str())].into_iter().flatten() {
-        let Some(unit) = lookup(spelling) else { continue };
+    for spelling in [
+        Some(text),
+        word,
+        Some(lower.as_str()),
+        Some(slashed.as_str()),
+    ]
+    .into_iter()
+    .flatten()
+    {
+        let Some(unit) = lookup(spelling) else {
+            continue;
+        };
         if unit.dimension == dimension {
             return Ok(CellUnit::Known(unit));
         }
@@ -164,7 +181,10 @@ pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit>
         other.get_or_insert(unit.dimension);
     }
     if dimension == Dimension::Mass
-        && matches!(words.as_str(), "gram" | "grams" | "gramm" | "grammes" | "gramos" | "grammi")
+        && matches!(
+            words.as_str(),
+            "gram" | "grams" | "gramm" | "grammes" | "gramos" | "grammi"
+        )
     {
         return gram();
     }
@@ -208,7 +228,10 @@ mod tests {
         ] {
             assert_eq!(symbol(text, dimension), Ok(expected), "{text}");
         }
-        assert_eq!(symbol("kg", Dimension::Length), Err(NoUnit::Other(Dimension::Mass)));
+        assert_eq!(
+            symbol("kg", Dimension::Length),
+            Err(NoUnit::Other(Dimension::Mass))
+        );
         assert_eq!(symbol("overall", Dimension::Length), Err(NoUnit::Unknown));
         // 2 kN / 9.80665 m/s².
         let force = find("kN", Dimension::Mass).unwrap().read("2").unwrap();

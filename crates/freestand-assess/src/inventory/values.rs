@@ -15,7 +15,9 @@ use super::problems::{Findings, Kind, Place, Severity};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::vocabulary::{Answer, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no};
+use super::vocabulary::{
+    Answer, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no,
+};
 use super::wheels::{Wheels, casters};
 use super::workbook::Merges;
 use super::{Casters, Rating};
@@ -38,7 +40,11 @@ pub(super) struct Values<'a> {
 
 impl<'a> Values<'a> {
     fn place(one: &Use) -> Place<'_> {
-        Place { column: Some(one.column), index: Some(one.index), heading: Some(&one.heading) }
+        Place {
+            column: Some(one.column),
+            index: Some(one.index),
+            heading: Some(&one.heading),
+        }
     }
 
     /// Adds a problem of a cell.
@@ -47,7 +53,8 @@ impl<'a> Values<'a> {
     }
 
     fn add(&mut self, place: Place, kind: Kind, example: &str, detail: Option<String>) {
-        self.findings.add(kind, place, Some(self.row.number), example, detail);
+        self.findings
+            .add(kind, place, Some(self.row.number), example, detail);
         if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
             self.doubts.push(kind);
         }
@@ -57,8 +64,18 @@ impl<'a> Values<'a> {
     pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
         let columns = self.columns;
         let one = columns.get(column);
-        let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
-        let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
+        let example = one
+            .and_then(|one| self.row.get(one.index))
+            .map(Cell::shown)
+            .unwrap_or_default();
+        let place = one.map_or(
+            Place {
+                column: Some(column),
+                index: None,
+                heading: None,
+            },
+            Self::place,
+        );
         self.add(place, kind, &example, detail);
     }
 
@@ -66,8 +83,18 @@ impl<'a> Values<'a> {
     pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
         let columns = self.columns;
         let one = columns.get(column);
-        let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
-        let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
+        let example = one
+            .and_then(|one| self.row.get(one.index))
+            .map(Cell::shown)
+            .unwrap_or_default();
+        let place = one.map_or(
+            Place {
+                column: Some(column),
+                index: None,
+                heading: None,
+            },
+            Self::place,
+        );
         self.findings.add(kind, place, None, &example, None);
     }
 
@@ -94,7 +121,10 @@ impl<'a> Values<'a> {
         let at = rows.binary_search_by_key(&top, |other| other.number).ok()?;
         let cell = rows.get(at)?.get(left).filter(|cell| !cell.is_blank())?;
         // A mass over three rows may be that of all three.
-        if matches!(one.column, Column::Mass | Column::Quantity | Column::Id | Column::Unit) {
+        if matches!(
+            one.column,
+            Column::Mass | Column::Quantity | Column::Id | Column::Unit
+        ) {
             if one.column != Column::Id {
                 self.problem(one, Kind::Merged, &cell.shown(), None);
             }
@@ -105,7 +135,10 @@ impl<'a> Values<'a> {
 
     /// Whether a column has a text in this row that is not a word for a missing value.
     pub(super) fn is_filled(&mut self, column: Column) -> bool {
-        self.columns.get(column).and_then(|one| self.row.get(one.index)).is_some_and(|cell| !is_missing(&cell.shown()))
+        self.columns
+            .get(column)
+            .and_then(|one| self.row.get(one.index))
+            .is_some_and(|cell| !is_missing(&cell.shown()))
     }
 
     fn count(&mut self, one: &Use, has_value: bool) {
@@ -117,7 +150,9 @@ impl<'a> Values<'a> {
     /// Text without the blanks around it; empty where there is none.
     pub(super) fn text(&mut self, column: Column) -> String {
         let columns = self.columns;
-        let Some(one) = columns.get(column) else { return String::new() };
+        let Some(one) = columns.get(column) else {
+            return String::new();
+        };
         let text = match self.cell(one) {
             None => String::new(),
             Some(Cell::Error(text)) if text == "#N/A" => String::new(),
@@ -126,13 +161,18 @@ impl<'a> Values<'a> {
                 return String::new();
             }
             Some(Cell::TooLong(chars)) => {
-                let detail = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
+                let detail =
+                    format!("has {chars} characters, more than a cell of a spreadsheet can hold");
                 self.problem(one, Kind::Unreadable, "", Some(detail));
                 return String::new();
             }
             Some(cell) => cell.shown().trim().to_owned(),
         };
-        let text = if column != Column::Notes && is_missing(&text) { String::new() } else { text };
+        let text = if column != Column::Notes && is_missing(&text) {
+            String::new()
+        } else {
+            text
+        };
         self.count(one, !text.is_empty());
         text
     }
@@ -142,13 +182,19 @@ impl<'a> Values<'a> {
         let columns = self.columns;
         let mut found: Option<Measured> = None;
         for one in columns.all(column) {
-            let Some(other) = self.one_quantity(one) else { continue };
+            let Some(other) = self.one_quantity(one) else {
+                continue;
+            };
             match &found {
                 None => found = Some(other),
                 // Rounding of inches to millimetres is no difference.
                 Some(first) if (first.si - other.si).abs() > 0.02 * first.si.abs() => {
                     if let Some(first) = columns.get(column) {
-                        let example = self.row.get(first.index).map(Cell::shown).unwrap_or_default();
+                        let example = self
+                            .row
+                            .get(first.index)
+                            .map(Cell::shown)
+                            .unwrap_or_default();
                         self.problem(first, Kind::TwoColumns, &example, None);
                     }
                 }
@@ -182,7 +228,8 @@ impl<'a> Values<'a> {
                     let detail = "points to another cell: write the value itself".to_owned();
                     self.problem(one, Kind::NotUnderstood, &text, Some(detail));
                 } else if !is_no_value(&text) && !is_usual {
-                    let detail = "is not a number, nor a usual word for a value that is not known".to_owned();
+                    let detail = "is not a number, nor a usual word for a value that is not known"
+                        .to_owned();
                     self.problem(one, Kind::NotUnderstood, &text, Some(detail));
                 }
                 None
@@ -211,8 +258,14 @@ impl<'a> Values<'a> {
         } else {
             &text
         };
-        let (text, is_too_small) = if one.column == Column::Mass { without_state(text) } else { (text, false) };
-        let found = self.chosen(one, cell, text, |choice| quantity(text, dimension, unit, choice));
+        let (text, is_too_small) = if one.column == Column::Mass {
+            without_state(text)
+        } else {
+            (text, false)
+        };
+        let found = self.chosen(one, cell, text, |choice| {
+            quantity(text, dimension, unit, choice)
+        });
         let finite = |found: Measured| {
             if !found.si.is_finite() {
                 return Err(Wrong::new(Kind::Unreadable));
@@ -220,7 +273,12 @@ impl<'a> Values<'a> {
             self.agreed(one, found.is_bare).map(|()| found)
         };
         let found = self.taken(one, cell, found.and_then(finite))?;
-        self.doubts_of(one, cell, found.is_approximate || is_too_small, found.is_bare);
+        self.doubts_of(
+            one,
+            cell,
+            found.is_approximate || is_too_small,
+            found.is_bare,
+        );
         Some(found)
     }
 
@@ -236,7 +294,10 @@ impl<'a> Values<'a> {
     pub(super) fn units(&mut self) {
         let columns = self.columns;
         for one in columns.all(Column::Unit) {
-            let text = self.cell(one).map(Cell::shown).filter(|text| !is_missing(text));
+            let text = self
+                .cell(one)
+                .map(Cell::shown)
+                .filter(|text| !is_missing(text));
             self.count(one, text.is_some());
             let Some(text) = text else { continue };
             let is_unit = |dimension| cell_unit(&text, dimension).is_some();
@@ -262,7 +323,11 @@ impl<'a> Values<'a> {
         let (kind, detail) = match (wrong.kind, &one.wrong_unit) {
             (Kind::UnitMissing, Some(text)) => (
                 Kind::UnitWrong,
-                Some(format!("its heading has \"{}\", which is not a unit of {}", shorten(text), one.column.name())),
+                Some(format!(
+                    "its heading has \"{}\", which is not a unit of {}",
+                    shorten(text),
+                    one.column.name()
+                )),
             ),
             _ => (wrong.kind, wrong.detail),
         };
@@ -286,7 +351,11 @@ impl<'a> Values<'a> {
         let ambiguous = || Err(Wrong::new(Kind::NumberAmbiguous));
         match one.dialect {
             Dialect::One(sign) => {
-                let other = if sign == Decimal::Comma { Decimal::Point } else { Decimal::Comma };
+                let other = if sign == Decimal::Comma {
+                    Decimal::Point
+                } else {
+                    Decimal::Comma
+                };
                 let (own, other) = (Choice::Sign(sign), Choice::Sign(other));
                 match (fits(own), fits(other)) {
                     // In a list of both signs plausibility decides; in any other it contradicts.
@@ -295,15 +364,17 @@ impl<'a> Values<'a> {
                     _ => read(own),
                 }
             }
-            Dialect::Mixed | Dialect::Open => match (fits(Choice::Decimal), fits(Choice::Thousands)) {
-                (true, false) => read(Choice::Decimal),
-                (false, true) => read(Choice::Thousands),
-                _ => match (read(Choice::Decimal), read(Choice::Thousands)) {
-                    // Without a unit, that is what is wrong first.
-                    (Err(wrong), Err(_)) if wrong.kind != Kind::Unreadable => Err(wrong),
-                    _ => ambiguous(),
-                },
-            },
+            Dialect::Mixed | Dialect::Open => {
+                match (fits(Choice::Decimal), fits(Choice::Thousands)) {
+                    (true, false) => read(Choice::Decimal),
+                    (false, true) => read(Choice::Thousands),
+                    _ => match (read(Choice::Decimal), read(Choice::Thousands)) {
+                        // Without a unit, that is what is wrong first.
+                        (Err(wrong), Err(_)) if wrong.kind != Kind::Unreadable => Err(wrong),
+                        _ => ambiguous(),
+                    },
+                }
+            }
         }
     }
 
@@ -333,7 +404,11 @@ impl<'a> Values<'a> {
         if value >= 0.0 {
             return Some(value);
         }
-        self.report(column, Kind::OutOfRange, Some("must not be below 0".to_owned()));
+        self.report(
+            column,
+            Kind::OutOfRange,
+            Some("must not be below 0".to_owned()),
+        );
         None
     }
 
@@ -343,8 +418,15 @@ impl<'a> Values<'a> {
         let one = columns.get(Column::Tolerance)?;
         let text = number_text(self.cell(one)?).ok().flatten()?;
         let (_, duration) = with_pulse(&text)?;
-        let sign = if let Dialect::One(sign) = one.dialect { sign } else { Decimal::Point };
-        quantity(duration, Dimension::Time, None, Choice::Sign(sign)).ok().map(|found| found.si).filter(|s| *s > 0.0)
+        let sign = if let Dialect::One(sign) = one.dialect {
+            sign
+        } else {
+            Decimal::Point
+        };
+        quantity(duration, Dimension::Time, None, Choice::Sign(sign))
+            .ok()
+            .map(|found| found.si)
+            .filter(|s| *s > 0.0)
     }
 
     /// The sizes in one cell.
@@ -353,7 +435,9 @@ impl<'a> Values<'a> {
         let one = columns.get(Column::Dimensions)?;
         let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
-        let found = self.chosen(one, cell, &text, |choice| sizes(&text, unit, one.order.as_deref(), choice));
+        let found = self.chosen(one, cell, &text, |choice| {
+            sizes(&text, unit, one.order.as_deref(), choice)
+        });
         let positive = |found: Sizes| {
             let all = [found.height, found.width, found.thickness];
             let is_wrong = all.iter().flatten().any(|size| *size <= 0.0);
@@ -372,7 +456,10 @@ impl<'a> Values<'a> {
 
     /// Whether a cell of a side calls it a diameter.
     pub(super) fn is_diameter(&self, column: Column) -> bool {
-        let cell = self.columns.get(column).and_then(|one| self.row.get(one.index));
+        let cell = self
+            .columns
+            .get(column)
+            .and_then(|one| self.row.get(one.index));
         cell.is_some_and(|cell| matches!(cell, Cell::Text(text) if names_diameter(text)))
     }
 
@@ -384,7 +471,8 @@ impl<'a> Values<'a> {
         }
         let found = shape(&text);
         if found.is_none() {
-            let detail = "is not a shape: write box, or cylinder where the base is round".to_owned();
+            let detail =
+                "is not a shape: write box, or cylinder where the base is round".to_owned();
             self.report(Column::Shape, Kind::Unreadable, Some(detail));
         }
         found
@@ -396,32 +484,48 @@ impl<'a> Values<'a> {
         if value < 1.0 {
             return Some(value);
         }
-        self.report(column, Kind::OutOfRange, Some("must be above 0 and below 1".to_owned()));
+        self.report(
+            column,
+            Kind::OutOfRange,
+            Some("must be above 0 and below 1".to_owned()),
+        );
         None
     }
 
     /// A whole number, at least 1.
     pub(super) fn whole(&mut self, column: Column) -> Option<u32> {
         // "2 pcs" and "3x" are counts.
-        const WORDS: [&str; 14] =
-            ["pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st", "台", "個"];
+        const WORDS: [&str; 14] = [
+            "pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st",
+            "台", "個",
+        ];
         let columns = self.columns;
         let one = columns.get(column)?;
         let (cell, text) = self.numeric(one)?;
         let bare = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
         let rest = canonical(text.get(bare.len()..).unwrap_or_default());
-        let text = if WORDS.contains(&rest.as_str()) { bare } else { &text };
+        let text = if WORDS.contains(&rest.as_str()) {
+            bare
+        } else {
+            &text
+        };
         // "2 pairs" are four.
         let times = match rest.as_str() {
-            "pair" | "pairs" | "pr" | "prs" | "paar" | "paare" | "paire" | "paires" | "pares" | "paia" | "対" => 2.0,
+            "pair" | "pairs" | "pr" | "prs" | "paar" | "paare" | "paire" | "paires" | "pares"
+            | "paia" | "対" => 2.0,
             "dozen" | "dz" | "dutzend" | "douzaine" | "docena" | "dozzina" => 12.0,
             _ => 1.0,
         };
         let text = if times > 1.0 { bare } else { text };
         let text = text.strip_prefix(['x', 'X', '×']).map_or(text, str::trim);
-        let found = self.chosen(one, cell, text, |choice| quantity(text, Dimension::Ratio, None, choice));
+        let found = self.chosen(one, cell, text, |choice| {
+            quantity(text, Dimension::Ratio, None, choice)
+        });
         let whole = |found: Measured| {
-            let found = Measured { si: times * found.si, ..found };
+            let found = Measured {
+                si: times * found.si,
+                ..found
+            };
             match found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 {
                 true => Ok(found),
                 false => Err(Wrong::out_of_range("must be a whole number, at least 1")),
@@ -447,7 +551,11 @@ impl<'a> Values<'a> {
             Some(1) => Some(Rating::Medium),
             Some(_) => Some(Rating::Low),
             None => {
-                self.report(column, Kind::Unreadable, Some("is not a rating: write H, M or L".to_owned()));
+                self.report(
+                    column,
+                    Kind::Unreadable,
+                    Some("is not a rating: write H, M or L".to_owned()),
+                );
                 None
             }
         }
@@ -496,10 +604,21 @@ impl<'a> Values<'a> {
         if text.is_empty() {
             return None;
         }
-        let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
-        let found = Questions::ALL.iter().find(|(name, _)| *name == plain).map(|(_, questions)| *questions);
+        let plain: String = text
+            .to_lowercase()
+            .chars()
+            .filter(|c| !c.is_whitespace())
+            .collect();
+        let found = Questions::ALL
+            .iter()
+            .find(|(name, _)| *name == plain)
+            .map(|(_, questions)| *questions);
         if found.is_none() {
-            self.report(column, Kind::Unreadable, Some("is not a question: write falls or falls+shock".to_owned()));
+            self.report(
+                column,
+                Kind::Unreadable,
+                Some("is not a question: write falls or falls+shock".to_owned()),
+            );
         }
         found
     }
@@ -520,7 +639,9 @@ impl<'a> Values<'a> {
         };
         let rising = |(low, high)| match low > 0.0 && low <= high {
             true => Ok((low, high)),
-            false => Err(Wrong::out_of_range("is not a positive value or a rising range, such as 0.3-0.5")),
+            false => Err(Wrong::out_of_range(
+                "is not a positive value or a rising range, such as 0.3-0.5",
+            )),
         };
         self.taken(one, cell, both.and_then(rising))
     }

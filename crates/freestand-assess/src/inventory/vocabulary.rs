@@ -24,7 +24,17 @@ fn marked(text: &str) -> Option<Answer> {
 
 /// Whether a text says that there is nothing, or that it is not known.
 pub(super) fn is_no_value(text: &str) -> bool {
-    const NOTHING: [&str; 9] = ["no", "nein", "non", "nee", "keine", "kein", "aucun", "ninguno", "free standing"];
+    const NOTHING: [&str; 9] = [
+        "no",
+        "nein",
+        "non",
+        "nee",
+        "keine",
+        "kein",
+        "aucun",
+        "ninguno",
+        "free standing",
+    ];
     is_missing(text) || NOTHING.contains(&canonical(text).as_str())
 }
 
@@ -126,7 +136,10 @@ pub(super) fn begins_total(text: &str) -> bool {
             "total" => second != "station",
             _ => true,
         };
-    is_total || ["合計", "小計", "総計"].iter().any(|word| words.starts_with(word))
+    is_total
+        || ["合計", "小計", "総計"]
+            .iter()
+            .any(|word| words.starts_with(word))
 }
 
 /// Whether a text alone in its row is a remark rather than the name of a section.
@@ -134,7 +147,18 @@ pub(super) fn begins_note(text: &str) -> bool {
     let words = canonical(text);
     let first = words.split(' ').next().unwrap_or_default();
     text.trim_start().starts_with(['*', '※'])
-        || ["note", "notes", "nb", "hinweis", "anmerkung", "remarque", "nota", "remark", "continued"].contains(&first)
+        || [
+            "note",
+            "notes",
+            "nb",
+            "hinweis",
+            "anmerkung",
+            "remarque",
+            "nota",
+            "remark",
+            "continued",
+        ]
+        .contains(&first)
 }
 
 /// What a cell answers to yes or no.
@@ -297,14 +321,24 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
         return Answer::No;
     }
     // Sizes of bolts: M12, 4x.
-    let is_size = |word: &str| word.trim_start_matches(['m', 'x']).trim_end_matches('x').parse::<u32>().is_ok();
+    let is_size = |word: &str| {
+        word.trim_start_matches(['m', 'x'])
+            .trim_end_matches('x')
+            .parse::<u32>()
+            .is_ok()
+    };
     let mut each = words.split(' ');
     let first = each.next().unwrap_or_default();
-    if YES.contains(&first) && each.all(|word| YES.contains(&word) || HOW.contains(&word) || is_size(word)) {
+    if YES.contains(&first)
+        && each.all(|word| YES.contains(&word) || HOW.contains(&word) || is_size(word))
+    {
         return Answer::Yes;
     }
     // "No (castors)": whatever follows, it is not anchored.
-    if matches!(first, "no" | "nein" | "not" | "nicht" | "unanchored" | "freestanding" | "hayır") {
+    if matches!(
+        first,
+        "no" | "nein" | "not" | "nicht" | "unanchored" | "freestanding" | "hayır"
+    ) {
         return Answer::No;
     }
     Answer::Unclear
@@ -314,11 +348,12 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
 pub(crate) fn rating(text: &str) -> Option<u8> {
     let words = canonical(text.split(['(', '[']).next().unwrap_or_default());
     Some(match words.as_str() {
-        "h" | "high" | "hi" | "hoch" | "eleve" | "elevee" | "haut" | "haute" | "fort" | "forte" | "alto" | "alta"
-        | "高" => 2,
-        "m" | "medium" | "med" | "mod" | "moderate" | "mittel" | "moyen" | "moyenne" | "medio" | "media" | "中" => 1,
-        "l" | "low" | "lo" | "niedrig" | "gering" | "faible" | "bas" | "basse" | "bajo" | "baja" | "basso"
-        | "bassa" | "低" => 0,
+        "h" | "high" | "hi" | "hoch" | "eleve" | "elevee" | "haut" | "haute" | "fort" | "forte"
+        | "alto" | "alta" | "高" => 2,
+        "m" | "medium" | "med" | "mod" | "moderate" | "mittel" | "moyen" | "moyenne" | "medio"
+        | "media" | "中" => 1,
+        "l" | "low" | "lo" | "niedrig" | "gering" | "faible" | "bas" | "basse" | "bajo"
+        | "baja" | "basso" | "bassa" | "低" => 0,
         _ => return None,
     })
 }
@@ -326,8 +361,10 @@ pub(crate) fn rating(text: &str) -> Option<u8> {
 /// Whether a text points to another cell.
 pub(super) fn is_ditto(text: &str) -> bool {
     let words = canonical(text);
-    matches!(words.as_str(), "ditto" | "do" | "s o" | "siehe oben" | "wie oben" | "idem" | "as above" | "same" | "同上")
-        || matches!(text.trim(), "\"" | "''" | "″" | "〃" | "”" | "“")
+    matches!(
+        words.as_str(),
+        "ditto" | "do" | "s o" | "siehe oben" | "wie oben" | "idem" | "as above" | "same" | "同上"
+    ) || matches!(text.trim(), "\"" | "''" | "″" | "〃" | "”" | "“")
 }
 
 /// A number without the words behind it that say in which state a mass was taken, and whether it may be
@@ -352,11 +389,18 @@ pub(super) fn without_state(text: &str) -> (&str, bool) {
         "cheio",
         "dolu",
     ];
-    const EMPTY: [&str; 11] =
-        ["empty", "dry", "net", "unladen", "tare", "leer", "netto", "vide", "vacio", "vuoto", "bos"];
+    const EMPTY: [&str; 11] = [
+        "empty", "dry", "net", "unladen", "tare", "leer", "netto", "vide", "vacio", "vuoto", "bos",
+    ];
     let trimmed = text.trim().trim_end_matches([')', '.', ' ']);
-    let Some(at) = trimmed.rfind(|c: char| !c.is_alphabetic()) else { return (text, false) };
-    let start = at + trimmed.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8);
+    let Some(at) = trimmed.rfind(|c: char| !c.is_alphabetic()) else {
+        return (text, false);
+    };
+    let start = at
+        + trimmed
+            .get(at..)
+            .and_then(|rest| rest.chars().next())
+            .map_or(1, char::len_utf8);
     let (before, word) = trimmed.split_at(start);
     let word = canonical(word);
     let before = before.trim_end_matches(['(', ',', ' ', '-']);
@@ -426,21 +470,30 @@ pub(super) fn without_approximation(text: &str) -> (&str, bool) {
     let mut rest = text.trim();
     let mut was_found = false;
     // A bare number, as most cells are.
-    if rest.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',')) {
+    if rest
+        .bytes()
+        .all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','))
+    {
         return (rest, false);
     }
     loop {
         let lower = rest.to_lowercase();
         // Lower case keeps the length of all letters that these words have.
-        let lower = if lower.len() == rest.len() { lower.as_str() } else { rest };
+        let lower = if lower.len() == rest.len() {
+            lower.as_str()
+        } else {
+            rest
+        };
         let before = BEFORE.iter().find_map(|mark| {
             let after = rest.get(lower.strip_prefix(mark).map(|_| mark.len())?..)?;
             // "c.g." is no "c.", "cabinet" no "ca".
-            (!mark.ends_with(char::is_alphabetic) || !after.starts_with(char::is_alphabetic)).then_some(after)
+            (!mark.ends_with(char::is_alphabetic) || !after.starts_with(char::is_alphabetic))
+                .then_some(after)
         });
         let after = AFTER.iter().find_map(|mark| {
             let before = rest.get(..lower.strip_suffix(mark)?.len())?;
-            (!mark.starts_with(char::is_alphabetic) || !before.ends_with(char::is_alphabetic)).then_some(before)
+            (!mark.starts_with(char::is_alphabetic) || !before.ends_with(char::is_alphabetic))
+                .then_some(before)
         });
         match before.or(after) {
             Some(shorter) if !shorter.trim().is_empty() => {
@@ -458,8 +511,22 @@ mod tests {
 
     #[test]
     fn words_for_values_that_are_not_known() {
-        for text in ["", "-", "–", "—", "?", "n/a", "N.A.", "#N/A", "TBC", "k.A.", "néant", "s/d", "不明", "see manual"]
-        {
+        for text in [
+            "",
+            "-",
+            "–",
+            "—",
+            "?",
+            "n/a",
+            "N.A.",
+            "#N/A",
+            "TBC",
+            "k.A.",
+            "néant",
+            "s/d",
+            "不明",
+            "see manual",
+        ] {
             assert!(is_missing(text), "{text}");
         }
         assert!(!is_missing("0") && !is_missing("rack"));
@@ -467,12 +534,32 @@ mod tests {
 
     #[test]
     fn only_an_unequivocal_yes_is_one() {
-        for text in ["Yes", "✓", "Bolted to slab", "ja", "sì", "有", "TRUE", "Yes - bolted", "yes, 4x M12", "evet"]
-        {
+        for text in [
+            "Yes",
+            "✓",
+            "Bolted to slab",
+            "ja",
+            "sì",
+            "有",
+            "TRUE",
+            "Yes - bolted",
+            "yes, 4x M12",
+            "evet",
+        ] {
             assert_eq!(yes_or_no(text), Answer::Yes, "{text}");
         }
-        for text in ["N", "free", "nicht verankert", "無", "×", "not bolted", "No (castors)", "FALSE", "hayır", "yok"]
-        {
+        for text in [
+            "N",
+            "free",
+            "nicht verankert",
+            "無",
+            "×",
+            "not bolted",
+            "No (castors)",
+            "FALSE",
+            "hayır",
+            "yok",
+        ] {
             assert_eq!(yes_or_no(text), Answer::No, "{text}");
         }
         for text in [
@@ -530,10 +617,24 @@ mod tests {
 
     #[test]
     fn totals_are_not_surveying_instruments() {
-        for text in ["Total", "TOTAL:", "Sub-total", "Grand total", "Summe", "Gesamt", "Sous-total", "合計 12"] {
+        for text in [
+            "Total",
+            "TOTAL:",
+            "Sub-total",
+            "Grand total",
+            "Summe",
+            "Gesamt",
+            "Sous-total",
+            "合計 12",
+        ] {
             assert!(begins_total(text), "{text}");
         }
-        for text in ["Total station", "Sub-station panel", "Summer school", "Grand piano"] {
+        for text in [
+            "Total station",
+            "Sub-station panel",
+            "Summer school",
+            "Grand piano",
+        ] {
             assert!(!begins_total(text), "{text}");
         }
     }

@@ -37,20 +37,23 @@ pub(super) fn names_wheels(text: &str) -> bool {
 /// Whether a name or a note says that the object is on wheels that may roll: "shelving on castors", but not
 /// "ventilator, castors braked".
 pub(super) fn may_roll(text: &str) -> bool {
-    let is_held =
-        |part: &str| names_wheels(part) && matches!(casters(part), Wheels::Said(Casters::Braked | Casters::None));
+    let is_held = |part: &str| {
+        names_wheels(part) && matches!(casters(part), Wheels::Said(Casters::Braked | Casters::None))
+    };
     let parts = || text.split([',', ';', '(', ')', '.', ':']);
     parts().any(is_wheeled) && !parts().any(is_held) && !is_held(text)
 }
 
 fn is_wheeled(text: &str) -> bool {
-    const WHEELED: &str = "castors casters castored wheeled fahrbar fahrbare fahrbarer fahrbares tekerlekli rodizios";
+    const WHEELED: &str =
+        "castors casters castored wheeled fahrbar fahrbare fahrbarer fahrbares tekerlekli rodizios";
     const WHEELS: &str = "wheels rollen radern roulettes roues ruedas ruote rotelle rodas";
     const ON: &str = "on with auf mit sur a avec con su com sobre";
     let words = canonical(text);
     let before = std::iter::once("").chain(words.split(' '));
     before.zip(words.split(' ')).any(|(before, word)| {
-        let is_named = is_among(word, WHEELED) || word.contains("キャスター") && !word.contains("なし");
+        let is_named =
+            is_among(word, WHEELED) || word.contains("キャスター") && !word.contains("なし");
         is_named && !is_among(before, NONE) || is_among(word, WHEELS) && is_among(before, ON)
     })
 }
@@ -100,31 +103,32 @@ fn state(words: &str) -> Option<Casters> {
     while let Some(word) = rest.pop() {
         let next = rest.last().copied().unwrap_or_default();
         let is_last_on = next == "on" && rest.len() == 1;
-        let (found, takes_next) =
-            if is_among(word, WITHOUT) && is_among(next, BRAKE) || is_among(word, NOT) && is_among(next, HELD) {
-                (Some(Casters::Free), true)
-            } else if is_among(word, BRAKE) && (is_last_on || is_among(next, SET)) {
-                (Some(Casters::Braked), true)
-            } else if is_among(word, HELD) {
-                (Some(Casters::Braked), false)
-            } else if is_among(word, FREE) {
-                (Some(Casters::Free), false)
-            } else if let Some((number, unit)) = numbered(word) {
-                // "3 in 4 castors" is no size.
-                let is_share = || rest.len() > 1 && numbered(rest[rest.len() - 2]).is_some();
-                let is_size = |unit: &str| matches!(unit, "mm" | "cm") || unit == "in" && !is_share();
-                // Fewer than four may be some of them.
-                let is_count = number >= 4 && matches!(unit, "" | "x") && !has_count && !is_size(next);
-                if !(is_count || is_size(unit) || unit.is_empty() && is_size(next)) {
-                    return None;
-                }
-                has_count |= is_count;
-                (None, !is_count && unit.is_empty())
-            } else if [WHEEL, BRAKE, PLAIN].iter().any(|all| is_among(word, all)) {
-                (None, false)
-            } else {
+        let (found, takes_next) = if is_among(word, WITHOUT) && is_among(next, BRAKE)
+            || is_among(word, NOT) && is_among(next, HELD)
+        {
+            (Some(Casters::Free), true)
+        } else if is_among(word, BRAKE) && (is_last_on || is_among(next, SET)) {
+            (Some(Casters::Braked), true)
+        } else if is_among(word, HELD) {
+            (Some(Casters::Braked), false)
+        } else if is_among(word, FREE) {
+            (Some(Casters::Free), false)
+        } else if let Some((number, unit)) = numbered(word) {
+            // "3 in 4 castors" is no size.
+            let is_share = || rest.len() > 1 && numbered(rest[rest.len() - 2]).is_some();
+            let is_size = |unit: &str| matches!(unit, "mm" | "cm") || unit == "in" && !is_share();
+            // Fewer than four may be some of them.
+            let is_count = number >= 4 && matches!(unit, "" | "x") && !has_count && !is_size(next);
+            if !(is_count || is_size(unit) || unit.is_empty() && is_size(next)) {
                 return None;
-            };
+            }
+            has_count |= is_count;
+            (None, !is_count && unit.is_empty())
+        } else if [WHEEL, BRAKE, PLAIN].iter().any(|all| is_among(word, all)) {
+            (None, false)
+        } else {
+            return None;
+        };
         if takes_next {
             rest.pop();
         }
@@ -145,7 +149,11 @@ fn numbered(word: &str) -> Option<(u32, &str)> {
 /// Whether every word says that there are none, or what is there in their place.
 fn says_none(words: &str) -> bool {
     let mut each = words.split(' ');
-    let is_known = |word: &str| [NONE, WHEEL, PLAIN, OTHER].iter().any(|all| is_among(word, all));
+    let is_known = |word: &str| {
+        [NONE, WHEEL, PLAIN, OTHER]
+            .iter()
+            .any(|all| is_among(word, all))
+    };
     // "No feet, castors" has castors.
     let mut pairs = words.split(' ').zip(words.split(' ').skip(1));
     let lacks_other = pairs.any(|(word, next)| is_among(word, NONE) && is_among(next, OTHER));
@@ -188,11 +196,17 @@ pub(super) fn casters(text: &str) -> Wheels {
         if says_none(&words) {
             return Wheels::Said(Casters::None);
         }
-        let is_of_brakes = words.split(' ').any(|word| ON_BRAKES.iter().any(|start| word.starts_with(start)))
+        let is_of_brakes = words
+            .split(' ')
+            .any(|word| ON_BRAKES.iter().any(|start| word.starts_with(start)))
             || ON_BRAKES_INSIDE.iter().any(|part| words.contains(part));
         if is_of_brakes {
             let is_held = words.split(' ').any(|word| is_among(word, HELD));
-            return if is_held { Wheels::PerhapsBraked } else { Wheels::Some };
+            return if is_held {
+                Wheels::PerhapsBraked
+            } else {
+                Wheels::Some
+            };
         }
     }
     if words.parse::<u32>().is_ok_and(|count| count > 1) || names_wheels(text) {

@@ -35,18 +35,29 @@ impl Formulas {
     /// A warning about them.
     pub(super) fn warning(&self) -> Option<String> {
         let first = self.first.as_ref()?;
-        let cells = if self.count == 1 { "cell contains a formula" } else { "cells contain formulas" };
-        Some(format!("{} {cells}, the first in {first}: the saved values are read", self.count))
+        let cells = if self.count == 1 {
+            "cell contains a formula"
+        } else {
+            "cells contain formulas"
+        };
+        Some(format!(
+            "{} {cells}, the first in {first}: the saved values are read",
+            self.count
+        ))
     }
 }
 
 fn unreadable(error: &XlsxError) -> Problem {
     let message = match error {
         XlsxError::Password => "the workbook is protected with a password".to_owned(),
-        _ => format!("the workbook cannot be read: {}", shorten(&error.to_string())),
+        _ => format!(
+            "the workbook cannot be read: {}",
+            shorten(&error.to_string())
+        ),
     };
-    Problem::new(ProblemKind::Format, message)
-        .hint("open it in a spreadsheet program and save it again as .xlsx without a password, or as CSV")
+    Problem::new(ProblemKind::Format, message).hint(
+        "open it in a spreadsheet program and save it again as .xlsx without a password, or as CSV",
+    )
 }
 
 impl Workbook {
@@ -63,22 +74,36 @@ impl Workbook {
     /// The sheets in their order, and whether each is visible.
     pub(super) fn sheets(&self) -> Vec<(String, bool)> {
         let sheets = self.xlsx.sheets_metadata().iter();
-        sheets.map(|sheet| (sheet.name.clone(), sheet.visible == SheetVisible::Visible)).collect()
+        sheets
+            .map(|sheet| (sheet.name.clone(), sheet.visible == SheetVisible::Visible))
+            .collect()
     }
 
     /// Passes the rows of a sheet that are not empty to `on_row`, as long as it asks for more.
     ///
     /// # Errors
     /// A sheet that cannot be read, or whose rows are not in order. A chart has no rows.
-    pub(super) fn rows(&mut self, sheet: &str, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<Formulas, Problem> {
+    pub(super) fn rows(
+        &mut self,
+        sheet: &str,
+        on_row: &mut dyn FnMut(Row) -> Flow,
+    ) -> Result<Formulas, Problem> {
         let mut formulas = Formulas::default();
         let mut cells = match self.xlsx.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
             Err(XlsxError::NotAWorksheet(_)) => return Ok(formulas),
             Err(error) => return Err(unreadable(&error)),
         };
-        let mut row = Row { number: 0, line: None, cells: Vec::new(), width: None };
-        while let Some(read) = cells.next_cell_with_formula_metadata().map_err(|error| unreadable(&error))? {
+        let mut row = Row {
+            number: 0,
+            line: None,
+            cells: Vec::new(),
+            width: None,
+        };
+        while let Some(read) = cells
+            .next_cell_with_formula_metadata()
+            .map_err(|error| unreadable(&error))?
+        {
             let (at, column) = read.pos;
             let place = || format!("{}{}", letters(column as usize), u64::from(at) + 1);
             if at >= MAX_ROWS || column >= MAX_COLUMNS {
@@ -86,18 +111,31 @@ impl Workbook {
                 let problem = Problem::new(ProblemKind::Format, message);
                 return Err(problem.hint("save the workbook again, or as CSV"));
             }
-            let Some(cell) = cell(&read.value, read.formula.is_some()) else { continue };
+            let Some(cell) = cell(&read.value, read.formula.is_some()) else {
+                continue;
+            };
             if read.formula.is_some() && !matches!(cell, Cell::Unevaluated) {
                 formulas.count += 1;
                 formulas.first.get_or_insert_with(place);
             }
             let number = at + 1;
             if number < row.number {
-                let problem = Problem::new(ProblemKind::Format, format!("row {number} follows row {}", row.number));
+                let problem = Problem::new(
+                    ProblemKind::Format,
+                    format!("row {number} follows row {}", row.number),
+                );
                 return Err(problem.hint("the workbook is damaged: save it again, or as CSV"));
             }
             if number > row.number && !row.cells.is_empty() {
-                let done = std::mem::replace(&mut row, Row { number, line: None, cells: Vec::new(), width: None });
+                let done = std::mem::replace(
+                    &mut row,
+                    Row {
+                        number,
+                        line: None,
+                        cells: Vec::new(),
+                        width: None,
+                    },
+                );
                 if on_row(sorted(done)) == Flow::Enough {
                     return Ok(formulas);
                 }
@@ -126,7 +164,10 @@ impl Workbook {
         if !self.facts.has_merges {
             return Ok(Merges::default());
         }
-        let all = self.xlsx.merge_cells_by_sheet_name(sheet).map_err(|error| unreadable(&error))?;
+        let all = self
+            .xlsx
+            .merge_cells_by_sheet_name(sheet)
+            .map_err(|error| unreadable(&error))?;
         Ok(Merges::new(&all))
     }
 }
@@ -151,7 +192,9 @@ fn cell(value: &DataRef<'_>, is_formula: bool) -> Option<Cell> {
         DataRef::Float(value) => Some(Cell::Number(*value)),
         DataRef::Bool(value) => Some(Cell::Bool(*value)),
         DataRef::DateTime(value) => Some(Cell::Date(date(value))),
-        DataRef::DateTimeIso(value) | DataRef::DurationIso(value) => Some(Cell::Date(shorten(value))),
+        DataRef::DateTimeIso(value) | DataRef::DurationIso(value) => {
+            Some(Cell::Date(shorten(value)))
+        }
         DataRef::Error(value) => Some(Cell::Error(value.to_string())),
     }
 }
@@ -163,7 +206,11 @@ fn date(value: &ExcelDateTime) -> String {
     }
     let (year, month, day, hour, minute, second, _) = value.to_ymd_hms_milli();
     let date = format!("{year:04}-{month:02}-{day:02}");
-    if (hour, minute, second) == (0, 0, 0) { date } else { format!("{date}T{hour:02}:{minute:02}:{second:02}") }
+    if (hour, minute, second) == (0, 0, 0) {
+        date
+    } else {
+        format!("{date}T{hour:02}:{minute:02}:{second:02}")
+    }
 }
 
 /// First row, last row (from 1), and the cell with the value (row from 1, column from 0).
@@ -197,7 +244,10 @@ impl Merges {
                 break;
             }
             let columns = (one.start.1, one.end.1.min(MAX_COLUMNS - 1));
-            ranges.push(MergedRange { rows: (one.start.0 + 1, one.end.0 + 1), columns });
+            ranges.push(MergedRange {
+                rows: (one.start.0 + 1, one.end.0 + 1),
+                columns,
+            });
             for column in columns.0..=columns.1 {
                 count += 1;
                 if count > MAX_MERGED_COLUMNS {
@@ -213,7 +263,10 @@ impl Merges {
         for column in by_column.values_mut() {
             column.sort_unstable();
         }
-        Self { by_column, all: ranges }
+        Self {
+            by_column,
+            all: ranges,
+        }
     }
 
     /// The cell with the value of this one, where it is merged with another; rows count from 1,
@@ -221,7 +274,9 @@ impl Merges {
     pub(super) fn top_left(&self, row: u32, column: u32) -> Option<(u32, u32)> {
         let rows = self.by_column.get(&column)?;
         // Merged cells do not overlap: only the last that begins above can include this one.
-        let before = rows.partition_point(|(first, ..)| *first <= row).checked_sub(1)?;
+        let before = rows
+            .partition_point(|(first, ..)| *first <= row)
+            .checked_sub(1)?;
         let (_, last, place) = rows.get(before)?;
         (row <= *last && *place != (row, column)).then_some(*place)
     }
@@ -234,8 +289,16 @@ mod tests {
     #[test]
     fn merged_cells_name_the_one_that_has_the_value() {
         // B2:B4 and D5:F5, counted from 0 in the file.
-        let merges =
-            Merges::new(&[Dimensions { start: (4, 3), end: (4, 5) }, Dimensions { start: (1, 1), end: (3, 1) }]);
+        let merges = Merges::new(&[
+            Dimensions {
+                start: (4, 3),
+                end: (4, 5),
+            },
+            Dimensions {
+                start: (1, 1),
+                end: (3, 1),
+            },
+        ]);
         assert_eq!(merges.top_left(2, 1), None);
         assert_eq!(merges.top_left(3, 1), Some((2, 1)));
         assert_eq!(merges.top_left(4, 1), Some((2, 1)));

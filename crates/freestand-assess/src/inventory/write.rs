@@ -1,7 +1,8 @@
 //! Writing tables of cells as CSV or as a workbook; the same cells give the same bytes.
 
 use rust_xlsxwriter::{
-    DataValidation, DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError,
+    DataValidation, DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook,
+    Worksheet, XlsxError,
 };
 
 use freestand_input::problem::{Problem, ProblemKind};
@@ -40,7 +41,9 @@ impl Written {
             return Self::Empty;
         }
         match text.parse::<f64>() {
-            Ok(value) if may_be_number && value.is_finite() && format!("{value}") == text => Self::Number(value),
+            Ok(value) if may_be_number && value.is_finite() && format!("{value}") == text => {
+                Self::Number(value)
+            }
             _ => Self::Text(text.to_owned()),
         }
     }
@@ -52,16 +55,27 @@ impl Written {
 /// # Errors
 /// None that a user can cause.
 pub(super) fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
-    let mut writer =
-        csv::WriterBuilder::new().flexible(true).terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
-    let failed =
-        |error: &dyn std::fmt::Display| Problem::new(ProblemKind::Io, format!("cannot write the CSV: {error}"));
-    let headings: Vec<String> = table.headings.iter().map(|heading| guarded(heading).into_owned()).collect();
-    writer.write_record(&headings).map_err(|error| failed(&error))?;
+    let mut writer = csv::WriterBuilder::new()
+        .flexible(true)
+        .terminator(csv::Terminator::Any(b'\n'))
+        .from_writer(Vec::new());
+    let failed = |error: &dyn std::fmt::Display| {
+        Problem::new(ProblemKind::Io, format!("cannot write the CSV: {error}"))
+    };
+    let headings: Vec<String> = table
+        .headings
+        .iter()
+        .map(|heading| guarded(heading).into_owned())
+        .collect();
+    writer
+        .write_record(&headings)
+        .map_err(|error| failed(&error))?;
     for row in &table.rows {
         let mut cells: Vec<String> = row.iter().map(Written::in_csv).collect();
         cells.resize(table.headings.len().max(cells.len()), String::new());
-        writer.write_record(&cells).map_err(|error| failed(&error))?;
+        writer
+            .write_record(&cells)
+            .map_err(|error| failed(&error))?;
     }
     writer.into_inner().map_err(|error| failed(&error))
 }
@@ -78,8 +92,11 @@ impl Written {
 
 /// An error of rust_xlsxwriter as a problem.
 pub(super) fn failed(error: &XlsxError) -> Problem {
-    Problem::new(ProblemKind::Computation, format!("cannot write the workbook: {error}"))
-        .hint("write a CSV instead, and please report this defect")
+    Problem::new(
+        ProblemKind::Computation,
+        format!("cannot write the workbook: {error}"),
+    )
+    .hint("write a CSV instead, and please report this defect")
 }
 
 /// A table as a workbook: its first sheet, followed by what `more` adds.
@@ -95,7 +112,11 @@ pub(super) fn xlsx(
     let make = |workbook: &mut Workbook| -> Result<Vec<u8>, XlsxError> {
         // With the current date, the bytes would differ from run to run.
         let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
-        workbook.set_properties(&DocProperties::new().set_title("Inventory").set_creation_datetime(&created));
+        workbook.set_properties(
+            &DocProperties::new()
+                .set_title("Inventory")
+                .set_creation_datetime(&created),
+        );
         fill(workbook.add_worksheet().set_name(SHEET)?, table)?;
         more(workbook)?;
         workbook.save_to_buffer()
@@ -104,17 +125,30 @@ pub(super) fn xlsx(
 }
 
 fn check(table: &Table) -> Result<(), Problem> {
-    let refused = |message: String| Err(Problem::value(message, "write a CSV instead (`to = \"csv\"`)"));
+    let refused = |message: String| {
+        Err(Problem::value(
+            message,
+            "write a CSV instead (`to = \"csv\"`)",
+        ))
+    };
     if table.rows.len() >= MAX_ROWS as usize {
-        return refused(format!("{} rows and their headings do not fit into a sheet", table.rows.len()));
+        return refused(format!(
+            "{} rows and their headings do not fit into a sheet",
+            table.rows.len()
+        ));
     }
     let cells: usize = table.rows.iter().map(Vec::len).sum();
     if cells > MAX_CELLS {
-        return refused(format!("{cells} cells are more than the limit of {MAX_CELLS} for a workbook"));
+        return refused(format!(
+            "{cells} cells are more than the limit of {MAX_CELLS} for a workbook"
+        ));
     }
     let is_long = |cell: &Written| matches!(cell, Written::Text(text) if text.chars().count() > MAX_CELL_CHARS);
     match table.rows.iter().position(|row| row.iter().any(is_long)) {
-        Some(row) => refused(format!("a cell of row {} has more than {MAX_CELL_CHARS} characters", row + 2)),
+        Some(row) => refused(format!(
+            "a cell of row {} has more than {MAX_CELL_CHARS} characters",
+            row + 2
+        )),
         None => Ok(()),
     }
 }
@@ -123,12 +157,20 @@ fn check(table: &Table) -> Result<(), Problem> {
 fn number_format(heading_text: &str) -> Option<Format> {
     let found = meaning(heading_text)?;
     match (found.column, found.column.spec().holds) {
-        (Column::Accepted, _) if found.unit == HeadingUnit::None => Some(Format::new().set_num_format("0.##%")),
+        (Column::Accepted, _) if found.unit == HeadingUnit::None => {
+            Some(Format::new().set_num_format("0.##%"))
+        }
         (_, Holds::Quantity(Dimension::Ratio)) => Some(Format::new().set_num_format("0.00##")),
         (_, Holds::Quantity(_)) => Some(Format::new().set_num_format("0.######")),
-        (_, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Casters | Holds::Sizes) => {
-            Some(Format::new().set_num_format("@"))
-        }
+        (
+            _,
+            Holds::Text
+            | Holds::Rating
+            | Holds::Range
+            | Holds::Answer
+            | Holds::Casters
+            | Holds::Sizes,
+        ) => Some(Format::new().set_num_format("@")),
         (_, Holds::Count) => Some(Format::new().set_num_format("0")),
     }
 }
@@ -154,14 +196,27 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
                 .allow_list_strings(&["H", "M", "L"])?
                 .set_input_title(ours.name())?
                 .set_input_message("High, medium or low; empty if not rated")?;
-            sheet.add_data_validation(1, column, (rows + ROWS_TO_COME).min(MAX_ROWS - 1), column, &list)?;
+            sheet.add_data_validation(
+                1,
+                column,
+                (rows + ROWS_TO_COME).min(MAX_ROWS - 1),
+                column,
+                &list,
+            )?;
         }
     }
     sheet.set_row_height(0, 32)?;
     sheet.set_freeze_panes(1, 0)?;
-    let formats: Vec<Option<Format>> = table.headings.iter().map(|text| number_format(text)).collect();
+    let formats: Vec<Option<Format>> = table
+        .headings
+        .iter()
+        .map(|text| number_format(text))
+        .collect();
     for (row, cells) in (1u32..).zip(&table.rows) {
-        for ((column, cell), format) in (0u16..).zip(cells).zip(formats.iter().chain(std::iter::repeat(&None))) {
+        for ((column, cell), format) in (0u16..)
+            .zip(cells)
+            .zip(formats.iter().chain(std::iter::repeat(&None)))
+        {
             match (cell, format) {
                 (Written::Empty, _) => {}
                 (Written::Number(value), Some(format)) => {
@@ -186,11 +241,18 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
 /// Width for the heading and the first rows, in characters.
 fn width(table: &Table, column: u16) -> u32 {
     let index = usize::from(column);
-    let heading = table.headings.get(index).map_or(0, |text| text.chars().count() / 2 + 4);
-    let cells = table.rows.iter().take(100).filter_map(|row| match row.get(index)? {
-        Written::Text(text) => Some(text.chars().count() + 2),
-        Written::Number(value) => Some(format!("{value}").len() + 2),
-        Written::Empty => None,
-    });
+    let heading = table
+        .headings
+        .get(index)
+        .map_or(0, |text| text.chars().count() / 2 + 4);
+    let cells = table
+        .rows
+        .iter()
+        .take(100)
+        .filter_map(|row| match row.get(index)? {
+            Written::Text(text) => Some(text.chars().count() + 2),
+            Written::Number(value) => Some(format!("{value}").len() + 2),
+            Written::Empty => None,
+        });
     cells.fold(heading, usize::max).clamp(8, 48) as u32
 }

@@ -18,11 +18,14 @@ const FORMAT: u32 = 9;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
-const TABLES_WITHOUT_EFFECT: [&str; 5] = ["assessment", "objects", "outputs", "worlds", "restraint"];
+const TABLES_WITHOUT_EFFECT: [&str; 5] =
+    ["assessment", "objects", "outputs", "worlds", "restraint"];
 
 /// The key of a run in parts of `part` objects.
 pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
-    let hashes = |files: &[InputFile]| -> Vec<String> { files.iter().map(|file| file.sha256.clone()).collect() };
+    let hashes = |files: &[InputFile]| -> Vec<String> {
+        files.iter().map(|file| file.sha256.clone()).collect()
+    };
     let text = json!({
         "format": FORMAT,
         "version": env!("CARGO_PKG_VERSION"),
@@ -47,7 +50,9 @@ pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
 
 /// The study without the tables that have no effect.
 fn study_text(toml: &str) -> String {
-    let Ok(mut study) = toml.parse::<toml_edit::DocumentMut>() else { return toml.to_owned() };
+    let Ok(mut study) = toml.parse::<toml_edit::DocumentMut>() else {
+        return toml.to_owned();
+    };
     for table in TABLES_WITHOUT_EFFECT {
         study.remove(table);
     }
@@ -57,10 +62,16 @@ fn study_text(toml: &str) -> String {
 /// The motions that were read from files, by their samples: flags of the caller may have changed
 /// how a file is read.
 fn recorded(study: &Study) -> Vec<Value> {
-    let other = study.other_ground.iter().flat_map(|ground| ground.recorded(&[]));
+    let other = study
+        .other_ground
+        .iter()
+        .flat_map(|ground| ground.recorded(&[]));
     let recorded = study.ground.recorded(&study.levels).chain(other);
     let one = |motion: &freestand_study::study::RecordedMotion| {
-        let inputs: Vec<&str> = motion.other_inputs().map(|file| file.sha256.as_str()).collect();
+        let inputs: Vec<&str> = motion
+            .other_inputs()
+            .map(|file| file.sha256.as_str())
+            .collect();
         json!({
             "name": motion.name,
             "along": samples(&motion.motion),
@@ -77,7 +88,11 @@ fn samples(motion: &Motion) -> String {
     for value in std::iter::once(&motion.dt_s()).chain(motion.accel_m_s2()) {
         hasher.update(value.to_le_bytes());
     }
-    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    hasher
+        .finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 /// The file of the spectrum that motions are generated for.
@@ -102,7 +117,15 @@ fn settings(settings: &Settings) -> Value {
         is_annual,
         seed,
         worlds,
-        spread: Spread { restitution, stiffness, mass, geometry, model, compliant: compliant_spread },
+        spread:
+            Spread {
+                restitution,
+                stiffness,
+                mass,
+                geometry,
+                model,
+                compliant: compliant_spread,
+            },
         pad_damping_ratio,
         compliant_factor,
         friction_ratio,
@@ -113,7 +136,13 @@ fn settings(settings: &Settings) -> Value {
         restraint,
         restraint_code,
     } = settings;
-    let Accepted { other_ratio, small_item_ratio, life_safety_ratio, function_ratio, property_ratio } = accepted;
+    let Accepted {
+        other_ratio,
+        small_item_ratio,
+        life_safety_ratio,
+        function_ratio,
+        property_ratio,
+    } = accepted;
     let WorldSettings {
         spectral_spread,
         intensity_spread,
@@ -138,8 +167,16 @@ fn settings(settings: &Settings) -> Value {
         anchor_inset_m,
         bracket,
     } = restraint;
-    let name = |questions: Questions| Questions::ALL.iter().find(|(_, one)| *one == questions).map(|(name, _)| *name);
-    let bracket = Bracket::ALL.iter().find(|(_, one)| one == bracket).map(|(name, _)| *name);
+    let name = |questions: Questions| {
+        Questions::ALL
+            .iter()
+            .find(|(_, one)| *one == questions)
+            .map(|(name, _)| *name)
+    };
+    let bracket = Bracket::ALL
+        .iter()
+        .find(|(_, one)| one == bracket)
+        .map(|(name, _)| *name);
     json!({
         "accepted": [other_ratio, small_item_ratio],
         "accepted_by_rating": [life_safety_ratio, function_ratio, property_ratio],
@@ -208,10 +245,15 @@ mod tests {
         );
         assert_eq!(
             usual,
-            key("[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n", |_, _| ())
+            key(
+                "[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n",
+                |_, _| ()
+            )
         );
         let changes: [fn(&mut Study, &mut Inventory); 10] = [
-            |study, _| study.assessment.dimensions = freestand_study::study::assessment::Dimensions::Three,
+            |study, _| {
+                study.assessment.dimensions = freestand_study::study::assessment::Dimensions::Three
+            },
             |study, _| study.assessment.walls = freestand_study::study::assessment::WallUse::Ignore,
             |study, _| study.assessment.seed = 2,
             |study, _| study.assessment.spread.mass = 0.2,
@@ -219,13 +261,21 @@ mod tests {
             |study, _| study.assessment.restraint.strength_ratio = Some(2.0),
             |study, _| {
                 let words = [("code", "asce7"), ("sds", "1 g")].into_iter().collect();
-                study.assessment.restraint_code = freestand_study::target::Target::for_parts(&words).ok();
+                study.assessment.restraint_code =
+                    freestand_study::target::Target::for_parts(&words).ok();
             },
             |_, inventory| inventory.sha256 = "01".to_owned(),
             |_, inventory| inventory.sheet = Some("Ward".to_owned()),
-            |_, inventory| inventory.libraries.push(InputFile::new(Path::new("ours.csv"), b"id")),
+            |_, inventory| {
+                inventory
+                    .libraries
+                    .push(InputFile::new(Path::new("ours.csv"), b"id"))
+            },
         ];
-        let mut keys: Vec<String> = changes.into_iter().map(|change| key(toml, change)).collect();
+        let mut keys: Vec<String> = changes
+            .into_iter()
+            .map(|change| key(toml, change))
+            .collect();
         keys.extend([
             usual,
             key("[building]\nstoreys = 9\n", |_, _| ()),

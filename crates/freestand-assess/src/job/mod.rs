@@ -10,7 +10,8 @@ pub(crate) use key::resume_key;
 pub use portfolio::Finished;
 pub(crate) use portfolio::progress_names;
 pub use shards::{
-    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
+    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
+    plan_shards, run_shard,
 };
 pub(crate) use store::{PROGRESS, Part, Store};
 
@@ -25,7 +26,8 @@ use store::part_size;
 use crate::inventory::{CellsRequest, Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};
 use crate::output::{
-    First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds,
+    First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all,
+    write_worlds,
 };
 use crate::result::Decision;
 use freestand_input::file::InputFile;
@@ -128,14 +130,25 @@ pub struct JobReport {
 impl JobReport {
     /// Objects with this decision.
     pub fn count(&self, decision: Decision) -> u64 {
-        self.decisions.get(decision.name()).and_then(serde_json::Value::as_u64).unwrap_or(0)
+        self.decisions
+            .get(decision.name())
+            .and_then(serde_json::Value::as_u64)
+            .unwrap_or(0)
     }
 
     /// What a JSON document says beside the result: whose building it is, the problems of the list,
     /// and the other warnings.
     pub fn all_warnings(&self) -> Vec<String> {
-        let problems = self.problems.iter().map(|line| format!("in the list: {line}"));
-        self.no_study.iter().cloned().chain(problems).chain(self.warnings.iter().cloned()).collect()
+        let problems = self
+            .problems
+            .iter()
+            .map(|line| format!("in the list: {line}"));
+        self.no_study
+            .iter()
+            .cloned()
+            .chain(problems)
+            .chain(self.warnings.iter().cloned())
+            .collect()
     }
 }
 
@@ -144,15 +157,27 @@ impl JobReport {
 ///
 /// # Errors
 /// No inventory, or all problems of a library or an inventory.
-pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -> Result<Inventory, Problems> {
+pub fn inventory_of(
+    study: &Study,
+    path: Option<&Path>,
+    request: &ListRequest,
+) -> Result<Inventory, Problems> {
     let settings = &study.assessment;
     let Some(path) = path.or(settings.inventory.as_deref()) else {
         let hint = "give `inventory = \"objects.csv\"`, or put it into the table [assessment] of the study; \
                     freestand inventory template prints an inventory to fill in";
         return Err(Problem::value("there is no inventory to assess", hint).into());
     };
-    let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
-    let mapping = request.cells.columns.as_deref().map(Mapping::load).transpose()?;
+    let libraries = Libraries::with_files(
+        settings.library.as_deref(),
+        settings.cushion_library.as_deref(),
+    )?;
+    let mapping = request
+        .cells
+        .columns
+        .as_deref()
+        .map(Mapping::load)
+        .transpose()?;
     let read = |lookup: &Lookup| {
         let options = ReadOptions {
             sheet: request.cells.sheet.as_deref().or(settings.sheet.as_deref()),
@@ -166,19 +191,42 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
         read_inventory(path, &options)
     };
     let mut inventory = libraries.looked_up(read)?;
-    let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
-    let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
-    inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);
+    let mapped = mapping
+        .as_ref()
+        .map_or("", |mapping| mapping.sha256.as_str());
+    let storeys = request
+        .storeys
+        .map_or_else(String::new, |storeys| storeys.to_string());
+    inventory.read_with = format!(
+        "mapping {mapped}; storeys {storeys}; anchored {}",
+        request.assess_anchored
+    );
     for edit in &request.cells.edits {
-        inventory.read_with.push_str(&format!("; {}", serde_json::Value::from(edit.to_string())));
+        inventory
+            .read_with
+            .push_str(&format!("; {}", serde_json::Value::from(edit.to_string())));
     }
     if request.assess_anchored {
-        inventory.items.iter_mut().for_each(|item| item.anchored = None);
+        inventory
+            .items
+            .iter_mut()
+            .for_each(|item| item.anchored = None);
     }
-    let Libraries { tolerances, cushions } = libraries;
-    inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
-    inventory.warnings.extend(other_storeys(study, request.storeys));
-    inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
+    let Libraries {
+        tolerances,
+        cushions,
+    } = libraries;
+    inventory.libraries = tolerances
+        .inputs
+        .into_iter()
+        .chain(cushions.inputs)
+        .collect();
+    inventory
+        .warnings
+        .extend(other_storeys(study, request.storeys));
+    inventory
+        .warnings
+        .extend(tolerances.warnings.into_iter().chain(cushions.warnings));
     Ok(inventory)
 }
 
@@ -211,9 +259,17 @@ pub struct ListRequest {
 pub fn floors_of(study: &Study, storeys: Option<usize>) -> Floors {
     let building = study.building.as_ref();
     // Levels whose motions are given are floors by their names.
-    let measured = study.levels.iter().filter(|level| !level.motions.is_empty());
+    let measured = study
+        .levels
+        .iter()
+        .filter(|level| !level.motions.is_empty());
     let named = measured.filter_map(|level| Some((level.name.clone(), level.level_ratio?)));
-    let table = study.floors.iter().flat_map(|floor| floor.names.iter().map(|name| (name.clone(), floor.level_ratio)));
+    let table = study.floors.iter().flat_map(|floor| {
+        floor
+            .names
+            .iter()
+            .map(|name| (name.clone(), floor.level_ratio))
+    });
     Floors {
         named: table.chain(named).collect(),
         storeys: storeys.or(building.map(|building| building.storeys)),
@@ -254,8 +310,10 @@ pub fn assess_telling(
     job: &Job,
     (progress, tell): (Progress, Option<Finished>),
 ) -> Result<JobReport, Problems> {
-    let size =
-        job.part_rows.map_or_else(|| part_size(study, inventory), |rows| rows.clamp(1, part_size(study, inventory)));
+    let size = job.part_rows.map_or_else(
+        || part_size(study, inventory),
+        |rows| rows.clamp(1, part_size(study, inventory)),
+    );
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
@@ -268,16 +326,40 @@ pub fn assess_telling(
     announce(target, job.force, SCHEMA, &names)?;
     let folder = staged(study, inventory, target, job)?;
     let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
-    let portfolio = assess(study, inventory, (store, parts), (job.outcomes, None), (progress, tell))?;
-    let run = Run { study, inventory, head: &head, job, key: &key, motions: None };
+    let portfolio = assess(
+        study,
+        inventory,
+        (store, parts),
+        (job.outcomes, None),
+        (progress, tell),
+    )?;
+    let run = Run {
+        study,
+        inventory,
+        head: &head,
+        job,
+        key: &key,
+        motions: None,
+    };
     written(&run, (target, folder), portfolio, progress)
 }
 
 /// The folder for the outputs, which are checked to have a place in it.
-fn staged(study: &Study, inventory: &Inventory, target: &Path, job: &Job) -> Result<OutputFolder, Problem> {
-    let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
+fn staged(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+) -> Result<OutputFolder, Problem> {
+    let inputs = study
+        .source
+        .iter()
+        .cloned()
+        .chain(motion_paths(study))
+        .chain([inventory.path.clone()]);
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
-    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?.of_command(SCHEMA)?;
+    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?
+        .of_command(SCHEMA)?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
     Ok(folder)
 }
@@ -301,9 +383,21 @@ fn written(
     mut portfolio: Portfolio,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let Run { study, inventory, head, job, key, motions } = *run;
+    let Run {
+        study,
+        inventory,
+        head,
+        job,
+        key,
+        motions,
+    } = *run;
     let settings = &study.assessment;
-    let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
+    let wanted = Wanted {
+        parquet: job.parquet,
+        workbook: true,
+        report: true,
+        pages: settings.pages,
+    };
     let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
         let mut file = folder.begin(OUTCOMES_NAME)?;
@@ -327,7 +421,10 @@ fn written(
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();
-    folder.write(MANIFEST, manifest(study, inventory, &report, key)?.as_bytes())?;
+    folder.write(
+        MANIFEST,
+        manifest(study, inventory, &report, key)?.as_bytes(),
+    )?;
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
@@ -347,7 +444,11 @@ fn worlds_into(
         None => shake(study, motions, progress)?,
     };
     let total = lived.worlds as usize;
-    let go_on = |done: u32| match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {
+    let go_on = |done: u32| match progress(Step {
+        stage: Some(Stage::FloorMotions),
+        done: done as usize,
+        total,
+    }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
@@ -355,12 +456,19 @@ fn worlds_into(
     if written.as_ref().is_err_and(Problems::is_stopped) {
         // A part of the table must not pass for the whole.
         let path = folder.path_of(WORLDS_NAME)?;
-        std::fs::remove_file(&path).map_err(|error| io_problem(&path, "cannot remove an unfinished file", &error))?;
+        std::fs::remove_file(&path)
+            .map_err(|error| io_problem(&path, "cannot remove an unfinished file", &error))?;
     }
     written
 }
 
-fn report(portfolio: &Portfolio, study: &Study, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {
+fn report(
+    portfolio: &Portfolio,
+    study: &Study,
+    inventory: &Inventory,
+    head: &Head,
+    target: &Path,
+) -> JobReport {
     JobReport {
         objects: inventory.items.len(),
         resumed: portfolio.resumed,
@@ -424,7 +532,12 @@ fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
 
 /// Nothing here depends on how the run went: the same inputs give the same bytes, however often it
 /// was stopped.
-fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
+fn manifest(
+    study: &Study,
+    inventory: &Inventory,
+    report: &JobReport,
+    key: &str,
+) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "key": key,
@@ -447,7 +560,8 @@ fn input(file: &InputFile) -> serde_json::Value {
 }
 
 fn file_name(path: &Path) -> Option<String> {
-    path.file_name().map(|name| name.to_string_lossy().into_owned())
+    path.file_name()
+        .map(|name| name.to_string_lossy().into_owned())
 }
 
 /// The report of a folder that is complete already; `None` where something is left to do.
@@ -458,8 +572,11 @@ fn finished(
     job: &Job,
     head: &Head,
 ) -> Option<JobReport> {
-    let manifest: serde_json::Value = serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
-    let has = |name: &str, value: serde_json::Value| manifest.get(name).is_some_and(|found| *found == value);
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
+    let has = |name: &str, value: serde_json::Value| {
+        manifest.get(name).is_some_and(|found| *found == value)
+    };
     if !(has("schema", json!(SCHEMA))
         && has("key", json!(key))
         && has("complete", json!(true))
@@ -469,8 +586,13 @@ fn finished(
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
     let is_there = |name: &str| target.join(name).is_file();
-    let wanted = [(job.parquet, "objects.parquet"), (job.outcomes, OUTCOMES_NAME)];
-    let has_all = wanted.iter().all(|(is_wanted, name)| !is_wanted || files.iter().any(|file| file == name));
+    let wanted = [
+        (job.parquet, "objects.parquet"),
+        (job.outcomes, OUTCOMES_NAME),
+    ];
+    let has_all = wanted
+        .iter()
+        .all(|(is_wanted, name)| !is_wanted || files.iter().any(|file| file == name));
     if !files.iter().all(|name| is_there(name)) || !has_all {
         return None;
     }

@@ -51,7 +51,9 @@ pub(super) struct Portfolio<'a> {
 
 /// The files that a run keeps in its output folder until it is finished.
 pub(crate) fn progress_names(parts: &[Part]) -> Vec<String> {
-    Store::names(parts).map(|name| format!("{}/{name}", PROGRESS)).collect()
+    Store::names(parts)
+        .map(|name| format!("{}/{name}", PROGRESS))
+        .collect()
 }
 
 /// Called with the row of each object when it is finished, as it will be in `objects.csv`; its rank is
@@ -75,7 +77,14 @@ pub(super) fn assess<'a>(
     (progress, finished): (Progress, Option<Finished>),
 ) -> Result<Portfolio<'a>, Problems> {
     let total = inventory.items.len();
-    let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
+    let wants_to_stop = || {
+        progress(Step {
+            stage: None,
+            done: 0,
+            total: 0,
+        })
+        .is_break()
+    };
     let mut portfolio = Portfolio {
         inventory,
         store,
@@ -94,23 +103,35 @@ pub(super) fn assess<'a>(
     };
     let alternative = study.alternative();
     refuse_outcomes(wants_outcomes, alternative.as_ref())?;
-    let mut assessor =
-        Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop).beside(alternative.as_ref());
+    let mut assessor = Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop)
+        .beside(alternative.as_ref());
     let mut list = Vec::with_capacity(total);
     let rows = finished.map(|tell| (JsonRows::new(inventory), tell));
     let mut ranked: Vec<Urgency> = Vec::new();
     for part in parts {
         let items = inventory.items.get(part.rows.clone()).unwrap_or_default();
-        if progress(Step { stage: Some(Stage::Objects), done: part.rows.start, total }).is_break() {
+        if progress(Step {
+            stage: Some(Stage::Objects),
+            done: part.rows.start,
+            total,
+        })
+        .is_break()
+        {
             portfolio.interrupted = true;
             break;
         }
         let found = match assessor.part(&portfolio.store, &part, items, progress) {
-            Ok(Assessed { found, is_stored: true }) => {
+            Ok(Assessed {
+                found,
+                is_stored: true,
+            }) => {
                 portfolio.resumed += found.len();
                 found
             }
-            Ok(Assessed { found, is_stored: false }) => {
+            Ok(Assessed {
+                found,
+                is_stored: false,
+            }) => {
                 portfolio.computed += found.len();
                 found
             }
@@ -129,7 +150,12 @@ pub(super) fn assess<'a>(
                 tell(&rows.row(item, place + 1, found));
             }
         }
-        list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
+        list.extend(
+            items
+                .iter()
+                .zip(&found)
+                .map(|(item, found)| Urgency::new(item, found)),
+        );
         portfolio.parts.push(part);
     }
     portfolio.histories = assessor.histories();
@@ -171,17 +197,34 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         wants_to_stop: &'s (dyn Fn() -> bool + Sync),
     ) -> Self {
         let (context, worlds) = (None, None);
-        Self { study, total, wants_outcomes, motions, wants_to_stop, context, alternative: None, other: None, worlds }
+        Self {
+            study,
+            total,
+            wants_outcomes,
+            motions,
+            wants_to_stop,
+            context,
+            alternative: None,
+            other: None,
+            worlds,
+        }
     }
 
     /// With the other spectrum of a national annex beside: of each object the worse result counts.
     pub(super) fn beside(self, alternative: Option<&'s Study>) -> Self {
-        Self { alternative, ..self }
+        Self {
+            alternative,
+            ..self
+        }
     }
 
     /// Rocking histories that were computed.
     pub(super) fn histories(&self) -> u64 {
-        self.context.iter().chain(&self.other).map(Context::histories).sum()
+        self.context
+            .iter()
+            .chain(&self.other)
+            .map(Context::histories)
+            .sum()
     }
 
     /// A part from the store, or computed and stored.
@@ -198,14 +241,22 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         let is_complete = !self.wants_outcomes || store.has_outcomes(part);
         let stored = store.read(part, items.iter().map(|item| item.id.as_str()));
         if let Some(found) = stored.filter(|_| is_complete) {
-            return Ok(Assessed { found, is_stored: true });
+            return Ok(Assessed {
+                found,
+                is_stored: true,
+            });
         }
         let context = match &mut self.context {
             Some(context) => context,
             empty => {
                 let worlds = shake(self.study, self.motions, progress)?;
                 self.worlds = Some(worlds.at_intensity(1.0));
-                empty.insert(Context::new(self.study, worlds, self.total, self.wants_to_stop))
+                empty.insert(Context::new(
+                    self.study,
+                    worlds,
+                    self.total,
+                    self.wants_to_stop,
+                ))
             }
         };
         let mut rows = self.wants_outcomes.then(Vec::new);
@@ -214,19 +265,27 @@ impl<'a: 's, 's> Assessor<'a, 's> {
             let other = match &mut self.other {
                 Some(context) => context,
                 // Their motions are not kept: those of the first spectrum have the same names.
-                empty => {
-                    empty.insert(Context::new(study, shake(study, None, progress)?, self.total, self.wants_to_stop))
-                }
+                empty => empty.insert(Context::new(
+                    study,
+                    shake(study, None, progress)?,
+                    self.total,
+                    self.wants_to_stop,
+                )),
             };
             let by_other = assess_part(other, items, None)?;
             let triples = items.iter().zip(found).zip(by_other);
-            found = triples.map(|((item, one), by_other)| worse(item, study, one, by_other)).collect();
+            found = triples
+                .map(|((item, one), by_other)| worse(item, study, one, by_other))
+                .collect();
         }
         if let Some(rows) = rows {
             store.write_outcomes(part, &rows)?;
         }
         store.write(part, &found)?;
-        Ok(Assessed { found, is_stored: false })
+        Ok(Assessed {
+            found,
+            is_stored: false,
+        })
     }
 }
 
@@ -234,8 +293,16 @@ impl<'a: 's, 's> Assessor<'a, 's> {
 ///
 /// # Errors
 /// A motion that cannot be generated, or a stop.
-pub(super) fn shake<'a>(study: &'a Study, motions: Option<&Path>, progress: Progress) -> Result<Worlds<'a>, Problems> {
-    let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
+pub(super) fn shake<'a>(
+    study: &'a Study,
+    motions: Option<&Path>,
+    progress: Progress,
+) -> Result<Worlds<'a>, Problems> {
+    let go_on = || match progress(Step {
+        stage: Some(Stage::GroundMotions),
+        done: 0,
+        total: 0,
+    }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
@@ -247,18 +314,33 @@ pub(super) fn shake<'a>(study: &'a Study, motions: Option<&Path>, progress: Prog
 }
 
 /// One part: the objects with level and geometry in their worlds, and the others without a verdict.
-fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>) -> Result<Vec<Assessment>, Problems> {
+fn assess_part(
+    context: &Context,
+    items: &[Item],
+    outcomes: Option<&mut Vec<u8>>,
+) -> Result<Vec<Assessment>, Problems> {
     let settings = &context.study.assessment;
     let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
     let (mut places, mut members) = (Vec::new(), Vec::new());
     for (place, item) in items.iter().enumerate() {
-        let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
+        let nothing = |why| {
+            Some(Assessment {
+                why,
+                ..blank(item, settings)
+            })
+        };
         if item.anchored == Some(true) {
             // The force to check them for: by the code alone, because nothing is simulated.
-            let restraint = Subject::new(item, settings)
-                .map_or_else(|_| Vec::new(), |held| restraint_of(context.study, item, &held, None));
+            let restraint = Subject::new(item, settings).map_or_else(
+                |_| Vec::new(),
+                |held| restraint_of(context.study, item, &held, None),
+            );
             let why = "Reported as anchored; its anchors were not checked.".to_owned();
-            found[place] = Some(Assessment { why, restraint, ..blank(item, settings) });
+            found[place] = Some(Assessment {
+                why,
+                restraint,
+                ..blank(item, settings)
+            });
             continue;
         }
         match Subject::new(item, settings) {
@@ -267,17 +349,24 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
                 members.push(Member::new(item, subject, settings));
             }
             Ok(_) => {
-                found[place] =
-                    nothing("Nothing was assessed, because the study has no motion for this floor.".to_owned());
+                found[place] = nothing(
+                    "Nothing was assessed, because the study has no motion for this floor."
+                        .to_owned(),
+                );
             }
             Err(missing) => {
                 let verb = if missing.len() == 1 { "was" } else { "were" };
-                found[place] =
-                    nothing(format!("Nothing was assessed, because the {} {verb} not given.", listed(&missing)));
+                found[place] = nothing(format!(
+                    "Nothing was assessed, because the {} {verb} not given.",
+                    listed(&missing)
+                ));
             }
         }
     }
-    for (place, assessed) in places.into_iter().zip(assess_group(context, &members, outcomes)?) {
+    for (place, assessed) in places
+        .into_iter()
+        .zip(assess_group(context, &members, outcomes)?)
+    {
         found[place] = Some(assessed);
     }
     Ok(found.into_iter().flatten().collect())
@@ -289,7 +378,10 @@ impl<'a> Portfolio<'a> {
             if let (Some(answers), Some(level_ratio)) = (&one.answers, item.level_ratio) {
                 self.lived.add(answers.worlds, level_ratio);
             }
-            if let Some(place) = Decision::ALL.iter().position(|decision| *decision == one.decision) {
+            if let Some(place) = Decision::ALL
+                .iter()
+                .position(|decision| *decision == one.decision)
+            {
                 self.decisions[place] += 1;
             }
             if let Some(tier) = self.tiers.get_mut(usize::from(one.tier)) {
@@ -313,13 +405,26 @@ impl<'a> Portfolio<'a> {
     /// The results in the order of the inventory, read part by part from where they are stored.
     pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
         self.parts.iter().flat_map(move |part| {
-            let items = self.inventory.items.get(part.rows.clone()).unwrap_or_default();
+            let items = self
+                .inventory
+                .items
+                .get(part.rows.clone())
+                .unwrap_or_default();
             let ranks = self.ranks.get(part.rows.clone()).unwrap_or_default();
-            let found = self.store.read(part, items.iter().map(|item| item.id.as_str()));
+            let found = self
+                .store
+                .read(part, items.iter().map(|item| item.id.as_str()));
             match found {
                 Some(found) => {
                     let rows = items.iter().zip(found).zip(ranks);
-                    rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
+                    rows.map(|((item, found), rank)| {
+                        Ok(Row {
+                            rank: *rank as usize,
+                            item,
+                            found,
+                        })
+                    })
+                    .collect::<Vec<_>>()
                 }
                 None => vec![Err(disappeared())],
             }
@@ -328,19 +433,25 @@ impl<'a> Portfolio<'a> {
 
     /// The outcomes of each finished part.
     pub(super) fn outcomes(&self) -> impl Iterator<Item = Result<Vec<u8>, Problem>> {
-        self.parts.iter().map(|part| self.store.outcomes(part).ok_or_else(disappeared))
+        self.parts
+            .iter()
+            .map(|part| self.store.outcomes(part).ok_or_else(disappeared))
     }
 
     /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         for name in Store::names(&self.parts).filter(|name| self.store.has(name)) {
-            self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
+            self.store
+                .link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
         }
         Ok(())
     }
 }
 
 fn disappeared() -> Problem {
-    Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
-        .hint("repeat the run with `resume = true`: the missing parts are computed again")
+    Problem::new(
+        ProblemKind::Io,
+        "a finished part of the assessment has disappeared",
+    )
+    .hint("repeat the run with `resume = true`: the missing parts are computed again")
 }

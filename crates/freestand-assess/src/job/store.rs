@@ -42,8 +42,15 @@ const LEAST: usize = 8;
 /// Objects of a part of an inventory.
 pub(super) fn part_size(study: &Study, inventory: &Inventory) -> usize {
     let is_slow = study.assessment.dimensions == Dimensions::Three
-        || inventory.items.iter().any(|item| item.surroundings.upper.is_some());
-    if is_slow { SLOW_PART } else { (inventory.items.len() / PARTS).clamp(LEAST, PART) }
+        || inventory
+            .items
+            .iter()
+            .any(|item| item.surroundings.upper.is_some());
+    if is_slow {
+        SLOW_PART
+    } else {
+        (inventory.items.len() / PARTS).clamp(LEAST, PART)
+    }
 }
 
 /// Rows of an inventory that are assessed and stored together.
@@ -58,14 +65,23 @@ pub(crate) struct Part {
 impl Part {
     /// The parts of a run over this many rows, of `size` rows each.
     pub(crate) fn of_run(rows: usize, size: usize) -> Vec<Self> {
-        ranges(0..rows, size).enumerate().map(|(part, rows)| Self { name: format!("{part:06}"), rows }).collect()
+        ranges(0..rows, size)
+            .enumerate()
+            .map(|(part, rows)| Self {
+                name: format!("{part:06}"),
+                rows,
+            })
+            .collect()
     }
 
     /// The parts of a shard with these rows, of `size` rows each.
     pub(super) fn of_shard(shard: usize, rows: Range<usize>, size: usize) -> Vec<Self> {
         ranges(rows, size)
             .enumerate()
-            .map(|(part, rows)| Self { name: format!("{shard:05}-{part:03}"), rows })
+            .map(|(part, rows)| Self {
+                name: format!("{shard:05}-{part:03}"),
+                rows,
+            })
             .collect()
     }
 
@@ -82,7 +98,8 @@ impl Part {
 
 fn ranges(rows: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> {
     let end = rows.end;
-    rows.step_by(size).map(move |first| first..end.min(first + size))
+    rows.step_by(size)
+        .map(move |first| first..end.min(first + size))
 }
 
 /// A folder of parts.
@@ -98,19 +115,29 @@ impl Store {
     /// Opens the folder for a run with this `key`. Parts of another run are removed; parts of the
     /// same run are kept if `resume` is set.
     pub(crate) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
-        let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
+        let failed =
+            |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         refuse_links_in(folder)?;
         fs::create_dir_all(folder).map_err(failed)?;
         // Whatever has this name is not truncated.
-        let open = fs::OpenOptions::new().write(true).create(true).truncate(false).open(folder.join(LOCK));
+        let open = fs::OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(folder.join(LOCK));
         let lock = open.map_err(failed)?;
         // Some file systems cannot lock files: there, two runs cannot be told apart.
         if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
-            return Err(Problem::new(ProblemKind::Io, "another run is writing into this folder")
-                .in_file(folder)
-                .hint("wait until it has finished, or give another folder with `out`"));
+            return Err(
+                Problem::new(ProblemKind::Io, "another run is writing into this folder")
+                    .in_file(folder)
+                    .hint("wait until it has finished, or give another folder with `out`"),
+            );
         }
-        let store = Self { folder: folder.to_path_buf(), _lock: Some(lock) };
+        let store = Self {
+            folder: folder.to_path_buf(),
+            _lock: Some(lock),
+        };
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
@@ -122,18 +149,26 @@ impl Store {
     /// The folder of the shards of a plan, which is made where it does not exist.
     pub(super) fn of_shards(folder: &Path) -> Result<Self, Problem> {
         refuse_links_in(folder)?;
-        fs::create_dir_all(folder).map_err(|error| io_problem(folder, "cannot write the finished parts", &error))?;
-        Ok(Self { folder: folder.to_path_buf(), _lock: None })
+        fs::create_dir_all(folder)
+            .map_err(|error| io_problem(folder, "cannot write the finished parts", &error))?;
+        Ok(Self {
+            folder: folder.to_path_buf(),
+            _lock: None,
+        })
     }
 
     /// The names of the files of a run in these parts.
     pub(super) fn names(parts: &[Part]) -> impl Iterator<Item = String> + '_ {
-        let of_parts = parts.iter().flat_map(|part| [part.results_name(), part.outcomes_name()]);
+        let of_parts = parts
+            .iter()
+            .flat_map(|part| [part.results_name(), part.outcomes_name()]);
         [LOCK, PLAN].map(str::to_owned).into_iter().chain(of_parts)
     }
 
     fn clear(&self) -> io::Result<()> {
-        let Ok(entries) = fs::read_dir(&self.folder) else { return Ok(()) };
+        let Ok(entries) = fs::read_dir(&self.folder) else {
+            return Ok(());
+        };
         for entry in entries {
             let entry = entry?;
             let name = entry.file_name();
@@ -149,8 +184,9 @@ impl Store {
         let path = self.folder.join(part.results_name());
         let mut lines = Vec::new();
         for one in found {
-            serde_json::to_writer(&mut lines, one)
-                .map_err(|error| io_problem(&path, "cannot write a finished part", &error.into()))?;
+            serde_json::to_writer(&mut lines, one).map_err(|error| {
+                io_problem(&path, "cannot write a finished part", &error.into())
+            })?;
             lines.push(b'\n');
         }
         write_file(&path, &lines, &[])
@@ -186,21 +222,32 @@ impl Store {
     }
 
     /// A stored part; `None` where it is absent, incomplete or of other objects.
-    pub(super) fn read<'a>(&self, part: &Part, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
+    pub(super) fn read<'a>(
+        &self,
+        part: &Part,
+        ids: impl ExactSizeIterator<Item = &'a str>,
+    ) -> Option<Vec<Assessment>> {
         let found: Vec<Assessment> = self.rows(part)?;
-        Some(found).filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
+        Some(found).filter(|found| {
+            found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id)
+        })
     }
 
     /// The rows of a stored part; `None` if the part is absent or a row cannot be read.
     pub(crate) fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
         let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();
-        lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect()
+        lines
+            .map(|line| serde_json::from_str(&line.ok()?).ok())
+            .collect()
     }
 }
 
 fn is_ours(name: &str) -> bool {
-    let number = name.strip_suffix(".jsonl").or(name.strip_suffix(".csv")).unwrap_or("");
+    let number = name
+        .strip_suffix(".jsonl")
+        .or(name.strip_suffix(".csv"))
+        .unwrap_or("");
     name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
@@ -219,15 +266,26 @@ mod tests {
         for name in ["000001.jsonl", LOCK, PLAN] {
             fs::write(others.join(name), "mine").unwrap();
         }
-        let untouched =
-            || ["000001.jsonl", LOCK, PLAN].iter().all(|name| fs::read_to_string(others.join(name)).unwrap() == "mine");
+        let untouched = || {
+            ["000001.jsonl", LOCK, PLAN]
+                .iter()
+                .all(|name| fs::read_to_string(others.join(name)).unwrap() == "mine")
+        };
         symlink(&others, &progress).unwrap();
-        assert!(Store::open(&progress, "key", false).is_err() && Store::of_shards(&progress).is_err() && untouched());
+        assert!(
+            Store::open(&progress, "key", false).is_err()
+                && Store::of_shards(&progress).is_err()
+                && untouched()
+        );
         fs::remove_file(&progress).unwrap();
         fs::create_dir_all(&progress).unwrap();
         for name in [LOCK, PLAN, "000001.jsonl"] {
             symlink(others.join(name), progress.join(name)).unwrap();
-            assert!(Store::open(&progress, "key", true).is_err() && Store::of_shards(&progress).is_err(), "{name}");
+            assert!(
+                Store::open(&progress, "key", true).is_err()
+                    && Store::of_shards(&progress).is_err(),
+                "{name}"
+            );
             fs::remove_file(progress.join(name)).unwrap();
             assert!(untouched(), "{name}");
         }

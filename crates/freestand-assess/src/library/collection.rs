@@ -50,8 +50,15 @@ impl<E> Library<E> {
     /// The built-in entries.
     pub(super) fn new(shelf: &'static Shelf<E>) -> Self {
         // The table is part of the program, and a test reads it.
-        let entries = shelf.entries(shelf.builtin, BUILT_IN).map(|(entries, _)| entries);
-        Self { shelf, entries: entries.unwrap_or_default(), inputs: Vec::new(), warnings: Vec::new() }
+        let entries = shelf
+            .entries(shelf.builtin, BUILT_IN)
+            .map(|(entries, _)| entries);
+        Self {
+            shelf,
+            entries: entries.unwrap_or_default(),
+            inputs: Vec::new(),
+            warnings: Vec::new(),
+        }
     }
 
     /// The same library with the entries of a user's file, if there is one; an entry with the same
@@ -64,10 +71,12 @@ impl<E> Library<E> {
         let bytes = table::load(path, self.shelf.columns)?;
         let origin = path.display().to_string();
         let in_file = |problem: Problem| problem.in_file(path);
-        let (entries, warnings) = self
-            .shelf
-            .entries(&bytes, &origin)
-            .map_err(|error| Problems { problems: error.into_iter().map(in_file).collect() })?;
+        let (entries, warnings) =
+            self.shelf
+                .entries(&bytes, &origin)
+                .map_err(|error| Problems {
+                    problems: error.into_iter().map(in_file).collect(),
+                })?;
         let id = self.shelf.id;
         for entry in entries {
             match self.entries.iter_mut().find(|one| id(one) == id(&entry)) {
@@ -75,7 +84,11 @@ impl<E> Library<E> {
                 None => self.entries.push(entry),
             }
         }
-        self.warnings.extend(warnings.into_iter().map(|warning| format!("{origin}: {warning}")));
+        self.warnings.extend(
+            warnings
+                .into_iter()
+                .map(|warning| format!("{origin}: {warning}")),
+        );
         self.inputs.push(InputFile::new(path, &bytes));
         Ok(self)
     }
@@ -93,7 +106,9 @@ impl<E> Library<E> {
     /// The entry with this id, in upper or lower case.
     pub fn find(&self, id: &str) -> Option<&E> {
         let id = id.trim().to_lowercase();
-        self.entries.iter().find(|entry| (self.shelf.id)(entry) == id)
+        self.entries
+            .iter()
+            .find(|entry| (self.shelf.id)(entry) == id)
     }
 
     /// The entry with this id.
@@ -106,7 +121,10 @@ impl<E> Library<E> {
             let message = format!("the {name} library has no entry \"{}\"", shorten(id.trim()));
             let hint = match self.nearest(id).as_slice() {
                 [] => format!("freestand {name} list shows all entries"),
-                near => format!("did you mean {}? freestand {name} list shows all entries", near.join(", ")),
+                near => format!(
+                    "did you mean {}? freestand {name} list shows all entries",
+                    near.join(", ")
+                ),
             };
             Problem::value(message, hint)
         })
@@ -116,8 +134,13 @@ impl<E> Library<E> {
     pub fn search(&self, words: &[String]) -> Vec<&E> {
         let words: Vec<String> = words.iter().map(|word| word.to_lowercase()).collect();
         let has_all = |entry: &&E| {
-            let texts: Vec<String> = (self.shelf.texts)(entry).into_iter().map(str::to_lowercase).collect();
-            words.iter().all(|word| texts.iter().any(|text| text.contains(word)))
+            let texts: Vec<String> = (self.shelf.texts)(entry)
+                .into_iter()
+                .map(str::to_lowercase)
+                .collect();
+            words
+                .iter()
+                .all(|word| texts.iter().any(|text| text.contains(word)))
         };
         self.entries.iter().filter(has_all).collect()
     }
@@ -127,9 +150,20 @@ impl<E> Library<E> {
         let ids: Vec<&str> = self.ids().collect();
         let wanted = id.to_lowercase();
         let mut near: Vec<&str> = nearest(&wanted, &ids).into_iter().collect();
-        let words: Vec<&str> = wanted.split(|c: char| !c.is_alphanumeric()).filter(|word| word.len() > 2).collect();
-        let shared = |candidate: &str| words.iter().filter(|word| candidate.contains(**word)).count();
-        let mut others: Vec<&str> = ids.into_iter().filter(|id| shared(id) > 0 && !near.contains(id)).collect();
+        let words: Vec<&str> = wanted
+            .split(|c: char| !c.is_alphanumeric())
+            .filter(|word| word.len() > 2)
+            .collect();
+        let shared = |candidate: &str| {
+            words
+                .iter()
+                .filter(|word| candidate.contains(**word))
+                .count()
+        };
+        let mut others: Vec<&str> = ids
+            .into_iter()
+            .filter(|id| shared(id) > 0 && !near.contains(id))
+            .collect();
         others.sort_by_key(|id| Reverse(shared(id)));
         near.extend(others);
         near.truncate(MAX_NEAREST);
@@ -141,18 +175,27 @@ impl<E> Shelf<E> {
     /// The entries of a table, and warnings about it. Every id occurs once.
     fn entries(&self, bytes: &[u8], origin: &str) -> Result<(Vec<E>, Vec<String>), Problems> {
         let table = table::read_table(bytes, self.columns)?;
-        let (mut entries, mut problems, mut lines) = (Vec::new(), Problems::default(), HashMap::new());
+        let (mut entries, mut problems, mut lines) =
+            (Vec::new(), Problems::default(), HashMap::new());
         for row in &table.rows {
-            let value = |message: String, hint: &str| Problem::value(message, hint).at_line(row.line);
+            let value =
+                |message: String, hint: &str| Problem::value(message, hint).at_line(row.line);
             if problems.len() >= MAX_PROBLEMS {
-                let message = format!("there are {MAX_PROBLEMS} problems so far; the rest of the file was not read");
+                let message = format!(
+                    "there are {MAX_PROBLEMS} problems so far; the rest of the file was not read"
+                );
                 problems.push(value(message, "correct these and read the file again"));
                 break;
             }
-            let Some(entry) = problems.keep((self.read)(&table, row, origin)) else { continue };
+            let Some(entry) = problems.keep((self.read)(&table, row, origin)) else {
+                continue;
+            };
             match lines.get((self.id)(&entry)) {
                 Some(first) => {
-                    let message = format!("column id: line {first} already has \"{}\"", (self.id)(&entry));
+                    let message = format!(
+                        "column id: line {first} already has \"{}\"",
+                        (self.id)(&entry)
+                    );
                     problems.push(value(message, "give every entry its own id"));
                 }
                 None => {

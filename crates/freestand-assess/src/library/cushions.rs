@@ -16,8 +16,14 @@ use super::{Confidence, CushionPrior};
 const CUSHION_COLUMNS: [Column; 12] = [
     Column::needed("id"),
     Column::needed("item"),
-    Column { needed: true, ..Column::number("stiffness_low", Dimension::Stiffness) },
-    Column { needed: true, ..Column::number("stiffness_high", Dimension::Stiffness) },
+    Column {
+        needed: true,
+        ..Column::number("stiffness_low", Dimension::Stiffness)
+    },
+    Column {
+        needed: true,
+        ..Column::number("stiffness_high", Dimension::Stiffness)
+    },
     Column::number("thickness", Dimension::Length),
     Column::text("pads_per_edge"),
     Column::needed("source"),
@@ -78,13 +84,21 @@ impl CushionEntry {
             Some((low, high)) if low <= high => (low, high),
             Some(_) => {
                 let (low, high) = (reader.text("stiffness_low"), reader.text("stiffness_high"));
-                let message = format!("{} is below stiffness_low, {}", shorten(&high), shorten(&low));
+                let message = format!(
+                    "{} is below stiffness_low, {}",
+                    shorten(&high),
+                    shorten(&low)
+                );
                 reader.note("stiffness_high", message, "swap the two values");
                 (1.0, 1.0)
             }
             None => {
                 if reader.problems.is_empty() {
-                    reader.note("stiffness_low", "a range needs both ends", "for a single value, write it twice");
+                    reader.note(
+                        "stiffness_low",
+                        "a range needs both ends",
+                        "for a single value, write it twice",
+                    );
                 }
                 (1.0, 1.0)
             }
@@ -160,17 +174,28 @@ impl CushionLibrary {
     /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn prior(&self, id: &str) -> Result<CushionPrior, Problem> {
-        let layers = id.split('+').map(|id| self.get(id)).collect::<Result<Vec<_>, _>>()?;
+        let layers = id
+            .split('+')
+            .map(|id| self.get(id))
+            .collect::<Result<Vec<_>, _>>()?;
         let mut words = Words::default();
         let newtons_per_metre = |k: f64| format!("{k} N/m");
-        let pads = layers.iter().map(|entry| entry.pads_per_edge).max().unwrap_or(PADS_PER_EDGE);
+        let pads = layers
+            .iter()
+            .map(|entry| entry.pads_per_edge)
+            .max()
+            .unwrap_or(PADS_PER_EDGE);
         for (i, entry) in layers.iter().enumerate() {
             if i == 0 {
                 words.set("pad_stiffness", newtons_per_metre(entry.stiffness_n_m));
                 words.set("pads_per_edge", pads.to_string());
             } else {
                 // A layer in series is under all pads of the edge.
-                words.add("series_stiffness", newtons_per_metre(f64::from(pads) * entry.stiffness_n_m), None);
+                words.add(
+                    "series_stiffness",
+                    newtons_per_metre(f64::from(pads) * entry.stiffness_n_m),
+                    None,
+                );
             }
         }
         let thickness_m: f64 = layers.iter().filter_map(|entry| entry.thickness_m).sum();
@@ -178,13 +203,23 @@ impl CushionLibrary {
             words.set("pad_thickness", format!("{thickness_m} m"));
         }
         let softness: f64 = layers.iter().map(|entry| 1.0 / entry.stiffness_n_m).sum();
-        let variance =
-            layers.iter().map(|entry| (entry.log_sd / (entry.stiffness_n_m * softness)).powi(2)).sum::<f64>();
+        let variance = layers
+            .iter()
+            .map(|entry| (entry.log_sd / (entry.stiffness_n_m * softness)).powi(2))
+            .sum::<f64>();
         let source = |entry: &&CushionEntry| {
             let (range, source) = (entry.range_words(), entry.source_words());
-            format!("{}: an estimate, {range} each; {source} ({})", entry.id, entry.confidence.name())
+            format!(
+                "{}: an estimate, {range} each; {source} ({})",
+                entry.id,
+                entry.confidence.name()
+            )
         };
         let source = layers.iter().map(source).collect::<Vec<_>>().join("; ");
-        Ok(CushionPrior { words, log_sd: variance.sqrt(), source })
+        Ok(CushionPrior {
+            words,
+            log_sd: variance.sqrt(),
+            source,
+        })
     }
 }

@@ -37,7 +37,10 @@ impl Libraries {
     ///
     /// # Errors
     /// A file that cannot be read, or all problems in it.
-    pub fn with_files(tolerances: Option<&Path>, cushions: Option<&Path>) -> Result<Self, Problems> {
+    pub fn with_files(
+        tolerances: Option<&Path>,
+        cushions: Option<&Path>,
+    ) -> Result<Self, Problems> {
         Ok(Self {
             tolerances: ToleranceLibrary::builtin().with_file(tolerances)?,
             cushions: CushionLibrary::builtin().with_file(cushions)?,
@@ -47,7 +50,11 @@ impl Libraries {
     /// Calls `read` with the lookup that a reader of inventories needs. A fragility is not a
     /// tolerance and is not included.
     pub fn looked_up<T>(&self, read: impl FnOnce(&Lookup) -> T) -> T {
-        let names = self.tolerances.entries().iter().filter(|entry| to_tolerance(entry).is_some());
+        let names = self
+            .tolerances
+            .entries()
+            .iter()
+            .filter(|entry| to_tolerance(entry).is_some());
         read(&Lookup {
             tolerance: &|id| self.tolerances.find(id).and_then(to_tolerance),
             cushion: &|id| self.cushions.prior(id).ok(),
@@ -114,7 +121,13 @@ pub struct CushionPrior {
 
 impl Confidence {
     /// All levels of confidence, the most trusted first.
-    pub const ALL: [Self; 5] = [Self::Stated, Self::Primary, Self::Secondary, Self::Assumption, Self::Recalled];
+    pub const ALL: [Self; 5] = [
+        Self::Stated,
+        Self::Primary,
+        Self::Secondary,
+        Self::Assumption,
+        Self::Recalled,
+    ];
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
@@ -154,8 +167,12 @@ pub struct Lookup<'a> {
 
 impl Lookup<'_> {
     /// No library: every entry that is named is unknown.
-    pub const NONE: Lookup<'static> =
-        Lookup { tolerance: &|_| None, cushion: &|_| None, tolerance_names: &[], cushion_names: &[] };
+    pub const NONE: Lookup<'static> = Lookup {
+        tolerance: &|_| None,
+        cushion: &|_| None,
+        tolerance_names: &[],
+        cushion_names: &[],
+    };
 }
 
 #[cfg(test)]

@@ -15,11 +15,22 @@ pub(super) struct RowReader<'s> {
 
 impl<'s> RowReader<'s> {
     pub(super) fn new(table: &'s Table, row: &'s Row) -> Self {
-        Self { table, row, problems: Problems::default() }
+        Self {
+            table,
+            row,
+            problems: Problems::default(),
+        }
     }
 
-    pub(super) fn note(&mut self, column: &str, message: impl std::fmt::Display, hint: impl Into<String>) {
-        self.problems.push(Problem::value(format!("column {column}: {message}"), hint).at_line(self.row.line));
+    pub(super) fn note(
+        &mut self,
+        column: &str,
+        message: impl std::fmt::Display,
+        hint: impl Into<String>,
+    ) {
+        self.problems.push(
+            Problem::value(format!("column {column}: {message}"), hint).at_line(self.row.line),
+        );
     }
 
     /// The text of a cell, empty where there is none.
@@ -44,9 +55,8 @@ impl<'s> RowReader<'s> {
             return None;
         }
         let value = match cell.unit {
-            Some(unit) => {
-                parse_in_unit(cell.text, unit).or_else(|problem| parse(cell.text, dimension).map_err(|_| problem))
-            }
+            Some(unit) => parse_in_unit(cell.text, unit)
+                .or_else(|problem| parse(cell.text, dimension).map_err(|_| problem)),
             None => parse(cell.text, dimension),
         };
         match value {
@@ -77,7 +87,10 @@ impl<'s> RowReader<'s> {
             _ => {
                 self.note(
                     column,
-                    format!("must be a whole number, at least 1, not \"{}\"", shorten(&text)),
+                    format!(
+                        "must be a whole number, at least 1, not \"{}\"",
+                        shorten(&text)
+                    ),
                     "write a count, or leave the cell empty if it is not known",
                 );
                 None
@@ -86,9 +99,16 @@ impl<'s> RowReader<'s> {
     }
 
     /// One of the given words.
-    pub(super) fn word<T: Copy>(&mut self, column: &'static str, words: &[(&'static str, T)]) -> Option<T> {
+    pub(super) fn word<T: Copy>(
+        &mut self,
+        column: &'static str,
+        words: &[(&'static str, T)],
+    ) -> Option<T> {
         let text = self.text(column).to_lowercase();
-        let found = words.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
+        let found = words
+            .iter()
+            .find(|(name, _)| *name == text)
+            .map(|(_, value)| *value);
         if found.is_none() {
             let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
             self.note(
@@ -114,11 +134,18 @@ impl<'s> RowReader<'s> {
     /// The confidence; without a source with a page or a clause it must be recalled.
     pub(super) fn confidence(&mut self) -> Confidence {
         let words = Confidence::ALL.map(|confidence| (confidence.name(), confidence));
-        let confidence = self.word("confidence", &words).unwrap_or(Confidence::Recalled);
-        let is_located = ["page", "clause"].iter().any(|column| !self.text(column).is_empty());
+        let confidence = self
+            .word("confidence", &words)
+            .unwrap_or(Confidence::Recalled);
+        let is_located = ["page", "clause"]
+            .iter()
+            .any(|column| !self.text(column).is_empty());
         let is_found = is_located && !self.text("source").is_empty();
         if confidence != Confidence::Recalled && !is_found {
-            let message = format!("\"{}\" needs a source, with a page or a clause", confidence.name());
+            let message = format!(
+                "\"{}\" needs a source, with a page or a clause",
+                confidence.name()
+            );
             self.note(
                 "confidence",
                 message,

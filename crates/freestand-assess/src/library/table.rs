@@ -30,15 +30,27 @@ pub(super) struct Column {
 
 impl Column {
     pub(super) const fn text(name: &'static str) -> Self {
-        Self { name, dimension: None, needed: false }
+        Self {
+            name,
+            dimension: None,
+            needed: false,
+        }
     }
 
     pub(super) const fn number(name: &'static str, dimension: Dimension) -> Self {
-        Self { name, dimension: Some(dimension), needed: false }
+        Self {
+            name,
+            dimension: Some(dimension),
+            needed: false,
+        }
     }
 
     pub(super) const fn needed(name: &'static str) -> Self {
-        Self { name, dimension: None, needed: true }
+        Self {
+            name,
+            dimension: None,
+            needed: true,
+        }
     }
 }
 
@@ -69,16 +81,29 @@ impl Table {
     /// The cell of a row in a column; empty where the file does not have the column.
     pub(super) fn cell<'a>(&self, row: &'a Row, name: &str) -> Cell<'a> {
         let place = self.places.iter().find(|(known, ..)| *known == name);
-        let text = place.and_then(|(_, at, _)| row.cells.get(*at)).map_or("", |text| text.trim());
-        Cell { text, unit: place.and_then(|(.., unit)| *unit) }
+        let text = place
+            .and_then(|(_, at, _)| row.cells.get(*at))
+            .map_or("", |text| text.trim());
+        Cell {
+            text,
+            unit: place.and_then(|(.., unit)| *unit),
+        }
     }
 }
 
 /// The bytes of a library file.
 pub(super) fn load(path: &Path, columns: &[Column]) -> Result<Vec<u8>, Problem> {
-    let hint = format!("give a library: a CSV file with the columns {}", names(columns).join(", "));
-    load_up_to(path, MAX_BYTES, "is larger than 8 MiB, too large for a library", &hint)
-        .map_err(|problem| problem.hint(&hint))
+    let hint = format!(
+        "give a library: a CSV file with the columns {}",
+        names(columns).join(", ")
+    );
+    load_up_to(
+        path,
+        MAX_BYTES,
+        "is larger than 8 MiB, too large for a library",
+        &hint,
+    )
+    .map_err(|problem| problem.hint(&hint))
 }
 
 /// Splits a library into its cells.
@@ -88,8 +113,9 @@ pub(super) fn load(path: &Path, columns: &[Column]) -> Result<Vec<u8>, Problem> 
 /// many rows.
 pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Problems> {
     let format = |message: String| Problem::new(ProblemKind::Format, message);
-    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))
-        .map_err(|_| format("is not text in UTF-8".to_owned()).hint("save the table as CSV (UTF-8)"))?;
+    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).map_err(
+        |_| format("is not text in UTF-8".to_owned()).hint("save the table as CSV (UTF-8)"),
+    )?;
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .comment(Some(b'#'))
@@ -98,11 +124,17 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
         .from_reader(text.as_bytes());
     let mut records = reader.records();
     let Some(header) = records.next() else {
-        return Err(format("has no header".to_owned()).at_line(1).hint(header_hint(columns)).into());
+        return Err(format("has no header".to_owned())
+            .at_line(1)
+            .hint(header_hint(columns))
+            .into());
     };
     let header = header.map_err(|error| csv_problem(&error))?;
     if header.len() > MAX_COLUMNS {
-        let message = format!("has {} columns; a library has at most {MAX_COLUMNS}", header.len());
+        let message = format!(
+            "has {} columns; a library has at most {MAX_COLUMNS}",
+            header.len()
+        );
         return Err(format(message).at_line(1).hint(header_hint(columns)).into());
     }
     let (places, mut problems, warnings) = headers(&header, columns);
@@ -115,26 +147,49 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
                 break;
             }
         };
-        let line = record.position().map_or(0, |position| usize::try_from(position.line()).unwrap_or(usize::MAX));
+        let line = record.position().map_or(0, |position| {
+            usize::try_from(position.line()).unwrap_or(usize::MAX)
+        });
         if record.iter().all(str::is_empty) {
             continue;
         }
         if record.len() != header.len() {
-            let message = format!("this row has {} cells, but the header has {}", record.len(), header.len());
-            problems.push(format(message).at_line(line).hint("put cells that contain commas in quotes"));
+            let message = format!(
+                "this row has {} cells, but the header has {}",
+                record.len(),
+                header.len()
+            );
+            problems.push(
+                format(message)
+                    .at_line(line)
+                    .hint("put cells that contain commas in quotes"),
+            );
             continue;
         }
         if rows.len() == MAX_ROWS {
-            problems.push(format(format!("has more than {MAX_ROWS} entries")).at_line(line).hint("split the library"));
+            problems.push(
+                format(format!("has more than {MAX_ROWS} entries"))
+                    .at_line(line)
+                    .hint("split the library"),
+            );
             break;
         }
-        rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
+        rows.push(Row {
+            line,
+            cells: record.iter().map(str::to_owned).collect(),
+        });
     }
-    problems.finish(Some(Table { places, rows, warnings }))
+    problems.finish(Some(Table {
+        places,
+        rows,
+        warnings,
+    }))
 }
 
 fn csv_problem(error: &csv::Error) -> Problem {
-    let line = error.position().map_or(1, |position| usize::try_from(position.line()).unwrap_or(usize::MAX));
+    let line = error.position().map_or(1, |position| {
+        usize::try_from(position.line()).unwrap_or(usize::MAX)
+    });
     Problem::new(ProblemKind::Format, format!("is not CSV: {error}"))
         .at_line(line)
         .hint("save the table as CSV (UTF-8)")
@@ -145,51 +200,79 @@ fn names(columns: &[Column]) -> Vec<&'static str> {
 }
 
 fn header_hint(columns: &[Column]) -> String {
-    format!("the first line must name the columns: {}", names(columns).join(", "))
+    format!(
+        "the first line must name the columns: {}",
+        names(columns).join(", ")
+    )
 }
 
 type Places = Vec<(&'static str, usize, Option<&'static Unit>)>;
 
 /// Finds the known columns in the header.
 fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems, Vec<String>) {
-    let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) = Default::default();
+    let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) =
+        Default::default();
     let names = names(columns);
     let mut note = |message: String, hint: String| {
-        problems.push(Problem::new(ProblemKind::Format, message).at_line(1).hint(hint));
+        problems.push(
+            Problem::new(ProblemKind::Format, message)
+                .at_line(1)
+                .hint(hint),
+        );
     };
     for (at, text) in header.iter().enumerate() {
         let (name, unit) = split_header(text);
         let Some(column) = columns.iter().find(|column| column.name == name) else {
-            let near = Some(&name).filter(|name| name.len() <= MAX_NAME_CHARS).and_then(|name| nearest(name, &names));
+            let near = Some(&name)
+                .filter(|name| name.len() <= MAX_NAME_CHARS)
+                .and_then(|name| nearest(name, &names));
             let near = near.map_or_else(String::new, |near| format!(": did you mean {near}?"));
-            warnings.push(format!("column \"{}\" does not belong to a library and is ignored{near}", shorten(text)));
+            warnings.push(format!(
+                "column \"{}\" does not belong to a library and is ignored{near}",
+                shorten(text)
+            ));
             continue;
         };
         if places.iter().any(|(known, ..)| *known == column.name) {
-            note(format!("column {} occurs twice", column.name), "keep one of them".to_owned());
+            note(
+                format!("column {} occurs twice", column.name),
+                "keep one of them".to_owned(),
+            );
             continue;
         }
         match (column.dimension, unit) {
             (Some(Dimension::Ratio) | None, None) => places.push((column.name, at, None)),
             (Some(dimension), None) => {
                 let symbol = dimension.units().next().map_or("", |unit| unit.symbol);
-                let hint = format!("give it in the header, such as \"{} [{symbol}]\"", column.name);
+                let hint = format!(
+                    "give it in the header, such as \"{} [{symbol}]\"",
+                    column.name
+                );
                 note(format!("column {} has no unit", column.name), hint);
             }
             (None | Some(Dimension::Ratio), Some(_)) => {
-                note(format!("column {} must not have a unit", column.name), "remove the unit".to_owned());
+                note(
+                    format!("column {} must not have a unit", column.name),
+                    "remove the unit".to_owned(),
+                );
             }
             (Some(dimension), Some(unit)) => match find_unit(&unit, dimension) {
                 Ok(unit) => places.push((column.name, at, Some(unit))),
                 Err(problem) => {
-                    note(format!("column {}: {}", column.name, problem.message), problem.hint.unwrap_or_default());
+                    note(
+                        format!("column {}: {}", column.name, problem.message),
+                        problem.hint.unwrap_or_default(),
+                    );
                 }
             },
         }
     }
     for column in columns.iter().filter(|column| column.needed) {
         if !places.iter().any(|(known, ..)| *known == column.name) {
-            note(format!("column {} is missing", column.name), header_hint(columns));
+            note(
+                format!("column {} is missing", column.name),
+                header_hint(columns),
+            );
         }
     }
     (places, problems, warnings)
@@ -198,8 +281,14 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
 /// The name and the unit of a header: `Edge lift [mm]` → `edge_lift` and `mm`.
 fn split_header(text: &str) -> (String, Option<String>) {
     let (name, unit) = match text.split_once(['[', '(']) {
-        Some((name, unit)) => (name, Some(unit.trim_end_matches([']', ')']).trim().to_owned())),
+        Some((name, unit)) => (
+            name,
+            Some(unit.trim_end_matches([']', ')']).trim().to_owned()),
+        ),
         None => (text, None),
     };
-    (name.trim().to_lowercase().replace([' ', '-'], "_"), unit.filter(|unit| !unit.is_empty()))
+    (
+        name.trim().to_lowercase().replace([' ', '-'], "_"),
+        unit.filter(|unit| !unit.is_empty()),
+    )
 }

@@ -51,7 +51,16 @@ static SHELF: Shelf<ToleranceEntry> = Shelf {
     read: ToleranceEntry::read,
     id: |entry| &entry.id,
     texts: |entry| {
-        let ToleranceEntry { id, class, kind, state, source, clause, note, .. } = entry;
+        let ToleranceEntry {
+            id,
+            class,
+            kind,
+            state,
+            source,
+            clause,
+            note,
+            ..
+        } = entry;
         vec![id, class, kind.name(), state.name(), source, clause, note]
     },
 };
@@ -89,7 +98,12 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::VendorLimit, Self::TestSeverity, Self::Class, Self::Fragility];
+    pub const ALL: [Self; 4] = [
+        Self::VendorLimit,
+        Self::TestSeverity,
+        Self::Class,
+        Self::Fragility,
+    ];
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
@@ -118,7 +132,12 @@ pub enum State {
 
 impl State {
     /// All states.
-    pub const ALL: [Self; 4] = [Self::Operating, Self::NonOperating, Self::Packaged, Self::Any];
+    pub const ALL: [Self; 4] = [
+        Self::Operating,
+        Self::NonOperating,
+        Self::Packaged,
+        Self::Any,
+    ];
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
@@ -210,7 +229,9 @@ impl ToleranceEntry {
         let shape = shape(&mut reader, duration_s);
         let in_g = |value: Option<f64>| value.map(|value| value / G0_M_S2);
         let pfa_median_m_s2 = reader.positive("pfa_median", Dimension::Acceleration);
-        let axis = Some(reader.text("axis")).filter(|axis| !axis.is_empty()).unwrap_or_else(|| "any".to_owned());
+        let axis = Some(reader.text("axis"))
+            .filter(|axis| !axis.is_empty())
+            .unwrap_or_else(|| "any".to_owned());
         let pulse = shape.zip(peak_m_s2).zip(duration_s);
         let confidence = reader.confidence();
         let entry = Self {
@@ -255,12 +276,22 @@ impl ToleranceEntry {
 
     /// Reports numbers that contradict each other.
     fn check(&self, reader: &mut RowReader<'_>) {
-        let medians = [self.pfa_median_m_s2, self.pfv_median_m_s].iter().flatten().count();
-        let limits = [self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m].iter().flatten().count();
+        let medians = [self.pfa_median_m_s2, self.pfv_median_m_s]
+            .iter()
+            .flatten()
+            .count();
+        let limits = [self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m]
+            .iter()
+            .flatten()
+            .count();
         if self.kind == Kind::Fragility {
             if medians != 1 || self.beta.is_none() || limits > 0 {
                 let hint = "give pfa_median or pfv_median, with beta, and no peak, velocity_change or edge_lift";
-                reader.note("kind", "a fragility has one median and its dispersion", hint);
+                reader.note(
+                    "kind",
+                    "a fragility has one median and its dispersion",
+                    hint,
+                );
             }
         } else {
             if medians > 0 || self.beta.is_some() {
@@ -271,14 +302,29 @@ impl ToleranceEntry {
                 );
             }
             if limits == 0 {
-                reader.note("peak", "the entry has no tolerance", "give peak, velocity_change or edge_lift");
+                reader.note(
+                    "peak",
+                    "the entry has no tolerance",
+                    "give peak, velocity_change or edge_lift",
+                );
             }
         }
         if self.duration_s.is_some() && self.peak_m_s2.is_none() {
-            reader.note("duration", "a duration needs a peak", "give the peak of the pulse");
+            reader.note(
+                "duration",
+                "a duration needs a peak",
+                "give the peak of the pulse",
+            );
         }
-        if self.peak_high_m_s2.is_some_and(|high| self.peak_m_s2.is_none_or(|low| high < low)) {
-            reader.note("peak_high", "a range goes from peak to peak_high", "give the low end in peak");
+        if self
+            .peak_high_m_s2
+            .is_some_and(|high| self.peak_m_s2.is_none_or(|low| high < low))
+        {
+            reader.note(
+                "peak_high",
+                "a range goes from peak to peak_high",
+                "give the low end in peak",
+            );
         }
     }
 
@@ -296,12 +342,28 @@ impl ToleranceEntry {
             parts.push(range(peak, self.peak_high_m_s2, Dimension::Acceleration));
         }
         if let (Some(duration), Some(shape)) = (self.duration_s, self.shape) {
-            parts.push(format!("{} {}", format_si(duration, Dimension::Time), name_of(SHAPES, shape)));
+            parts.push(format!(
+                "{} {}",
+                format_si(duration, Dimension::Time),
+                name_of(SHAPES, shape)
+            ));
         }
-        parts.extend(self.velocity_change_m_s.map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))));
-        parts.extend(self.edge_lift_m.map(|lift| format!("uplift {}", format_si(lift, Dimension::Length))));
-        parts.extend(self.pfa_median_m_s2.map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))));
-        parts.extend(self.pfv_median_m_s.map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))));
+        parts.extend(
+            self.velocity_change_m_s
+                .map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))),
+        );
+        parts.extend(
+            self.edge_lift_m
+                .map(|lift| format!("uplift {}", format_si(lift, Dimension::Length))),
+        );
+        parts.extend(
+            self.pfa_median_m_s2
+                .map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))),
+        );
+        parts.extend(
+            self.pfv_median_m_s
+                .map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))),
+        );
         parts.extend(self.beta.map(|beta| format!("β {}", number(beta, 3))));
         parts.join(", ")
     }
@@ -314,14 +376,29 @@ impl ToleranceEntry {
 
 /// `document, edition, clause, p. 7`, without empty parts.
 pub(super) fn source_words(source: &str, edition: &str, clause: &str, page: &str) -> String {
-    let page = if page.is_empty() { String::new() } else { format!("p. {page}") };
-    let parts = [source, edition, clause, &page].into_iter().filter(|part| !part.is_empty());
+    let page = if page.is_empty() {
+        String::new()
+    } else {
+        format!("p. {page}")
+    };
+    let parts = [source, edition, clause, &page]
+        .into_iter()
+        .filter(|part| !part.is_empty());
     let words = parts.collect::<Vec<_>>().join(", ");
-    if words.is_empty() { "no source".to_owned() } else { words }
+    if words.is_empty() {
+        "no source".to_owned()
+    } else {
+        words
+    }
 }
 
-fn name_of_shape<S: Serializer>(shape: &Option<PulseShape>, serializer: S) -> Result<S::Ok, S::Error> {
-    shape.map(|shape| name_of(SHAPES, shape)).serialize(serializer)
+fn name_of_shape<S: Serializer>(
+    shape: &Option<PulseShape>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    shape
+        .map(|shape| name_of(SHAPES, shape))
+        .serialize(serializer)
 }
 
 /// The shape of a pulse; without one, a pulse with a duration is a half-sine.
@@ -334,13 +411,20 @@ fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseSha
             reader.note("shape", "a shape needs a duration", hint);
             None
         }
-        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (name_of(SHAPES, shape), shape))),
+        (false, Some(_)) => reader.word(
+            "shape",
+            &PulseShape::ALL.map(|shape| (name_of(SHAPES, shape), shape)),
+        ),
     }
 }
 
 /// The notice; one that many entries share has a short name.
 fn notice(text: String) -> String {
-    if text == "dlml" { include_str!("dlml-notice.txt").trim().to_owned() } else { text }
+    if text == "dlml" {
+        include_str!("dlml-notice.txt").trim().to_owned()
+    } else {
+        text
+    }
 }
 
 /// The tolerance of an object with this entry; `None`: the entry is a fragility, or its pulse is
@@ -349,13 +433,20 @@ fn notice(text: String) -> String {
 /// A range gives its low end. The velocity change of the pulse does not become a critical velocity
 /// change.
 pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
-    let is_comparable = entry.shape.is_none_or(|shape| shape == PulseShape::HalfSine);
+    let is_comparable = entry
+        .shape
+        .is_none_or(|shape| shape == PulseShape::HalfSine);
     (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
         peak_m_s2: entry.peak_m_s2,
         duration_s: entry.duration_s,
         velocity_change_m_s: entry.velocity_change_m_s,
         edge_lift_m: entry.edge_lift_m,
-        source: format!("{}: {} ({})", entry.id, entry.source_words(), entry.confidence.name()),
+        source: format!(
+            "{}: {} ({})",
+            entry.id,
+            entry.source_words(),
+            entry.confidence.name()
+        ),
         confidence: entry.confidence,
     })
 }

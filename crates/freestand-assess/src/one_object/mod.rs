@@ -214,7 +214,9 @@ pub fn one_object_shown(
     let shaken = shaking::shaken(request)?;
     let other = shaken.alternative();
     let mut one = in_study(request, shaken, memory, follow, wants_to_stop)?;
-    let Some(other) = other else { return Ok(one.told()) };
+    let Some(other) = other else {
+        return Ok(one.told());
+    };
     let decides = decides(&other.study);
     // Motions of one spectrum must not serve for the other.
     let mut other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
@@ -249,39 +251,70 @@ fn in_study(
 ) -> Result<InStudy, Problems> {
     let mut row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
-    let mut subject = Subject::new(&row.item, settings)
-        .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
+    let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
+        Problem::new(
+            ProblemKind::Missing,
+            format!("its {} is missing", listed(&missing)),
+        )
+    })?;
     if matches!(request.earthquake, Earthquake::Motions { .. }) {
         // Nothing is drawn for motions that are given.
         subject = subject.with_middle_friction(settings);
     }
     row.warnings.extend(unused(&request.object, &subject));
     let member = Member::new(&row.item, subject, settings);
-    let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };
+    let go_on = || {
+        if wants_to_stop() {
+            Err(Problem::stopped().into())
+        } else {
+            Ok(())
+        }
+    };
     let worlds = Worlds::new(&shaken.study, go_on)?.remembering(memory);
     if !worlds.has_floor(member.subject.level_ratio) {
         let hint = "name a floor whose motions the study gives, or give the study a building";
         return Err(Problem::value("the study has no motion for this floor", hint).into());
     }
     let at = |scale: f64, follow| -> Result<(Assessment, Tally, Option<Shown>), Problems> {
-        assess_one(&Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop), &member, follow)
+        assess_one(
+            &Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop),
+            &member,
+            follow,
+        )
     };
     let (found, tally, shown) = at(1.0, follow)?;
     let mut scales = Vec::new();
-    if let Earthquake::Motions { scales: factors, .. } = &request.earthquake {
+    if let Earthquake::Motions {
+        scales: factors, ..
+    } = &request.earthquake
+    {
         for scale in factors {
             let (found, tally, _) = at(*scale, None)?;
             scales.push((*scale, (found, tally)));
         }
     }
     let report = report::report(request, &shaken, &row, (found.clone(), tally), scales);
-    Ok(InStudy { item: row.item, found, report, shown })
+    Ok(InStudy {
+        item: row.item,
+        found,
+        report,
+        shown,
+    })
 }
 
 /// Everything that the parts of a request contradict.
 fn check(request: &ObjectRequest) -> Result<(), Problems> {
-    let Object { height_m, thickness_m, width_m, is_round, mass_kg, rests_on, tolerance, surroundings, .. } =
-        &request.object;
+    let Object {
+        height_m,
+        thickness_m,
+        width_m,
+        is_round,
+        mass_kg,
+        rests_on,
+        tolerance,
+        surroundings,
+        ..
+    } = &request.object;
     let mut problems = Problems::default();
     let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
     if thickness_m > height_m {
@@ -292,7 +325,10 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         );
     }
     if *is_round && width_m.is_some_and(|width_m| width_m != *thickness_m) {
-        note("`width` of a cylinder is its `thickness`, the diameter", "leave `width` out");
+        note(
+            "`width` of a cylinder is its `thickness`, the diameter",
+            "leave `width` out",
+        );
     }
     surroundings_agree(surroundings, *width_m, &mut note);
     if let Some(upper) = &surroundings.upper
@@ -304,7 +340,10 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         );
     }
     if rests_on.is_some() && mass_kg.is_none() {
-        note("`on` needs `mass`: pads move with the mass on them", "add `mass`, or leave `on` out");
+        note(
+            "`on` needs `mass`: pads move with the mass on them",
+            "add `mass`, or leave `on` out",
+        );
     }
     if surroundings.casters == Some(Casters::Free) {
         if tolerance.is_some() && (mass_kg.is_none() || surroundings.wall_stiffness_n_m.is_none()) {
@@ -321,7 +360,11 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
              tolerance",
         );
     }
-    let Floor { place, storeys, storey_height_m } = &request.floor;
+    let Floor {
+        place,
+        storeys,
+        storey_height_m,
+    } = &request.floor;
     match &request.earthquake {
         Earthquake::Motions { scales, .. } => {
             if *place != FloorPlace::Ground || storeys.is_some() || storey_height_m.is_some() {
@@ -331,13 +374,25 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
                 );
             }
             if request.worlds.is_some() {
-                note("`worlds` does not apply to given motions: each motion counts once", "leave it out");
+                note(
+                    "`worlds` does not apply to given motions: each motion counts once",
+                    "leave it out",
+                );
             }
-            if let Some(scale) = scales.iter().find(|scale| !(**scale > 0.0 && scale.is_finite())) {
-                note(&format!("`scales` must be above 0, not {scale}"), "give factors such as \"0.5, 1, 2\"");
+            if let Some(scale) = scales
+                .iter()
+                .find(|scale| !(**scale > 0.0 && scale.is_finite()))
+            {
+                note(
+                    &format!("`scales` must be above 0, not {scale}"),
+                    "give factors such as \"0.5, 1, 2\"",
+                );
             }
             if scales.len() > MAX_SCALES {
-                note(&format!("`scales` has {} values", scales.len()), &format!("give at most {MAX_SCALES} scales"));
+                note(
+                    &format!("`scales` has {} values", scales.len()),
+                    &format!("give at most {MAX_SCALES} scales"),
+                );
             }
         }
         Earthquake::Study { .. } if storeys.is_some() || storey_height_m.is_some() => {
@@ -349,15 +404,24 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         Earthquake::Study { .. } => {}
         Earthquake::Place(_) | Earthquake::GroundAcceleration(_) => {
             if matches!(place, FloorPlace::Name(_)) && storeys.is_none() {
-                note("`floor` needs `storeys`: the number of storeys of the building", "add `storeys`, such as 6");
+                note(
+                    "`floor` needs `storeys`: the number of storeys of the building",
+                    "add `storeys`, such as 6",
+                );
             }
             if *place == FloorPlace::Ground && (storeys.is_some() || storey_height_m.is_some()) {
                 note(
                     "`storeys` and `storey_height` describe a building, but no floor of it is named",
                     "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
                 );
-            } else if storey_height_m.is_some() && storeys.is_none() && matches!(place, FloorPlace::Share(_)) {
-                note("`storey_height` needs `storeys`", "add the number of storeys");
+            } else if storey_height_m.is_some()
+                && storeys.is_none()
+                && matches!(place, FloorPlace::Share(_))
+            {
+                note(
+                    "`storey_height` needs `storeys`",
+                    "add the number of storeys",
+                );
             }
         }
     }
@@ -372,7 +436,10 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
     if let FloorPlace::Share(ratio) = place
         && !(0.0..=1.0).contains(ratio)
     {
-        note(&format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"), "50 % is 0.5");
+        note(
+            &format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"),
+            "50 % is 0.5",
+        );
     }
     problems.finish(Some(()))
 }
@@ -387,19 +454,32 @@ fn unused(object: &Object, subject: &Subject) -> Vec<String> {
         );
     }
     if around.casters == Some(Casters::Free) && object.friction_ratio.is_some() {
-        warnings.push("`friction` has no effect on free casters: they roll by `rolling_resistance`".to_owned());
+        warnings.push(
+            "`friction` has no effect on free casters: they roll by `rolling_resistance`"
+                .to_owned(),
+        );
     }
     if around.casters == Some(Casters::Free) && object.rests_on.is_some() {
-        warnings.push("`on` has no effect on free casters: the object rolls before it lifts from its pads".to_owned());
+        warnings.push(
+            "`on` has no effect on free casters: the object rolls before it lifts from its pads"
+                .to_owned(),
+        );
     }
     if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {
-        warnings.push("`wall_stiffness` has no effect without `mass`: the shock at a wall needs both".to_owned());
+        warnings.push(
+            "`wall_stiffness` has no effect without `mass`: the shock at a wall needs both"
+                .to_owned(),
+        );
     }
     warnings
 }
 
 /// What is said of a wall, a neighbour or casters that the object does not have.
-fn surroundings_agree(around: &Surroundings, width_m: Option<f64>, note: &mut impl FnMut(&str, &str)) {
+fn surroundings_agree(
+    around: &Surroundings,
+    width_m: Option<f64>,
+    note: &mut impl FnMut(&str, &str),
+) {
     let is_free = around.casters == Some(Casters::Free);
     let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
     if !has_wall && (around.wall_height_m.is_some() || around.wall_restitution.is_some()) {
@@ -421,6 +501,9 @@ fn surroundings_agree(around: &Surroundings, width_m: Option<f64>, note: &mut im
         );
     }
     if around.rolling_resistance_ratio.is_some() && !is_free {
-        note("`rolling_resistance` is that of free casters", "add `casters = \"free\"`, or leave it out");
+        note(
+            "`rolling_resistance` is that of free casters",
+            "add `casters = \"free\"`, or leave it out",
+        );
     }
 }

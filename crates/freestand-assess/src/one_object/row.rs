@@ -8,7 +8,9 @@ use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::inventory::{Column, Finding, Item, Kind, Mapping, ReadOptions, Severity, Surroundings, parse_inventory};
+use crate::inventory::{
+    Column, Finding, Item, Kind, Mapping, ReadOptions, Severity, Surroundings, parse_inventory,
+};
 use crate::job::floors_of;
 use crate::library::Libraries;
 
@@ -29,22 +31,44 @@ pub(super) struct Row {
 /// All problems of its values, under the keys of the request.
 pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problems> {
     let settings = &study.assessment;
-    let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
+    let libraries = Libraries::with_files(
+        settings.library.as_deref(),
+        settings.cushion_library.as_deref(),
+    )?;
     // Numbers are written with a point, whatever they look like.
     let mapping = Mapping::parse("[numbers]\ndecimal = \"point\"\n")?;
     let mut floors = floors_of(study, None);
     floors.first_floor = floors.first_floor.or(Some(FirstFloor::Above));
     let list = list(request)?;
     let reading = libraries.looked_up(|lookup| {
-        let options = ReadOptions { mapping: Some(&mapping), floors, ..ReadOptions::new(lookup) };
+        let options = ReadOptions {
+            mapping: Some(&mapping),
+            floors,
+            ..ReadOptions::new(lookup)
+        };
         parse_inventory(list, Path::new(ID), &options)
     })?;
     // A problem of the list is that of the flag whose value it is; the path has no meaning.
     let mut problems = Problems::default();
-    let Object { height_m, thickness_m, width_m, .. } = request.object;
+    let Object {
+        height_m,
+        thickness_m,
+        width_m,
+        ..
+    } = request.object;
     // In place of what a list says of such sizes: there is no cell to confirm.
-    let mut warnings = Sizes { height_m, thickness_m, width_m }.check()?;
-    for finding in reading.inventory.findings.iter().filter(|one| one.kind != Kind::ImplausibleSize) {
+    let mut warnings = Sizes {
+        height_m,
+        thickness_m,
+        width_m,
+    }
+    .check()?;
+    for finding in reading
+        .inventory
+        .findings
+        .iter()
+        .filter(|one| one.kind != Kind::ImplausibleSize)
+    {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),
@@ -113,31 +137,67 @@ fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
         (Column::Mass, mass_kg.map(with("kg"))),
         (Column::Stiffness, stiffness),
         (Column::Cushion, entry),
-        (Column::Tolerance, tolerance.map(|one| format!("{} m/s2", one.peak_m_s2))),
-        (Column::ToleranceDuration, tolerance.and_then(|one| one.duration_s).map(with("s"))),
-        (Column::Friction, friction_ratio.map(|(low, high)| format!("{low} to {high}"))),
+        (
+            Column::Tolerance,
+            tolerance.map(|one| format!("{} m/s2", one.peak_m_s2)),
+        ),
+        (
+            Column::ToleranceDuration,
+            tolerance.and_then(|one| one.duration_s).map(with("s")),
+        ),
+        (
+            Column::Friction,
+            friction_ratio.map(|(low, high)| format!("{low} to {high}")),
+        ),
         (Column::WallGap, wall_gap_m.map(with("m"))),
         (Column::NeighbourGap, neighbour_gap_m.map(with("m"))),
         (Column::WallHeight, wall_height_m.map(with("m"))),
         (Column::WallStiffness, wall_stiffness_n_m.map(with("N/m"))),
-        (Column::WallRestitution, wall_restitution.map(|ratio| ratio.to_string())),
-        (Column::Casters, casters.map(|casters| casters.name().to_owned())),
-        (Column::RollingResistance, rolling_resistance_ratio.map(|ratio| ratio.to_string())),
+        (
+            Column::WallRestitution,
+            wall_restitution.map(|ratio| ratio.to_string()),
+        ),
+        (
+            Column::Casters,
+            casters.map(|casters| casters.name().to_owned()),
+        ),
+        (
+            Column::RollingResistance,
+            rolling_resistance_ratio.map(|ratio| ratio.to_string()),
+        ),
         (Column::Clearance, clearance_m.map(with("m"))),
-        (Column::UpperHeight, upper.map(|body| body.height_m).map(with("m"))),
-        (Column::UpperThickness, upper.map(|body| body.thickness_m).map(with("m"))),
-        (Column::UpperMass, upper.and_then(|body| body.mass_kg).map(with("kg"))),
+        (
+            Column::UpperHeight,
+            upper.map(|body| body.height_m).map(with("m")),
+        ),
+        (
+            Column::UpperThickness,
+            upper.map(|body| body.thickness_m).map(with("m")),
+        ),
+        (
+            Column::UpperMass,
+            upper.and_then(|body| body.mass_kg).map(with("kg")),
+        ),
         (Column::Floor, floor),
         (Column::LevelRatio, level),
     ];
-    let (names, texts): (Vec<&str>, Vec<String>) =
-        cells.into_iter().filter_map(|(column, text)| Some((column.name(), text?))).unzip();
+    let (names, texts): (Vec<&str>, Vec<String>) = cells
+        .into_iter()
+        .filter_map(|(column, text)| Some((column.name(), text?)))
+        .unzip();
     let broken = |error: &dyn std::fmt::Display| {
-        Problem::new(ProblemKind::Computation, format!("the list of one object cannot be written: {error}"))
+        Problem::new(
+            ProblemKind::Computation,
+            format!("the list of one object cannot be written: {error}"),
+        )
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(&names).map_err(|error| broken(&error))?;
-    writer.write_record(&texts).map_err(|error| broken(&error))?;
+    writer
+        .write_record(&names)
+        .map_err(|error| broken(&error))?;
+    writer
+        .write_record(&texts)
+        .map_err(|error| broken(&error))?;
     writer.into_inner().map_err(|error| broken(&error))
 }
 
@@ -152,21 +212,37 @@ fn problem(finding: &Finding, request: &ObjectRequest, study: &Study) -> Problem
     if let (Some(Column::Floor), FloorPlace::Name(name)) = (finding.column, &request.floor.place) {
         return no_floor(name, study);
     }
-    let written = finding.examples.first().map_or_else(String::new, |text| format!(" \"{text}\""));
+    let written = finding
+        .examples
+        .first()
+        .map_or_else(String::new, |text| format!(" \"{text}\""));
     let what = finding.detail.as_deref().unwrap_or(finding.kind.words());
     Problem::value(format!("`{key}`{written} {what}"), finding.hint.clone())
 }
 
 fn no_floor(name: &str, study: &Study) -> Problem {
     let floors = floors_of(study, None);
-    let named: Vec<String> = floors.named.iter().take(8).map(|(name, _)| format!("\"{name}\"")).collect();
+    let named: Vec<String> = floors
+        .named
+        .iter()
+        .take(8)
+        .map(|(name, _)| format!("\"{name}\""))
+        .collect();
     let name = freestand_input::quantity::shorten(name);
     let hint = match floors.storeys {
-        _ if !named.is_empty() => format!("the study names the floors {}; or give `level_ratio`", named.join(", ")),
+        _ if !named.is_empty() => format!(
+            "the study names the floors {}; or give `level_ratio`",
+            named.join(", ")
+        ),
         Some(storeys) => {
-            format!("write 1 to {storeys} (1 is the first above the ground, {storeys} the roof), ground or roof")
+            format!(
+                "write 1 to {storeys} (1 is the first above the ground, {storeys} the roof), ground or roof"
+            )
         }
         None => "give `level_ratio`, the height of the floor over that of the building".to_owned(),
     };
-    Problem::value(format!("`floor` \"{name}\" is not a floor of the building"), hint)
+    Problem::value(
+        format!("`floor` \"{name}\" is not a floor of the building"),
+        hint,
+    )
 }

@@ -27,12 +27,23 @@ pub enum AnswerKind {
 
 impl AnswerKind {
     /// Every kind, from the best to the worst.
-    pub const ALL: [Self; 7] =
-        [Self::DoesNotRock, Self::Rolls, Self::Slides, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
+    pub const ALL: [Self; 7] = [
+        Self::DoesNotRock,
+        Self::Rolls,
+        Self::Slides,
+        Self::Rocks,
+        Self::ProbablyStands,
+        Self::MayFall,
+        Self::Falls,
+    ];
 
     /// The kind that belongs to these counts; `probability`: that it is overturned, `None` where the motions
     /// are given and are all there is.
-    pub(super) fn of(counts: &Counts, accepted_ratio: f64, probability: Option<Probability>) -> Self {
+    pub(super) fn of(
+        counts: &Counts,
+        accepted_ratio: f64,
+        probability: Option<Probability>,
+    ) -> Self {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
         let falls = probability.map_or(counts.overturned == counts.asked, |p| p.low > 0.5);
         match (counts.overturned, counts.lifted) {
@@ -196,13 +207,26 @@ impl Answer {
     /// The sentence, on one line.
     pub(super) fn sentence(&self) -> String {
         // Before "does not rock" the floor is set off, because numbers of the floor follow.
-        let comma = if self.kind == AnswerKind::DoesNotRock { "," } else { "" };
+        let comma = if self.kind == AnswerKind::DoesNotRock {
+            ","
+        } else {
+            ""
+        };
         let evidence = match self.evidence() {
             text if text.is_empty() => text,
             text => format!(": {text}"),
         };
-        let (under, kind, leaning, first) = (self.under(), self.kind_words(), self.leaning(), self.falls_first());
-        let rest = if self.counts.rolled.is_some() { self.rolling() } else { self.landings() };
+        let (under, kind, leaning, first) = (
+            self.under(),
+            self.kind_words(),
+            self.leaning(),
+            self.falls_first(),
+        );
+        let rest = if self.counts.rolled.is_some() {
+            self.rolling()
+        } else {
+            self.landings()
+        };
         format!("{under}{comma} this object {kind}{evidence}{leaning}{first}{rest}.")
     }
 
@@ -210,7 +234,9 @@ impl Answer {
     fn kind_words(&self) -> String {
         let motions = self.counts.motions;
         match (self.kind, &self.earthquake) {
-            (AnswerKind::DoesNotRock, Told::Motions) if motions > 1 => "rocks in none of them".to_owned(),
+            (AnswerKind::DoesNotRock, Told::Motions) if motions > 1 => {
+                "rocks in none of them".to_owned()
+            }
             (AnswerKind::DoesNotRock, earthquake) if motions > 1 => {
                 format!("rocks in none of {motions} {}", earthquake.noun())
             }
@@ -222,7 +248,13 @@ impl Answer {
     fn under(&self) -> String {
         let floor = self.floor.words();
         match &self.earthquake {
-            Told::Place { name, code, years, site, is_approximate } => {
+            Told::Place {
+                name,
+                code,
+                years,
+                site,
+                is_approximate,
+            } => {
                 let mut details = vec![code.clone()];
                 details.extend(years.map(|years| format!("{years} years")));
                 details.extend(site.clone());
@@ -234,11 +266,19 @@ impl Answer {
             Told::GroundAcceleration { peak_g } => {
                 let peak = format!("At a ground acceleration of {} g", number(*peak_g, 4));
                 // The ground that accelerates is the floor.
-                if self.floor == ToldFloor::Ground { peak } else { format!("{peak} {floor}") }
+                if self.floor == ToldFloor::Ground {
+                    peak
+                } else {
+                    format!("{peak} {floor}")
+                }
             }
             Told::Study { words } => format!("Under {words} {floor}"),
-            Told::MotionsOfStudy { motions: 1, study } => format!("Under the motion of {study} {floor}"),
-            Told::MotionsOfStudy { motions, study } => format!("Under the {motions} motions of {study} {floor}"),
+            Told::MotionsOfStudy { motions: 1, study } => {
+                format!("Under the motion of {study} {floor}")
+            }
+            Told::MotionsOfStudy { motions, study } => {
+                format!("Under the {motions} motions of {study} {floor}")
+            }
             Told::Motions if self.counts.motions == 1 => "Under this motion".to_owned(),
             Told::Motions => format!("Under these {} motions", self.counts.motions),
         }
@@ -246,27 +286,48 @@ impl Answer {
 
     /// What shows it.
     fn evidence(&self) -> String {
-        let Counts { motions, lifted, asked, overturned, uplift_m_max, floor_g_max, lift_g, .. } = self.counts;
-        if let Some(why) = self.counts.too_mild.filter(|_| self.kind == AnswerKind::MayFall) {
+        let Counts {
+            motions,
+            lifted,
+            asked,
+            overturned,
+            uplift_m_max,
+            floor_g_max,
+            lift_g,
+            ..
+        } = self.counts;
+        if let Some(why) = self
+            .counts
+            .too_mild
+            .filter(|_| self.kind == AnswerKind::MayFall)
+        {
             let verb = ("overturns", "overturn");
             let counted = match overturned {
                 0 if self.earthquake == Told::Motions => "none overturns".to_owned(),
                 0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
                 _ => self.count(overturned, asked, verb),
             };
-            return format!("it is {}; in that calculation {counted} it, but the real object may fall", why.words());
+            return format!(
+                "it is {}; in that calculation {counted} it, but the real object may fall",
+                why.words()
+            );
         }
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.
             AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {
                 Told::Motions if motions == 1 => "it lifts no edge".to_owned(),
-                _ if motions == 1 => format!("the one {} lifts no edge", self.earthquake.noun().trim_end_matches('s')),
+                _ if motions == 1 => format!(
+                    "the one {} lifts no edge",
+                    self.earthquake.noun().trim_end_matches('s')
+                ),
                 _ => "none lifts an edge".to_owned(),
             },
             AnswerKind::DoesNotRock => {
                 let (floor, lift) = apart(floor_g_max, lift_g);
                 let at_most = if motions == 1 { "" } else { " at most" };
-                format!("the floor reaches {floor} g{at_most} and it takes {lift} g to lift an edge")
+                format!(
+                    "the floor reaches {floor} g{at_most} and it takes {lift} g to lift an edge"
+                )
             }
             AnswerKind::Rocks => {
                 let at_most = if lifted == 1 { "" } else { " at most" };
@@ -277,14 +338,25 @@ impl Answer {
                         format!(", by less than {}", self.units.distance(LEAST_UPLIFT_M, 1))
                     }
                     Some(uplift_m) => {
-                        format!(", by {}{at_most}", self.units.distance(uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
+                        format!(
+                            ", by {}{at_most}",
+                            self.units
+                                .distance(uplift_m, if uplift_m < 0.1 { 2 } else { 3 })
+                        )
                     }
                 };
                 // With what it withstands, the landings follow.
-                let none = if self.withstands.is_some() { "" } else { ", and none overturns it" };
+                let none = if self.withstands.is_some() {
+                    ""
+                } else {
+                    ", and none overturns it"
+                };
                 match self.earthquake {
                     Told::Motions if motions == 1 => format!("it lifts an edge{by}"),
-                    _ => format!("{} an edge{by}{none}", self.count(lifted, motions, ("lifts", "lift"))),
+                    _ => format!(
+                        "{} an edge{by}{none}",
+                        self.count(lifted, motions, ("lifts", "lift"))
+                    ),
                 }
             }
             AnswerKind::Rolls | AnswerKind::Slides => String::new(),
@@ -292,11 +364,16 @@ impl Answer {
             AnswerKind::ProbablyStands | AnswerKind::MayFall | AnswerKind::Falls => {
                 let counted = self.count(overturned, asked, ("overturns", "overturn"));
                 // Few motions are all there is to say; all is all.
-                let interval = self.probability.filter(|_| self.earthquake != Told::Motions && overturned < asked);
+                let interval = self
+                    .probability
+                    .filter(|_| self.earthquake != Told::Motions && overturned < asked);
                 let interval = interval.map_or_else(String::new, |p| {
                     let [low, high] = [p.low, p.high].map(|end| percent_significant(end, 2));
                     let low = low.trim_end_matches(" %");
-                    format!(" ({}, between {low} and {high})", percent_significant(p.value, 2))
+                    format!(
+                        " ({}, between {low} and {high})",
+                        percent_significant(p.value, 2)
+                    )
                 });
                 format!("{counted} it{interval}")
             }
@@ -318,35 +395,58 @@ impl Answer {
 
     /// `; in 3 of them it ends leaning on its wall`.
     fn leaning(&self) -> String {
-        let Counts { leaning, overturned, asked, .. } = self.counts;
+        let Counts {
+            leaning,
+            overturned,
+            asked,
+            ..
+        } = self.counts;
         match leaning {
             0 => String::new(),
             _ if overturned == 1 && asked == 1 => "; it ends leaning on its wall".to_owned(),
-            _ if leaning == overturned && overturned == 1 => "; it then leans on its wall".to_owned(),
-            _ if leaning == overturned => "; in all of these it ends leaning on its wall".to_owned(),
+            _ if leaning == overturned && overturned == 1 => {
+                "; it then leans on its wall".to_owned()
+            }
+            _ if leaning == overturned => {
+                "; in all of these it ends leaning on its wall".to_owned()
+            }
             _ => format!("; in {leaning} of these it ends leaning on its wall"),
         }
     }
 
     /// Which of two bodies on top of each other falls first.
     fn falls_first(&self) -> String {
-        let Counts { upper_falls, overturned, .. } = self.counts;
-        let Some(upper) = upper_falls.filter(|_| overturned > 0) else { return String::new() };
+        let Counts {
+            upper_falls,
+            overturned,
+            ..
+        } = self.counts;
+        let Some(upper) = upper_falls.filter(|_| overturned > 0) else {
+            return String::new();
+        };
         let which = match upper {
             0 => "the object itself",
             _ => "what stands on it",
         };
         match upper {
             _ if overturned == 1 => format!("; {which} falls first"),
-            _ if upper == 0 || upper == overturned => format!("; in all of these {which} falls first"),
-            _ => format!("; in {upper} of these {which} falls first, in the others the object itself"),
+            _ if upper == 0 || upper == overturned => {
+                format!("; in all of these {which} falls first")
+            }
+            _ => format!(
+                "; in {upper} of these {which} falls first, in the others the object itself"
+            ),
         }
     }
 
     /// Its travel against its clearance, and the speed at the stop against the trip speed.
     fn rolling(&self) -> String {
-        let Some(rolled) = &self.counts.rolled else { return String::new() };
-        let Counts { motions, exceeded, .. } = self.counts;
+        let Some(rolled) = &self.counts.rolled else {
+            return String::new();
+        };
+        let Counts {
+            motions, exceeded, ..
+        } = self.counts;
         let times = |count: u32| match (&self.earthquake, count) {
             (Told::Motions, 1) if motions == 1 => String::new(),
             (_, count) => format!(" in {count} of {motions}"),
@@ -367,19 +467,27 @@ impl Answer {
             _ => share.to_owned(),
         };
         let mut told = format!("{begin}by up to {}{first}", rolled.reach_words(self.units));
-        match (rolled.clearance_m, (rolled.stop_share * f64::from(motions)).round() as u32) {
+        match (
+            rolled.clearance_m,
+            (rolled.stop_share * f64::from(motions)).round() as u32,
+        ) {
             (None, _) if self.counts.has_wall => {
                 told.push_str("; it may run into what stands beside it, which is not calculated");
             }
             (None, _) => told.push_str(", and nothing that was named stops it"),
             (Some(clearance_m), 0) => {
-                told.push_str(&format!(", less than its clearance of {}", self.units.reach(clearance_m)));
+                told.push_str(&format!(
+                    ", less than its clearance of {}",
+                    self.units.reach(clearance_m)
+                ));
             }
             (Some(clearance_m), stops) => {
                 let clearance = self.units.reach(clearance_m);
-                let speed = rolled.stop_speed_m_s_p84.map_or_else(String::new, |speed_m_s| {
-                    format!(" at up to {}{share}", self.units.speed(speed_m_s, 2))
-                });
+                let speed = rolled
+                    .stop_speed_m_s_p84
+                    .map_or_else(String::new, |speed_m_s| {
+                        format!(" at up to {}{share}", self.units.speed(speed_m_s, 2))
+                    });
                 let trip = self.units.speed(rolled.trip_speed_m_s, 2);
                 told.push_str(&format!(
                     "; it meets the stop at {clearance}{}{speed}, and a stop overturns it from {trip}",
@@ -402,25 +510,46 @@ impl Answer {
 
     /// `; its landings reach 6.4 g, under the 10 g that it withstands`.
     fn landings(&self) -> String {
-        let Some(withstands) = self.withstands else { return String::new() };
-        let Counts { motions, exceeded, shock_g_max, floor_g_max, .. } = self.counts;
+        let Some(withstands) = self.withstands else {
+            return String::new();
+        };
+        let Counts {
+            motions,
+            exceeded,
+            shock_g_max,
+            floor_g_max,
+            ..
+        } = self.counts;
         let exceeded = exceeded.unwrap_or(0);
         let of = format!("{exceeded} of {motions}");
-        let times = if motions == 1 { String::new() } else { format!(" in {of}") };
+        let times = if motions == 1 {
+            String::new()
+        } else {
+            format!(" in {of}")
+        };
         let limit = withstands.words();
         // Where nothing lands harder, it is the floor itself that is too much.
         let lands_harder = shock_g_max.is_some_and(|shock_g| shock_g > withstands.peak_g);
         if exceeded > 0 && !lands_harder && floor_g_max > withstands.peak_g {
             let floor = number(floor_g_max, 2);
-            return format!("; the floor alone, {floor} g, exceeds the {limit} that it withstands{times}");
+            return format!(
+                "; the floor alone, {floor} g, exceeds the {limit} that it withstands{times}"
+            );
         }
         match shock_g_max {
-            Some(shock_g) if exceeded == 0 && withstands.duration_s.is_none() && shock_g < withstands.peak_g => {
+            Some(shock_g)
+                if exceeded == 0
+                    && withstands.duration_s.is_none()
+                    && shock_g < withstands.peak_g =>
+            {
                 let (shock, peak) = apart(shock_g, withstands.peak_g);
                 format!("; its landings reach {shock} g, under the {peak} g that it withstands")
             }
             Some(shock_g) if exceeded == 0 => {
-                format!("; its landings reach {} g and stay below the {limit} that it withstands", number(shock_g, 2))
+                format!(
+                    "; its landings reach {} g and stay below the {limit} that it withstands",
+                    number(shock_g, 2)
+                )
             }
             Some(shock_g) => {
                 format!(
@@ -440,7 +569,9 @@ impl Told {
         match self {
             Self::MotionsOfStudy { .. } => "simulations",
             Self::Motions => "motions",
-            Self::Place { .. } | Self::GroundAcceleration { .. } | Self::Study { .. } => "simulated earthquakes",
+            Self::Place { .. } | Self::GroundAcceleration { .. } | Self::Study { .. } => {
+                "simulated earthquakes"
+            }
         }
     }
 }
@@ -452,7 +583,10 @@ impl ToldFloor {
             Self::Roof => "on the roof".to_owned(),
             Self::Number { floor, storeys } => format!("on floor {floor} of {storeys}"),
             Self::Name(name) => format!("on \"{name}\""),
-            Self::Share(ratio) => format!("at {} of the height of the building", percent_significant(*ratio, 3)),
+            Self::Share(ratio) => format!(
+                "at {} of the height of the building",
+                percent_significant(*ratio, 3)
+            ),
         }
     }
 }
@@ -461,14 +595,19 @@ impl Withstands {
     /// `10 g`, `15 g of 11 ms`.
     pub(super) fn words(&self) -> String {
         let peak = format!("{} g", number(self.peak_g, 4));
-        self.duration_s.map_or(peak.clone(), |seconds| format!("{peak} of {} ms", number(1e3 * seconds, 4)))
+        self.duration_s.map_or(peak.clone(), |seconds| {
+            format!("{peak} of {} ms", number(1e3 * seconds, 4))
+        })
     }
 }
 
 /// Two numbers with the digits that tell them apart, two or more.
 fn apart(one: f64, other: f64) -> (String, String) {
     let both = |digits| (number(one, digits), number(other, digits));
-    (2..=6).map(both).find(|(one, other)| one != other).unwrap_or_else(|| both(6))
+    (2..=6)
+        .map(both)
+        .find(|(one, other)| one != other)
+        .unwrap_or_else(|| both(6))
 }
 
 #[cfg(test)]
@@ -477,11 +616,25 @@ mod tests {
 
     fn place(name: &str, code: &str, years: Option<u32>, site: Option<&str>) -> Told {
         let (name, code, site) = (name.to_owned(), code.to_owned(), site.map(str::to_owned));
-        Told::Place { name, code, years, site, is_approximate: false }
+        Told::Place {
+            name,
+            code,
+            years,
+            site,
+            is_approximate: false,
+        }
     }
 
     fn counts(motions: u32, lifted: u32, overturned: u32) -> Counts {
-        Counts { motions, lifted, asked: motions, overturned, lift_g: 0.21, floor_g_max: 0.3, ..Counts::default() }
+        Counts {
+            motions,
+            lifted,
+            asked: motions,
+            overturned,
+            lift_g: 0.21,
+            floor_g_max: 0.3,
+            ..Counts::default()
+        }
     }
 
     fn answer(earthquake: Told, counts: Counts) -> Answer {
@@ -516,8 +669,16 @@ mod tests {
     #[test]
     fn travel_against_clearance() {
         let tell = |rolled: Rolled, counts: Counts| {
-            let counts = Counts { rolled: Some(rolled), exceeded: Some(2), ..counts };
-            Answer { withstands: TEN_G, ..answer(Told::GroundAcceleration { peak_g: 0.5 }, counts) }.sentence()
+            let counts = Counts {
+                rolled: Some(rolled),
+                exceeded: Some(2),
+                ..counts
+            };
+            Answer {
+                withstands: TEN_G,
+                ..answer(Told::GroundAcceleration { peak_g: 0.5 }, counts)
+            }
+            .sentence()
         };
         // By hand: 310 mm is 12.2 in, 1.92 m/s 6.3 ft/s; distances are rounded up.
         let in_us = Answer {
@@ -537,17 +698,30 @@ mod tests {
         };
         let said = in_us.sentence();
         assert!(
-            said.contains("the stop at 7.9 in") && said.contains("3.6 ft/s") && said.ends_with("from 6.3 ft/s."),
+            said.contains("the stop at 7.9 in")
+                && said.contains("3.6 ft/s")
+                && said.ends_with("from 6.3 ft/s."),
             "{said}"
         );
         assert!(!said.contains(" mm") && !said.contains(" m/s"), "{said}");
-        let still = Counts { exceeded: Some(0), ..counts(20, 0, 0) };
-        let room = Rolled { clearance_m: Some(0.4), ..ROLLED };
+        let still = Counts {
+            exceeded: Some(0),
+            ..counts(20, 0, 0)
+        };
+        let room = Rolled {
+            clearance_m: Some(0.4),
+            ..ROLLED
+        };
         let said = tell(room, still);
         assert!(said.contains(
             "stays standing: by up to 310 mm in 84 % of 20 simulated earthquakes, less than its clearance of 400 mm"
         ));
-        let stops = Rolled { clearance_m: Some(0.2), stop_share: 0.45, stop_speed_m_s_p84: Some(1.1), ..ROLLED };
+        let stops = Rolled {
+            clearance_m: Some(0.2),
+            stop_share: 0.45,
+            stop_speed_m_s_p84: Some(1.1),
+            ..ROLLED
+        };
         assert_eq!(
             tell(stops, counts(20, 0, 0)),
             "At a ground acceleration of 0.5 g this object rolls and stays standing: by up to 200 mm in 84 % of 20 \
@@ -556,10 +730,18 @@ mod tests {
         );
         let trips = tell(stops, counts(20, 3, 3));
         assert!(
-            trips.contains("may fall over: 3 of 20 simulated earthquakes overturn it; it rolls by up to 200 mm"),
+            trips.contains(
+                "may fall over: 3 of 20 simulated earthquakes overturn it; it rolls by up to 200 mm"
+            ),
             "{trips}"
         );
-        let one = Counts { rolled: Some(Rolled { stop_share: 1.0, ..stops }), ..counts(1, 0, 0) };
+        let one = Counts {
+            rolled: Some(Rolled {
+                stop_share: 1.0,
+                ..stops
+            }),
+            ..counts(1, 0, 0)
+        };
         assert_eq!(
             answer(Told::Motions, one).sentence(),
             "Under this motion this object rolls and stays standing: by up to 200 mm; it meets the stop at 200 mm at up to \
@@ -571,46 +753,111 @@ mod tests {
     #[test]
     fn leaning_is_told() {
         let tell = |leaning, counts: Counts| {
-            answer(Told::GroundAcceleration { peak_g: 0.5 }, Counts { leaning, ..counts }).sentence()
+            answer(
+                Told::GroundAcceleration { peak_g: 0.5 },
+                Counts { leaning, ..counts },
+            )
+            .sentence()
         };
-        assert!(tell(3, counts(20, 18, 9)).ends_with("overturn it; in 3 of these it ends leaning on its wall."));
-        assert!(tell(9, counts(20, 18, 9)).ends_with("overturn it; in all of these it ends leaning on its wall."));
+        assert!(
+            tell(3, counts(20, 18, 9))
+                .ends_with("overturn it; in 3 of these it ends leaning on its wall.")
+        );
+        assert!(
+            tell(9, counts(20, 18, 9))
+                .ends_with("overturn it; in all of these it ends leaning on its wall.")
+        );
         assert!(tell(1, counts(20, 18, 1)).ends_with("overturns it; it then leans on its wall."));
-        let one = answer(Told::Motions, Counts { leaning: 1, ..counts(1, 1, 1) }).sentence();
-        assert_eq!(one, "Under this motion this object falls over; it ends leaning on its wall.");
+        let one = answer(
+            Told::Motions,
+            Counts {
+                leaning: 1,
+                ..counts(1, 1, 1)
+            },
+        )
+        .sentence();
+        assert_eq!(
+            one,
+            "Under this motion this object falls over; it ends leaning on its wall."
+        );
     }
 
     #[test]
     fn the_body_of_a_stack_that_falls_first_is_told() {
         let tell = |upper: u32, counts: Counts| {
-            answer(Told::GroundAcceleration { peak_g: 0.5 }, Counts { upper_falls: Some(upper), ..counts }).sentence()
+            answer(
+                Told::GroundAcceleration { peak_g: 0.5 },
+                Counts {
+                    upper_falls: Some(upper),
+                    ..counts
+                },
+            )
+            .sentence()
         };
-        let mixed = "; in 3 of these what stands on it falls first, in the others the object itself.";
+        let mixed =
+            "; in 3 of these what stands on it falls first, in the others the object itself.";
         assert!(tell(3, counts(20, 18, 9)).ends_with(mixed));
-        assert!(tell(9, counts(20, 18, 9)).ends_with("; in all of these what stands on it falls first."));
-        assert!(tell(0, counts(20, 18, 9)).ends_with("; in all of these the object itself falls first."));
+        assert!(
+            tell(9, counts(20, 18, 9))
+                .ends_with("; in all of these what stands on it falls first.")
+        );
+        assert!(
+            tell(0, counts(20, 18, 9))
+                .ends_with("; in all of these the object itself falls first.")
+        );
         assert!(!tell(0, counts(20, 18, 0)).contains("first"));
-        let one = answer(Told::Motions, Counts { upper_falls: Some(1), ..counts(1, 1, 1) }).sentence();
-        assert_eq!(one, "Under this motion this object falls over; what stands on it falls first.");
+        let one = answer(
+            Told::Motions,
+            Counts {
+                upper_falls: Some(1),
+                ..counts(1, 1, 1)
+            },
+        )
+        .sentence();
+        assert_eq!(
+            one,
+            "Under this motion this object falls over; what stands on it falls first."
+        );
     }
 
-    const TEN_G: Option<Withstands> = Some(Withstands { peak_g: 10.0, duration_s: None });
+    const TEN_G: Option<Withstands> = Some(Withstands {
+        peak_g: 10.0,
+        duration_s: None,
+    });
 
     /// The six sentences of the specification, word for word.
     #[test]
     fn the_sentences_that_were_asked_for() {
         let melbourne = place("Melbourne", "AS 1170.4", Some(500), Some("site De"));
-        let one = answer(melbourne, Counts { floor_g_max: 0.13, ..counts(20, 0, 0) });
-        let two = answer(Told::Motions, Counts { uplift_m_max: Some(0.0312), ..counts(6, 4, 0) });
+        let one = answer(
+            melbourne,
+            Counts {
+                floor_g_max: 0.13,
+                ..counts(20, 0, 0)
+            },
+        );
+        let two = answer(
+            Told::Motions,
+            Counts {
+                uplift_m_max: Some(0.0312),
+                ..counts(6, 4, 0)
+            },
+        );
         let wellington = place("Wellington", "NZS 1170.5", Some(500), Some("site C"));
         let three = Answer {
-            floor: ToldFloor::Number { floor: 1, storeys: 7 },
+            floor: ToldFloor::Number {
+                floor: 1,
+                storeys: 7,
+            },
             probability: p(9.0 / 320.0, 0.0109, 0.0577),
             ..answer(wellington, counts(320, 200, 9))
         };
         let los_angeles = place("Los Angeles", "ASCE 7-16", None, Some("site D"));
         let four = Answer {
-            floor: ToldFloor::Number { floor: 3, storeys: 6 },
+            floor: ToldFloor::Number {
+                floor: 3,
+                storeys: 6,
+            },
             probability: p(0.45, 0.2, 0.72),
             ..answer(los_angeles, counts(20, 20, 9))
         };
@@ -625,9 +872,16 @@ mod tests {
             site: None,
             is_approximate: true,
         };
-        let lands =
-            Counts { uplift_m_max: Some(0.009), shock_g_max: Some(6.41), exceeded: Some(0), ..counts(160, 31, 0) };
-        let six = Answer { withstands: TEN_G, ..answer(athens, lands) };
+        let lands = Counts {
+            uplift_m_max: Some(0.009),
+            shock_g_max: Some(6.41),
+            exceeded: Some(0),
+            ..counts(160, 31, 0)
+        };
+        let six = Answer {
+            withstands: TEN_G,
+            ..answer(athens, lands)
+        };
         let expected = [
             (
                 one,
@@ -667,7 +921,10 @@ mod tests {
             ),
         ];
         for (answer, kind, sentence) in expected {
-            assert_eq!((answer.kind.name(), answer.sentence().as_str()), (kind, sentence));
+            assert_eq!(
+                (answer.kind.name(), answer.sentence().as_str()),
+                (kind, sentence)
+            );
         }
     }
 
@@ -675,15 +932,28 @@ mod tests {
     #[test]
     fn every_kind_under_every_earthquake() {
         let earthquakes = [
-            (place("Oslo", "a code", None, None), "In Oslo (a code) on the ground", "simulated earthquakes"),
-            (Told::GroundAcceleration { peak_g: 0.3 }, "At a ground acceleration of 0.3 g", "simulated earthquakes"),
             (
-                Told::Study { words: "the earthquake of s.toml (EC8)".to_owned() },
+                place("Oslo", "a code", None, None),
+                "In Oslo (a code) on the ground",
+                "simulated earthquakes",
+            ),
+            (
+                Told::GroundAcceleration { peak_g: 0.3 },
+                "At a ground acceleration of 0.3 g",
+                "simulated earthquakes",
+            ),
+            (
+                Told::Study {
+                    words: "the earthquake of s.toml (EC8)".to_owned(),
+                },
                 "Under the earthquake of s.toml (EC8) on the ground",
                 "simulated earthquakes",
             ),
             (
-                Told::MotionsOfStudy { motions: 7, study: "s.toml".to_owned() },
+                Told::MotionsOfStudy {
+                    motions: 7,
+                    study: "s.toml".to_owned(),
+                },
                 "Under the 7 motions of s.toml on the ground",
                 "simulations",
             ),
@@ -691,9 +961,19 @@ mod tests {
         ];
         let of_kind = [
             (counts(40, 0, 0), "rocks in none of "),
-            (Counts { rolled: Some(ROLLED), ..counts(40, 0, 0) }, "rolls and stays standing: by up to 310 mm"),
             (
-                Counts { rolled: Some(ROLLED), slides: true, ..counts(40, 0, 0) },
+                Counts {
+                    rolled: Some(ROLLED),
+                    ..counts(40, 0, 0)
+                },
+                "rolls and stays standing: by up to 310 mm",
+            ),
+            (
+                Counts {
+                    rolled: Some(ROLLED),
+                    slides: true,
+                    ..counts(40, 0, 0)
+                },
                 "slides and stays standing: by up to 310 mm",
             ),
             (counts(40, 1, 0), "stays standing: 1"),
@@ -706,9 +986,19 @@ mod tests {
                 let told = answer(earthquake.clone(), counts);
                 let sentence = told.sentence();
                 assert_eq!(told.kind, kind);
-                let comma = if kind == AnswerKind::DoesNotRock { "," } else { "" };
-                assert!(sentence.starts_with(&format!("{under}{comma} this object {words}")), "{sentence}");
-                assert!(sentence.contains(noun) && sentence.ends_with('.') && !sentence.contains('\n'), "{sentence}");
+                let comma = if kind == AnswerKind::DoesNotRock {
+                    ","
+                } else {
+                    ""
+                };
+                assert!(
+                    sentence.starts_with(&format!("{under}{comma} this object {words}")),
+                    "{sentence}"
+                );
+                assert!(
+                    sentence.contains(noun) && sentence.ends_with('.') && !sentence.contains('\n'),
+                    "{sentence}"
+                );
             }
         }
     }
@@ -719,97 +1009,237 @@ mod tests {
         let kind = |asked, overturned, accepted_ratio| {
             let share = f64::from(overturned) / f64::from(asked);
             // Of 20 worlds, a tenth to a quarter on each side.
-            let probability = (asked > 1).then_some(Probability { value: share, low: share - 0.2, high: share + 0.2 });
-            let counts = Counts { asked, lifted: asked, overturned, ..Counts::default() };
+            let probability = (asked > 1).then_some(Probability {
+                value: share,
+                low: share - 0.2,
+                high: share + 0.2,
+            });
+            let counts = Counts {
+                asked,
+                lifted: asked,
+                overturned,
+                ..Counts::default()
+            };
             AnswerKind::of(&counts, accepted_ratio, probability).name()
         };
-        assert_eq!([2, 3].map(|overturned| kind(20, overturned, 0.1)), ["probably-stands", "may-fall"]);
-        assert_eq!([4, 5].map(|overturned| kind(20, overturned, 0.2)), ["probably-stands", "may-fall"]);
-        assert_eq!([9, 10, 14].map(|overturned| kind(20, overturned, 0.1)), ["may-fall"; 3]);
-        assert_eq!([15, 20].map(|overturned| kind(20, overturned, 0.1)), ["falls"; 2]);
+        assert_eq!(
+            [2, 3].map(|overturned| kind(20, overturned, 0.1)),
+            ["probably-stands", "may-fall"]
+        );
+        assert_eq!(
+            [4, 5].map(|overturned| kind(20, overturned, 0.2)),
+            ["probably-stands", "may-fall"]
+        );
+        assert_eq!(
+            [9, 10, 14].map(|overturned| kind(20, overturned, 0.1)),
+            ["may-fall"; 3]
+        );
+        assert_eq!(
+            [15, 20].map(|overturned| kind(20, overturned, 0.1)),
+            ["falls"; 2]
+        );
         // Given motions are all there is.
-        let given = |overturned| Counts { asked: 3, lifted: 3, overturned, ..Counts::default() };
-        assert_eq!([2, 3].map(|n| AnswerKind::of(&given(n), 0.1, None).name()), ["may-fall", "falls"]);
+        let given = |overturned| Counts {
+            asked: 3,
+            lifted: 3,
+            overturned,
+            ..Counts::default()
+        };
+        assert_eq!(
+            [2, 3].map(|n| AnswerKind::of(&given(n), 0.1, None).name()),
+            ["may-fall", "falls"]
+        );
         assert_eq!(kind(1, 1, 0.1), "falls");
         // On pads it can fall where an edge of a rigid floor lifts in no world.
-        let fallen = Counts { asked: 20, lifted: 0, overturned: 1, ..Counts::default() };
-        assert_eq!(AnswerKind::of(&fallen, 0.1, None), AnswerKind::ProbablyStands);
+        let fallen = Counts {
+            asked: 20,
+            lifted: 0,
+            overturned: 1,
+            ..Counts::default()
+        };
+        assert_eq!(
+            AnswerKind::of(&fallen, 0.1, None),
+            AnswerKind::ProbablyStands
+        );
     }
 
     #[test]
     fn one_and_all_are_told_as_people_do() {
         let tell = |earthquake: &Told, counts| answer(earthquake.clone(), counts).sentence();
-        let one = Counts { uplift_m_max: Some(0.1234), ..counts(1, 1, 0) };
+        let one = Counts {
+            uplift_m_max: Some(0.1234),
+            ..counts(1, 1, 0)
+        };
         assert_eq!(
             tell(&Told::Motions, one),
             "Under this motion this object stays standing: it lifts an edge, by 123 mm."
         );
-        for (uplift_m, said) in [(0.0, "less than 1 mm"), (9.99e-4, "less than 1 mm"), (1e-3, "1 mm at most")] {
-            let barely = Counts { uplift_m_max: Some(uplift_m), ..counts(6, 4, 0) };
+        for (uplift_m, said) in [
+            (0.0, "less than 1 mm"),
+            (9.99e-4, "less than 1 mm"),
+            (1e-3, "1 mm at most"),
+        ] {
+            let barely = Counts {
+                uplift_m_max: Some(uplift_m),
+                ..counts(6, 4, 0)
+            };
             let whole = format!(": 4 lift an edge, by {said}, and none overturns it.");
-            assert!(tell(&Told::Motions, barely).ends_with(&whole), "{}", tell(&Told::Motions, barely));
+            assert!(
+                tell(&Told::Motions, barely).ends_with(&whole),
+                "{}",
+                tell(&Told::Motions, barely)
+            );
         }
-        assert_eq!(tell(&Told::Motions, counts(1, 1, 1)), "Under this motion this object falls over.");
-        let still = Counts { floor_g_max: 0.1, ..counts(1, 0, 0) };
+        assert_eq!(
+            tell(&Told::Motions, counts(1, 1, 1)),
+            "Under this motion this object falls over."
+        );
+        let still = Counts {
+            floor_g_max: 0.1,
+            ..counts(1, 0, 0)
+        };
         let said = "Under this motion, this object does not rock: the floor reaches 0.1 g and it takes 0.21 g to lift an \
                     edge.";
         assert_eq!(tell(&Told::Motions, still), said);
-        assert!(tell(&Told::Motions, counts(6, 6, 0)).ends_with(": all 6 lift an edge, and none overturns it."));
+        assert!(
+            tell(&Told::Motions, counts(6, 6, 0))
+                .ends_with(": all 6 lift an edge, and none overturns it.")
+        );
         assert!(tell(&Told::Motions, counts(6, 6, 1)).ends_with(": 1 overturns it."));
         assert!(tell(&Told::Motions, counts(6, 6, 6)).ends_with(": all 6 overturn it."));
         let peak = Told::GroundAcceleration { peak_g: 0.5 };
-        assert!(tell(&peak, counts(1, 1, 1)).ends_with("falls over: the one simulated earthquake overturns it."));
+        assert!(
+            tell(&peak, counts(1, 1, 1))
+                .ends_with("falls over: the one simulated earthquake overturns it.")
+        );
         let two = tell(&peak, counts(20, 1, 0));
-        assert!(two.ends_with(": 1 of 20 simulated earthquakes lifts an edge, and none overturns it."), "{two}");
+        assert!(
+            two.ends_with(": 1 of 20 simulated earthquakes lifts an edge, and none overturns it."),
+            "{two}"
+        );
     }
 
     /// A peak of the floor above the threshold does not contradict the sentence.
     #[test]
     fn no_uplift_above_the_threshold() {
-        let told = answer(Told::Motions, Counts { floor_g_max: 0.25, ..counts(6, 0, 0) });
-        assert_eq!(told.sentence(), "Under these 6 motions, this object rocks in none of them: none lifts an edge.");
-        let near = answer(Told::Motions, Counts { floor_g_max: 0.2096, ..counts(6, 0, 0) });
-        assert!(near.sentence().contains("reaches 0.2096 g at most and it takes 0.21 g"), "{}", near.sentence());
+        let told = answer(
+            Told::Motions,
+            Counts {
+                floor_g_max: 0.25,
+                ..counts(6, 0, 0)
+            },
+        );
+        assert_eq!(
+            told.sentence(),
+            "Under these 6 motions, this object rocks in none of them: none lifts an edge."
+        );
+        let near = answer(
+            Told::Motions,
+            Counts {
+                floor_g_max: 0.2096,
+                ..counts(6, 0, 0)
+            },
+        );
+        assert!(
+            near.sentence()
+                .contains("reaches 0.2096 g at most and it takes 0.21 g"),
+            "{}",
+            near.sentence()
+        );
     }
 
     #[test]
     fn what_it_withstands() {
         let tell = |counts: Counts, withstands: Option<Withstands>| {
-            Answer { withstands, ..answer(Told::GroundAcceleration { peak_g: 0.3 }, counts) }.sentence()
+            Answer {
+                withstands,
+                ..answer(Told::GroundAcceleration { peak_g: 0.3 }, counts)
+            }
+            .sentence()
         };
-        let hard = Counts { shock_g_max: Some(14.2), exceeded: Some(12), ..counts(160, 31, 9) };
+        let hard = Counts {
+            shock_g_max: Some(14.2),
+            exceeded: Some(12),
+            ..counts(160, 31, 9)
+        };
+        assert!(tell(hard, TEN_G).ends_with(
+            "; its landings reach 14 g and exceed the 10 g that it withstands in 12 of 160."
+        ),);
+        let near = Counts {
+            shock_g_max: Some(9.97),
+            exceeded: Some(0),
+            ..counts(160, 31, 0)
+        };
         assert!(
-            tell(hard, TEN_G)
-                .ends_with("; its landings reach 14 g and exceed the 10 g that it withstands in 12 of 160."),
+            tell(near, TEN_G)
+                .ends_with("; its landings reach 9.97 g, under the 10 g that it withstands.")
         );
-        let near = Counts { shock_g_max: Some(9.97), exceeded: Some(0), ..counts(160, 31, 0) };
-        assert!(tell(near, TEN_G).ends_with("; its landings reach 9.97 g, under the 10 g that it withstands."));
-        let pulse = Some(Withstands { peak_g: 15.0, duration_s: Some(0.011) });
-        let harder = Counts { shock_g_max: Some(18.0), exceeded: Some(0), ..counts(160, 31, 0) };
+        let pulse = Some(Withstands {
+            peak_g: 15.0,
+            duration_s: Some(0.011),
+        });
+        let harder = Counts {
+            shock_g_max: Some(18.0),
+            exceeded: Some(0),
+            ..counts(160, 31, 0)
+        };
         let said = "; its landings reach 18 g and stay below the 15 g of 11 ms that it withstands.";
-        assert!(tell(harder, pulse).ends_with(said), "{}", tell(harder, pulse));
-        let still = Counts { floor_g_max: 0.15, exceeded: Some(0), ..counts(20, 0, 0) };
-        assert!(tell(still, TEN_G).ends_with("to lift an edge; it withstands 10 g."), "{}", tell(still, TEN_G));
-        let weak = Some(Withstands { peak_g: 0.1, duration_s: None });
-        let shaken = Counts { exceeded: Some(20), ..still };
         assert!(
-            tell(shaken, weak)
-                .ends_with("; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands in 20 of 20.")
+            tell(harder, pulse).ends_with(said),
+            "{}",
+            tell(harder, pulse)
         );
-        let soft = Counts { shock_g_max: Some(0.08), exceeded: Some(3), ..counts(20, 9, 0) };
+        let still = Counts {
+            floor_g_max: 0.15,
+            exceeded: Some(0),
+            ..counts(20, 0, 0)
+        };
         assert!(
-            tell(soft, weak).ends_with("; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands in 3 of 20.")
+            tell(still, TEN_G).ends_with("to lift an edge; it withstands 10 g."),
+            "{}",
+            tell(still, TEN_G)
         );
+        let weak = Some(Withstands {
+            peak_g: 0.1,
+            duration_s: None,
+        });
+        let shaken = Counts {
+            exceeded: Some(20),
+            ..still
+        };
+        assert!(tell(shaken, weak).ends_with(
+            "; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands in 20 of 20."
+        ));
+        let soft = Counts {
+            shock_g_max: Some(0.08),
+            exceeded: Some(3),
+            ..counts(20, 9, 0)
+        };
+        assert!(tell(soft, weak).ends_with(
+            "; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands in 3 of 20."
+        ));
         // What falls over does not land on its edges.
-        let fallen = Counts { exceeded: Some(0), ..counts(20, 20, 20) };
+        let fallen = Counts {
+            exceeded: Some(0),
+            ..counts(20, 20, 20)
+        };
         assert!(tell(fallen, TEN_G).ends_with("overturn it."));
     }
 
     #[test]
     fn floors_by_name_and_height() {
-        let on = |floor| Answer { floor, ..answer(place("Oslo", "a code", None, None), counts(20, 20, 20)) }.sentence();
+        let on = |floor| {
+            Answer {
+                floor,
+                ..answer(place("Oslo", "a code", None, None), counts(20, 20, 20))
+            }
+            .sentence()
+        };
         assert!(on(ToldFloor::Roof).starts_with("In Oslo (a code) on the roof this object"));
         assert!(on(ToldFloor::Name("Lobby".to_owned())).contains(" on \"Lobby\" this object"));
-        assert!(on(ToldFloor::Share(0.5)).contains(" at 50 % of the height of the building this object"));
+        assert!(
+            on(ToldFloor::Share(0.5))
+                .contains(" at 50 % of the height of the building this object")
+        );
     }
 }

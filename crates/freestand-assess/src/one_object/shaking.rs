@@ -37,8 +37,15 @@ impl Shaken {
     /// With the other spectrum of the national annex, where that has two.
     pub(super) fn alternative(&self) -> Option<Self> {
         let study = self.study.alternative()?;
-        let words = study.ground.code_spectrum().map_or_else(|| self.words.clone(), Target::one_line);
-        Some(Self { study, words, ..self.clone() })
+        let words = study
+            .ground
+            .code_spectrum()
+            .map_or_else(|| self.words.clone(), Target::one_line);
+        Some(Self {
+            study,
+            words,
+            ..self.clone()
+        })
     }
 }
 
@@ -47,8 +54,18 @@ impl Shaken {
 /// # Errors
 /// Everything that is wrong with it.
 pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
-    let Floor { storeys, storey_height_m, .. } = request.floor;
-    let overrides = |hazard| Overrides { seed: request.seed, hazard, storeys, storey_height_m, ..Overrides::default() };
+    let Floor {
+        storeys,
+        storey_height_m,
+        ..
+    } = request.floor;
+    let overrides = |hazard| Overrides {
+        seed: request.seed,
+        hazard,
+        storeys,
+        storey_height_m,
+        ..Overrides::default()
+    };
     let made = |text: &str, hazard| resolve_with(text, None, Path::new(""), &overrides(hazard));
     let mut shaken = match &request.earthquake {
         Earthquake::Place(hazard) => {
@@ -72,16 +89,31 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             );
             let study = made(&text, Default::default())?;
             let told = Told::GroundAcceleration { peak_g };
-            Shaken { warnings: warnings(&study, &request.floor), study, told, words }
+            Shaken {
+                warnings: warnings(&study, &request.floor),
+                study,
+                told,
+                words,
+            }
         }
-        Earthquake::Study { source: StudySource::File(path), hazard } => {
+        Earthquake::Study {
+            source: StudySource::File(path),
+            hazard,
+        } => {
             let study = load(path, &overrides(hazard.clone()))?;
-            let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let name = path
+                .file_name()
+                .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             of_study(study, true, Some(name))
         }
-        Earthquake::Study { source: StudySource::Text(text), hazard } => {
-            of_study(made(text, hazard.clone())?, true, Some("the study".to_owned()))
-        }
+        Earthquake::Study {
+            source: StudySource::Text(text),
+            hazard,
+        } => of_study(
+            made(text, hazard.clone())?,
+            true,
+            Some("the study".to_owned()),
+        ),
         Earthquake::Motions { motions, .. } => {
             refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
             let mut study = nothing_stated(&overrides(Words::default()))?;
@@ -95,9 +127,18 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             study.building = None;
             (study.place_is_assumed, study.building_is_assumed) = (false, false);
             study.assumed.clear();
-            study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: recorded }];
+            study.levels = vec![Level {
+                name: "floor".to_owned(),
+                level_ratio: Some(0.0),
+                motions: recorded,
+            }];
             as_given(&mut study.assessment, motions.len())?;
-            Shaken { study, told: Told::Motions, words, warnings }
+            Shaken {
+                study,
+                told: Told::Motions,
+                words,
+                warnings,
+            }
         }
     };
     let settings = &mut shaken.study.assessment;
@@ -113,13 +154,18 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
 }
 
 fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
-    Looks::new(first, most, confidence)
-        .map_err(|error| Problem::value(format!("`worlds`: {error}"), "give a whole number, at least 1"))
+    Looks::new(first, most, confidence).map_err(|error| {
+        Problem::value(
+            format!("`worlds`: {error}"),
+            "give a whole number, at least 1",
+        )
+    })
 }
 
 /// What is wrong with the hazard of a place, under its own keys and without the keys of a study.
 fn check_hazard(hazard: &Words) -> Result<(), Problems> {
-    let elsewhere = "freestand place list shows all places; for another hazard give `pga`, or a study";
+    let elsewhere =
+        "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();
     let told = |problem: Problem| {
         if problem.keys.contains(&"return_period_years")
@@ -127,7 +173,11 @@ fn check_hazard(hazard: &Words) -> Result<(), Problems> {
         {
             return problem.hint("leave it out: this code has one intensity for each place");
         }
-        if problem.keys.contains(&"place") && near(name).is_empty() { problem.hint(elsewhere) } else { problem }
+        if problem.keys.contains(&"place") && near(name).is_empty() {
+            problem.hint(elsewhere)
+        } else {
+            problem
+        }
     };
     let checked = Target::resolve(hazard, Path::new("")).map(|_| ());
     checked.map_err(|problems| problems.into_iter().map(told).collect())
@@ -143,7 +193,14 @@ fn warnings(study: &Study, floor: &Floor) -> Vec<String> {
 
 /// Nothing is drawn, and every motion is used once.
 fn as_given(settings: &mut Settings, motions: usize) -> Result<(), Problem> {
-    settings.spread = Spread { restitution: 0.0, stiffness: 0.0, mass: 0.0, geometry: 0.0, model: 0.0, compliant: 0.0 };
+    settings.spread = Spread {
+        restitution: 0.0,
+        stiffness: 0.0,
+        mass: 0.0,
+        geometry: 0.0,
+        model: 0.0,
+        compliant: 0.0,
+    };
     // The middle of what an assessment draws, on its logarithmic scale.
     let (low, high) = settings.pad_damping_ratio;
     settings.pad_damping_ratio = ((low * high).sqrt(), (low * high).sqrt());
@@ -158,21 +215,34 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
     let target = study.ground.code_spectrum();
     let own = name.unwrap_or_else(|| "the built-in study".to_owned());
     let (told, words) = match (&study.ground, target) {
-        (Ground::Synthetic(_), Some(target)) => (told_target(target, names_site, &own), target.one_line()),
+        (Ground::Synthetic(_), Some(target)) => {
+            (told_target(target, names_site, &own), target.one_line())
+        }
         _ => {
             let motions = study.ground.names(&study.levels).len();
-            let told = Told::MotionsOfStudy { motions, study: own.clone() };
+            let told = Told::MotionsOfStudy {
+                motions,
+                study: own.clone(),
+            };
             (told, format!("the motions of {own}"))
         }
     };
-    Shaken { warnings: study.warnings.clone(), study, told, words }
+    Shaken {
+        warnings: study.warnings.clone(),
+        study,
+        told,
+        words,
+    }
 }
 
 fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
     let years = target.spectrum.return_period_years();
     let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
     let noun = if is_eurocode8 { "ground" } else { "site" };
-    let site = target.spectrum.site_name().filter(|_| names_site || !is_eurocode8);
+    let site = target
+        .spectrum
+        .site_name()
+        .filter(|_| names_site || !is_eurocode8);
     let site = site.map(|site| format!("{noun} {site}"));
     match target.place {
         Some(place) => Told::Place {
@@ -184,9 +254,13 @@ fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
         },
         None => {
             let years = years.map(|years| format!("{years} years"));
-            let details: Vec<String> =
-                [Some(target.spectrum.name().to_owned()), years, site].into_iter().flatten().collect();
-            Told::Study { words: format!("the earthquake of {study} ({})", details.join(", ")) }
+            let details: Vec<String> = [Some(target.spectrum.name().to_owned()), years, site]
+                .into_iter()
+                .flatten()
+                .collect();
+            Told::Study {
+                words: format!("the earthquake of {study} ({})", details.join(", ")),
+            }
         }
     }
 }
@@ -194,8 +268,11 @@ fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
 /// The building in words: `30 storeys of 3.2 m, T₁ = 1.92 s (…)`.
 pub(super) fn building_words(study: &Study, units: UnitSystem) -> Option<String> {
     let building = study.building.as_ref()?;
-    let storey =
-        building.storey_height_m.map_or_else(String::new, |height_m| format!(" of {}", units.storey(height_m)));
+    let storey = building
+        .storey_height_m
+        .map_or_else(String::new, |height_m| {
+            format!(" of {}", units.storey(height_m))
+        });
     Some(format!(
         "{}{storey}, first period {} s by {}",
         counted(building.storeys, "storey"),
@@ -211,8 +288,20 @@ mod tests {
 
     fn shaken_by(earthquake: Earthquake, seed: Option<u64>) -> Shaken {
         let object = Object::of_size(2.0, 0.3);
-        let floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
-        shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed, units: UnitSystem::Si }).unwrap()
+        let floor = Floor {
+            place: FloorPlace::Ground,
+            storeys: None,
+            storey_height_m: None,
+        };
+        shaken(&ObjectRequest {
+            object,
+            earthquake,
+            floor,
+            worlds: Some(7),
+            seed,
+            units: UnitSystem::Si,
+        })
+        .unwrap()
     }
 
     /// The peak acceleration of the ground is the spectrum at T = 0, with the soil factor in it.
@@ -220,12 +309,19 @@ mod tests {
     fn a_ground_acceleration_is_the_value_at_no_period() {
         let found = shaken_by(Earthquake::GroundAcceleration(0.4 * G0_M_S2), Some(5));
         let target = found.study.ground.code_spectrum().unwrap();
-        assert!((target.spectrum.sa_g(0.0) - 0.4).abs() < 1e-15, "{}", target.spectrum.sa_g(0.0));
+        assert!(
+            (target.spectrum.sa_g(0.0) - 0.4).abs() < 1e-15,
+            "{}",
+            target.spectrum.sa_g(0.0)
+        );
         // 2.5 times on the plateau, at 5 % damping.
         assert!((target.spectrum.sa_g(0.3) - 1.0).abs() < 1e-15);
         let settings = &found.study.assessment;
         assert_eq!((found.study.ground.seed(), settings.seed), (Some(5), 5));
-        assert_eq!((settings.worlds.looks.first(), settings.worlds.looks.most()), (7, 7));
+        assert_eq!(
+            (settings.worlds.looks.first(), settings.worlds.looks.most()),
+            (7, 7)
+        );
     }
 
     /// On the ground, nothing is said about a building that nobody named.
@@ -233,7 +329,14 @@ mod tests {
     fn warnings_are_those_of_the_hazard() {
         let words = Words::from_iter([("place", "Athens".to_owned())]);
         let found = shaken_by(Earthquake::Place(words), None);
-        assert!(found.warnings.iter().any(|warning| warning.contains("approximate")), "{:?}", found.warnings);
+        assert!(
+            found
+                .warnings
+                .iter()
+                .any(|warning| warning.contains("approximate")),
+            "{:?}",
+            found.warnings
+        );
         assert!(found.study.warnings.len() > found.warnings.len());
     }
 }

@@ -30,7 +30,12 @@ impl CsvTable {
     /// Begins the file with its header.
     pub(super) fn begin(folder: &OutputFolder, inventory: &Inventory) -> Result<Self, Problem> {
         let file = folder.begin(CSV_NAME)?;
-        let mut table = Self { file, pending: csv_writer(), bytes: 0, text: String::new() };
+        let mut table = Self {
+            file,
+            pending: csv_writer(),
+            bytes: 0,
+            text: String::new(),
+        };
         for column in COLUMNS {
             table.field(&Cell::text(column.name))?;
         }
@@ -67,13 +72,19 @@ impl CsvTable {
 
     fn end_row(&mut self) -> Result<(), Problem> {
         self.pending.write_record(None::<&[u8]>).map_err(broken)?;
-        if self.bytes > CHUNK_BYTES { self.flush() } else { Ok(()) }
+        if self.bytes > CHUNK_BYTES {
+            self.flush()
+        } else {
+            Ok(())
+        }
     }
 
     fn flush(&mut self) -> Result<(), Problem> {
         self.bytes = 0;
         let pending = mem::replace(&mut self.pending, csv_writer());
-        let bytes = pending.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))?;
+        let bytes = pending
+            .into_inner()
+            .map_err(|error| broken(csv::Error::from(error.into_error())))?;
         self.file.write(&bytes)
     }
 }

@@ -12,9 +12,10 @@ use freestand::rocking::Restitution;
 use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
-    AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
-    FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, Probability, Response, RestraintForce, RestraintKind,
-    Rolled, Shares, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
+    AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
+    Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, Probability,
+    Response, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer, Sliding,
+    SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
@@ -85,7 +86,11 @@ pub(super) fn item(index: usize) -> Item {
         is_round: false,
         cg_height_m: (index % 5 == 1).then_some(0.9),
         mass_kg: Some(100.0 + 10.0 * slender),
-        cushion: Some(EdgeCushion { cushion: Cushion::linear(4.38e6).unwrap(), pad_thickness_m: None, notes: vec![] }),
+        cushion: Some(EdgeCushion {
+            cushion: Cushion::linear(4.38e6).unwrap(),
+            pad_thickness_m: None,
+            notes: vec![],
+        }),
         cushion_log_sd: None,
         cushion_source: None,
         tolerance: (index % 4 != 2).then(|| Tolerance {
@@ -96,7 +101,11 @@ pub(super) fn item(index: usize) -> Item {
             source: "hdd-35-operating: data sheets (class)".to_owned(),
             confidence: Confidence::Secondary,
         }),
-        restitution: [Restitution::Housner, Restitution::Value(0.9), Restitution::Factor(0.95)][index % 3],
+        restitution: [
+            Restitution::Housner,
+            Restitution::Value(0.9),
+            Restitution::Factor(0.95),
+        ][index % 3],
         friction_ratio: None,
         accepted_ratio: None,
         questions: None,
@@ -131,8 +140,13 @@ pub(super) fn chain(item: &Item) -> Option<Chain> {
     let (base_m, cg_height_m) = (item.base_thickness_m, item.cg_height_m);
     let is_uniform = base_m.is_none() && cg_height_m.is_none();
     let base_m = base_m.unwrap_or(thickness_m);
-    let block = Block::uniform(height_m, thickness_m).unwrap().with_base_width(base_m).unwrap();
-    let block = block.with_cg_height(cg_height_m.unwrap_or(0.5 * height_m)).unwrap();
+    let block = Block::uniform(height_m, thickness_m)
+        .unwrap()
+        .with_base_width(base_m)
+        .unwrap();
+    let block = block
+        .with_cg_height(cg_height_m.unwrap_or(0.5 * height_m))
+        .unwrap();
     let landing = Landing::rocking(&block, ImpactModel::Paper);
     let (mass_kg, cushion) = (item.mass_kg?, &item.cushion.as_ref()?.cushion);
     let cg_rise_m = 0.25 * block.pivot().balance_rise_m();
@@ -141,7 +155,9 @@ pub(super) fn chain(item: &Item) -> Option<Chain> {
     let shock_g = 1.2 * edge_acceleration_g;
     let ratio = item.tolerance.as_ref().map(|tolerance| {
         let peak = shock_g * G0_M_S2 / tolerance.peak_m_s2.unwrap();
-        let change = tolerance.velocity_change_m_s.map(|limit| 1.2 * impact.velocity_change_m_s / limit);
+        let change = tolerance
+            .velocity_change_m_s
+            .map(|limit| 1.2 * impact.velocity_change_m_s / limit);
         change.map_or(peak, |change| peak.min(change))
     });
     Some(Chain {
@@ -176,7 +192,11 @@ pub(super) fn decision(index: usize) -> Decision {
 }
 
 fn spread(value: f64, falls: bool) -> [Ranked; 3] {
-    let upper = if falls { Ranked::Overturned } else { Ranked::Value(1.6 * value) };
+    let upper = if falls {
+        Ranked::Overturned
+    } else {
+        Ranked::Value(1.6 * value)
+    };
     [Ranked::Value(0.6 * value), Ranked::Value(value), upper]
 }
 
@@ -196,15 +216,31 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
     };
     let mut axes = vec![axis(Axis::Thickness, 0.8)];
     axes.extend(item.width_m.map(|_| axis(Axis::Width, 0.1)));
-    let capacity = item.tolerance.as_ref().zip(chain.as_ref()).map(|(tolerance, _)| CapacityCheck {
-        demand_capacity: if falls && index % 2 == 1 { Ranked::Overturned } else { Ranked::Value(1.3) },
-        demand_capacity_p84: if falls { Ranked::Overturned } else { Ranked::Value(2.1) },
-        governing: if tolerance.velocity_change_m_s.is_some() { Criterion::DamageBoundary } else { Criterion::Peak },
-        tolerance: "5 g".to_owned(),
-        source: tolerance.source.clone(),
-        decides: true,
-        floor_ratio: Some(0.06),
-    });
+    let capacity = item
+        .tolerance
+        .as_ref()
+        .zip(chain.as_ref())
+        .map(|(tolerance, _)| CapacityCheck {
+            demand_capacity: if falls && index % 2 == 1 {
+                Ranked::Overturned
+            } else {
+                Ranked::Value(1.3)
+            },
+            demand_capacity_p84: if falls {
+                Ranked::Overturned
+            } else {
+                Ranked::Value(2.1)
+            },
+            governing: if tolerance.velocity_change_m_s.is_some() {
+                Criterion::DamageBoundary
+            } else {
+                Criterion::Peak
+            },
+            tolerance: "5 g".to_owned(),
+            source: tolerance.source.clone(),
+            decides: true,
+            floor_ratio: Some(0.06),
+        });
     Assessment {
         id: item.id.clone(),
         decision,
@@ -213,11 +249,18 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,
-        floor: Some(FloorFacts { level_ratio: 0.5, pfa_g_median: 0.3, pfa_g_max: 0.52, pfv_m_s_median: 0.41 }),
+        floor: Some(FloorFacts {
+            level_ratio: 0.5,
+            pfa_g_median: 0.3,
+            pfa_g_max: 0.52,
+            pfv_m_s_median: 0.41,
+        }),
         response: Some(Response {
             motions: 20,
             failed: usize::from(index.is_multiple_of(7)),
-            failure: index.is_multiple_of(7).then(|| "the cushion bottoms".to_owned()),
+            failure: index
+                .is_multiple_of(7)
+                .then(|| "the cushion bottoms".to_owned()),
             uplift_share: 0.8,
             overturn_share: if falls { 0.3 } else { 0.0 },
             uplift_m: spread(0.031, falls),
@@ -235,11 +278,23 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             stiffness_n_m: Some(4.38e6),
             impacts_above_tolerance: item.tolerance.is_some().then_some(3),
         }),
-        p_overturn: Some(Probability { value: if falls { 0.31 } else { 0.0 }, low: 0.0, high: 0.46 }),
-        p_exceed: capacity.is_some().then_some(Probability { value: 0.42, low: 0.31, high: 0.53 }),
+        p_overturn: Some(Probability {
+            value: if falls { 0.31 } else { 0.0 },
+            low: 0.0,
+            high: 0.46,
+        }),
+        p_exceed: capacity.is_some().then_some(Probability {
+            value: 0.42,
+            low: 0.31,
+            high: 0.53,
+        }),
         capacity,
         answers: Some(answers(falls, item.tolerance.is_some(), index)),
-        model: Some(if index % 4 == 3 { ObjectModel::Compliant } else { ObjectModel::RockWall }),
+        model: Some(if index % 4 == 3 {
+            ObjectModel::Compliant
+        } else {
+            ObjectModel::RockWall
+        }),
         at_wall: (index % 4 != 3).then_some(AtWall {
             lean_share: 0.05,
             strike_share: 0.7,
@@ -278,7 +333,11 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             measure_first: Some((Cause::Pad, 0.04, 0.31)),
         }),
         per_year: None,
-        sliding: Some(Sliding { verdict: SlidingVerdict::Possible, friction_ratio: (0.3, 0.7), is_stated: false }),
+        sliding: Some(Sliding {
+            verdict: SlidingVerdict::Possible,
+            friction_ratio: (0.3, 0.7),
+            is_stated: false,
+        }),
         softening: (decision == Decision::Soften).then(|| Softening {
             max_stiffness_n_m: Some(1.1e6),
             stroke_m: Some(0.011),
@@ -299,11 +358,30 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
 }
 
 fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
-    let overturn = Probability { value: if falls { 0.31 } else { 0.0 }, low: 0.0, high: 0.46 };
-    let model = ModelAnswers { overturn, exceed: Some(Probability { value: 0.42, low: 0.31, high: 0.53 }) };
+    let overturn = Probability {
+        value: if falls { 0.31 } else { 0.0 },
+        low: 0.0,
+        high: 0.46,
+    };
+    let model = ModelAnswers {
+        overturn,
+        exceed: Some(Probability {
+            value: 0.42,
+            low: 0.31,
+            high: 0.53,
+        }),
+    };
     Answers {
-        falls: if falls { FallsAnswer::Falls } else { FallsAnswer::Stays },
-        shock: if asks_shock { ShockAnswer::Exceeded } else { ShockAnswer::Unknown },
+        falls: if falls {
+            FallsAnswer::Falls
+        } else {
+            FallsAnswer::Stays
+        },
+        shock: if asks_shock {
+            ShockAnswer::Exceeded
+        } else {
+            ShockAnswer::Unknown
+        },
         asks_shock,
         models_agree: (index % 4 == 3).then_some(true),
         worlds: 80,
@@ -321,7 +399,11 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
 
 fn forces() -> Vec<RestraintForce> {
     let force = |source: &str, force_n: f64, anchor_tension_n: f64| RestraintForce {
-        kind: if source.starts_with("ASCE") { RestraintKind::OtherCode } else { RestraintKind::OwnCode },
+        kind: if source.starts_with("ASCE") {
+            RestraintKind::OtherCode
+        } else {
+            RestraintKind::OwnCode
+        },
         source: source.to_owned(),
         force_n,
         force_ratio: 0.42,
@@ -335,7 +417,10 @@ fn forces() -> Vec<RestraintForce> {
         bracket_base_shear_n: 0.5 * force_n,
         note: "F = a_floor I_c a_c / R_c · W = 0.3 × 1.0 × 1.0 / 1.0 × W".to_owned(),
     };
-    vec![force("AS 1170.4-2007, 8.2", 410.0, 950.0), force("ASCE 7-22, 13.3.1", 530.0, 720.0)]
+    vec![
+        force("AS 1170.4-2007, 8.2", 410.0, 950.0),
+        force("ASCE 7-22, 13.3.1", 530.0, 720.0),
+    ]
 }
 
 /// Items with hostile texts, and one with nothing but a name.
@@ -343,7 +428,13 @@ pub(super) fn hostile_items() -> Vec<Item> {
     let mut items: Vec<Item> = (0..8).map(item).collect();
     for (item, text) in items.iter_mut().zip(HOSTILE) {
         item.id = format!("{text}{}", item.row);
-        for field in [&mut item.item, &mut item.location, &mut item.floor, &mut item.room, &mut item.notes] {
+        for field in [
+            &mut item.item,
+            &mut item.location,
+            &mut item.floor,
+            &mut item.room,
+            &mut item.notes,
+        ] {
             *field = text.to_owned();
         }
         item.carried = vec![text.to_owned()];
@@ -396,25 +487,49 @@ pub(super) fn unknown(item: &Item) -> Assessment {
 
 /// The rows of an inventory, ranked backwards, as far as `assessed` says.
 pub(super) fn rows(inventory: &Inventory, assessed: usize) -> Vec<Row<'_>> {
-    let rows = inventory.items.iter().take(assessed).enumerate().map(|(index, item)| {
-        let mut found = if item.height_m.is_none() { unknown(item) } else { assessment(item, index) };
-        if item.notes.contains(HOSTILE[0]) {
-            found.why = HOSTILE.concat();
-            found.notes = vec![HOSTILE.concat()];
-            found.context = vec![HOSTILE.concat()];
-        }
-        Row { rank: assessed - index, item, found }
-    });
+    let rows = inventory
+        .items
+        .iter()
+        .take(assessed)
+        .enumerate()
+        .map(|(index, item)| {
+            let mut found = if item.height_m.is_none() {
+                unknown(item)
+            } else {
+                assessment(item, index)
+            };
+            if item.notes.contains(HOSTILE[0]) {
+                found.why = HOSTILE.concat();
+                found.notes = vec![HOSTILE.concat()];
+                found.context = vec![HOSTILE.concat()];
+            }
+            Row {
+                rank: assessed - index,
+                item,
+                found,
+            }
+        });
     rows.collect()
 }
 
 /// Writes everything about the first `assessed` objects and gives the folder.
-pub(super) fn written(inventory: &Inventory, assessed: usize, wanted: Wanted) -> (tempfile::TempDir, Vec<String>) {
+pub(super) fn written(
+    inventory: &Inventory,
+    assessed: usize,
+    wanted: Wanted,
+) -> (tempfile::TempDir, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     let out = OutputFolder::stage(&folder.path().join("out"), false, &[]).unwrap();
     let rows = rows(inventory, assessed);
     let mut rows = rows.into_iter().map(Ok::<_, Problem>);
-    write_all(&out, &head(inventory.items.len()), inventory, wanted, &mut rows).unwrap();
+    write_all(
+        &out,
+        &head(inventory.items.len()),
+        inventory,
+        wanted,
+        &mut rows,
+    )
+    .unwrap();
     let names = out.names().unwrap();
     out.commit().unwrap();
     (folder, names)

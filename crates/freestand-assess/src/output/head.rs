@@ -54,7 +54,11 @@ const IN_MEMORY: &str = ".freestand-study-";
 
 /// The name of the file of the study, or where it comes from.
 fn study_name(study: &Study) -> String {
-    let file = study.source.as_deref().and_then(Path::file_name).map(OsStr::to_string_lossy);
+    let file = study
+        .source
+        .as_deref()
+        .and_then(Path::file_name)
+        .map(OsStr::to_string_lossy);
     match file {
         Some(name) if !name.starts_with(IN_MEMORY) => name.into_owned(),
         None if study.is_builtin => "the built-in study".to_owned(),
@@ -70,13 +74,19 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
     fact("Study", study_name(study));
     if let Some(building) = &study.building {
         let period = number(building.along.period_s(), 3);
-        fact("Period of the building", format!("T₁ = {period} s: {}", building.period_note));
+        fact(
+            "Period of the building",
+            format!("T₁ = {period} s: {}", building.period_note),
+        );
     }
     if let Some(seed) = study.ground.seed() {
         fact("Seed of the motions", seed.to_string());
     }
     fact("Seed of the draws", study.assessment.seed.to_string());
-    fact("Version", format!("freestand {}", env!("CARGO_PKG_VERSION")));
+    fact(
+        "Version",
+        format!("freestand {}", env!("CARGO_PKG_VERSION")),
+    );
     Head {
         no_study: no_study(study),
         place: place(study, inventory),
@@ -113,9 +123,14 @@ fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
     }
     let needed = inventory.items.iter().filter_map(|item| {
         let (accepted_ratio, _) = accepted(item, &study.assessment);
-        looks.fewest_worlds(accepted_ratio).ok().filter(|needed| *needed > looks.most())
+        looks
+            .fewest_worlds(accepted_ratio)
+            .ok()
+            .filter(|needed| *needed > looks.most())
     });
-    let (objects, most) = needed.fold((0, 0), |(objects, most), needed| (objects + 1, needed.max(most)));
+    let (objects, most) = needed.fold((0, 0), |(objects, most), needed| {
+        (objects + 1, needed.max(most))
+    });
     (objects > 0).then(|| {
         format!(
             "{} worlds at most cannot show that an object stays, even if it never falls: {} of {} cannot be left as they \
@@ -135,23 +150,46 @@ fn place_name(study: &Study) -> Option<String> {
 /// Whose building and whose hazard this is, where nobody stated them.
 fn no_study(study: &Study) -> Option<String> {
     let unstated = study.unstated(1.0)?;
-    let storeys = study.building.as_ref().map_or_else(String::new, |building| format!("{}-storey ", building.storeys));
+    let storeys = study
+        .building
+        .as_ref()
+        .map_or_else(String::new, |building| {
+            format!("{}-storey ", building.storeys)
+        });
     let name = study.building_name.as_deref().unwrap_or("building");
     let place = place_name(study).map_or_else(String::new, |place| format!(" in {place}"));
     let whose = match unstated {
-        Unstated::Place => format!("the hazard is that{}, not yours", place.replace(" in ", " of ")),
-        Unstated::Building | Unstated::Both => format!("this is a {storeys}{name}{place}, not your building"),
+        Unstated::Place => format!(
+            "the hazard is that{}, not yours",
+            place.replace(" in ", " of ")
+        ),
+        Unstated::Building | Unstated::Both => {
+            format!("this is a {storeys}{name}{place}, not your building")
+        }
     };
-    Some(format!("Nobody stated {}: {whose}. Give {}.", unstated.words(), unstated.keys()))
+    Some(format!(
+        "Nobody stated {}: {whose}. Give {}.",
+        unstated.words(),
+        unstated.keys()
+    ))
 }
 
 /// `Main block, 8 storeys, 32 m high`.
 pub(crate) fn building(study: &Study) -> String {
     let size = study.building.as_ref().map_or_else(
         || "the study gives the motions of the floors".to_owned(),
-        |building| format!("{}, {} m high", counted(building.storeys, "storey"), number(building.height_m, 4)),
+        |building| {
+            format!(
+                "{}, {} m high",
+                counted(building.storeys, "storey"),
+                number(building.height_m, 4)
+            )
+        },
     );
-    study.building_name.as_ref().map_or_else(|| size.clone(), |name| format!("{name}, {size}"))
+    study
+        .building_name
+        .as_ref()
+        .map_or_else(|| size.clone(), |name| format!("{name}, {size}"))
 }
 
 /// `Melbourne (AS 1170.4, site class Ce, 500 years)`; `None` where the ground motions have no spectrum
@@ -174,7 +212,10 @@ fn hazard_words(target: &Target) -> Vec<String> {
     let years = target.spectrum.return_period_years();
     let site = target.spectrum.site_name().map(|_| target.site_words());
     let code = Some(target.spectrum.name().to_owned());
-    [code, site, years.map(|years| format!("{years} years"))].into_iter().flatten().collect()
+    [code, site, years.map(|years| format!("{years} years"))]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
@@ -182,37 +223,73 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("Building", building(study));
     if let Some(target) = study.ground.code_spectrum() {
-        let approximate = target.place.is_some_and(|place| place.confidence == Confidence::Approximate);
-        let confirm = if approximate { " (approximate hazard: confirm it)" } else { "" };
-        fact("Place", target.place_name().map_or_else(|| "not given".to_owned(), |name| format!("{name}{confirm}")));
+        let approximate = target
+            .place
+            .is_some_and(|place| place.confidence == Confidence::Approximate);
+        let confirm = if approximate {
+            " (approximate hazard: confirm it)"
+        } else {
+            ""
+        };
+        fact(
+            "Place",
+            target
+                .place_name()
+                .map_or_else(|| "not given".to_owned(), |name| format!("{name}{confirm}")),
+        );
         fact("Code", target.one_line());
         fact("Site", target.site_words());
         let years = target.spectrum.return_period_years();
         let of_code = || "that of the hazard values of the code".to_owned();
-        fact("Return period", years.map_or_else(of_code, |years| format!("{years} years")));
+        fact(
+            "Return period",
+            years.map_or_else(of_code, |years| format!("{years} years")),
+        );
     }
     fact("Motions", motions(study));
-    let file = inventory.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let sheet = inventory.sheet.as_ref().map_or_else(String::new, |sheet| format!(", sheet {sheet}"));
-    fact("List", format!("{file}{sheet}, {}", counted(inventory.items.len(), "object")));
+    let file = inventory
+        .path
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let sheet = inventory
+        .sheet
+        .as_ref()
+        .map_or_else(String::new, |sheet| format!(", sheet {sheet}"));
+    fact(
+        "List",
+        format!(
+            "{file}{sheet}, {}",
+            counted(inventory.items.len(), "object")
+        ),
+    );
     facts
 }
 
 fn motions(study: &Study) -> String {
     let of = match &study.ground {
         Ground::Synthetic(synthetic) => {
-            return format!("synthetic, a new one in every world: {}", synthetic.target.title_words());
+            return format!(
+                "synthetic, a new one in every world: {}",
+                synthetic.target.title_words()
+            );
         }
         Ground::Simulated(simulated) => simulated.title_words(),
         Ground::Recorded(_) => match (study.ground.suite(), study.ground.target()) {
-            (Some(suite), _) => format!("records selected and scaled for {}", suite.target.title_words()),
+            (Some(suite), _) => format!(
+                "records selected and scaled for {}",
+                suite.target.title_words()
+            ),
             (None, Some(target)) => format!("records matched to {}", target.title_words()),
             (None, None) => "records".to_owned(),
         },
         Ground::OnFloors => "given floor motions".to_owned(),
     };
     let count = study.ground.names(&study.levels).len();
-    format!("{}, used by the worlds in turn: {of}", counted(count, "motion"))
+    format!(
+        "{}, used by the worlds in turn: {of}",
+        counted(count, "motion")
+    )
 }
 
 /// `2, 5, 20 %`: a probability for each rating.
@@ -225,9 +302,15 @@ fn ratings_words(ratios: [f64; 3]) -> String {
 fn free_standing(study: &Study, inventory: &Inventory) -> String {
     let all = inventory.items.len();
     let is_free = |around: &Surroundings| {
-        around.wall_gap_m.is_none() && around.neighbour_gap_m.is_none() && around.casters != Some(Casters::Free)
+        around.wall_gap_m.is_none()
+            && around.neighbour_gap_m.is_none()
+            && around.casters != Some(Casters::Free)
     };
-    let without = inventory.items.iter().filter(|item| is_free(&item.surroundings)).count();
+    let without = inventory
+        .items
+        .iter()
+        .filter(|item| is_free(&item.surroundings))
+        .count();
     match study.assessment.walls {
         WallUse::Ignore => {
             "Every object is assessed as free-standing: the study ignores the walls and neighbours of the list."
@@ -260,7 +343,11 @@ fn planes(study: &Study) -> &'static str {
 
 /// How many objects roll, and what that means; nothing where none does.
 fn rolling(inventory: &Inventory) -> Option<String> {
-    let count = inventory.items.iter().filter(|item| item.surroundings.casters == Some(Casters::Free)).count();
+    let count = inventory
+        .items
+        .iter()
+        .filter(|item| item.surroundings.casters == Some(Casters::Free))
+        .count();
     (count > 0).then(|| {
         format!(
             "On free casters: {}. What rolls does not rock: its verdict is its travel, and the speed at its stop where the \
@@ -307,7 +394,10 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
 
 /// What neither the study nor the list says, in sentences.
 pub(crate) fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
-    nobody_stated(study).into_iter().chain(list_is_silent(inventory)).collect()
+    nobody_stated(study)
+        .into_iter()
+        .chain(list_is_silent(inventory))
+        .collect()
 }
 
 /// What nobody stated of the place and the building.
@@ -319,7 +409,8 @@ fn nobody_stated(study: &Study) -> Option<String> {
 /// The columns that are empty for some objects, and what is then assumed.
 fn list_is_silent(inventory: &Inventory) -> Option<String> {
     let all = assumed::counted(&inventory.items);
-    let of = |(column, objects, words): &(&str, usize, &str)| format!("{column} ({objects}): {words}");
+    let of =
+        |(column, objects, words): &(&str, usize, &str)| format!("{column} ({objects}): {words}");
     let said: Vec<String> = all.iter().map(of).collect();
     (!said.is_empty()).then(|| {
         format!(
@@ -344,7 +435,11 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
     let mut assumed = silent(study, inventory);
-    assumed.extend(study.two_spectra_words().map(|words| format!("Assumed: {words}.")));
+    assumed.extend(
+        study
+            .two_spectra_words()
+            .map(|words| format!("Assumed: {words}.")),
+    );
     assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(

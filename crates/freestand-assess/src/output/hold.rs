@@ -52,14 +52,24 @@ enum Hold {
 
 impl Hold {
     fn of(item: &Item) -> Self {
-        let is_named = canonical(&item.item).split(|letter: char| !letter.is_alphanumeric()).any(|word| {
-            let singular = word.strip_suffix('s').unwrap_or(word);
-            MOBILE.contains(&word) || MOBILE.contains(&singular)
-        });
-        if matches!(item.surroundings.casters, Some(Casters::Free | Casters::Braked)) || is_named {
+        let is_named = canonical(&item.item)
+            .split(|letter: char| !letter.is_alphanumeric())
+            .any(|word| {
+                let singular = word.strip_suffix('s').unwrap_or(word);
+                MOBILE.contains(&word) || MOBILE.contains(&singular)
+            });
+        if matches!(
+            item.surroundings.casters,
+            Some(Casters::Free | Casters::Braked)
+        ) || is_named
+        {
             return Self::Tether;
         }
-        if item.mass_kg.is_some_and(|mass_kg| mass_kg < SMALL_KG) { Self::Strap } else { Self::Anchor }
+        if item.mass_kg.is_some_and(|mass_kg| mass_kg < SMALL_KG) {
+            Self::Strap
+        } else {
+            Self::Anchor
+        }
     }
 }
 
@@ -101,8 +111,15 @@ mod tests {
     fn the_action_fits_the_object() {
         assert_eq!(of("Drug trolley", |_| ()), Hold::Tether);
         assert_eq!(of("Infant incubators", |_| ()), Hold::Tether);
-        assert_eq!(of("Ultrasound", |item| item.surroundings.casters = Some(Casters::Free)), Hold::Tether);
-        assert_eq!(of("Patient monitor", |item| item.mass_kg = Some(9.0)), Hold::Strap);
+        assert_eq!(
+            of("Ultrasound", |item| item.surroundings.casters =
+                Some(Casters::Free)),
+            Hold::Tether
+        );
+        assert_eq!(
+            of("Patient monitor", |item| item.mass_kg = Some(9.0)),
+            Hold::Strap
+        );
         assert_eq!(of("Instrument cabinet", |_| ()), Hold::Anchor);
         // A word within another one is none.
         assert_eq!(of("Cartography cabinet", |_| ()), Hold::Anchor);

@@ -109,9 +109,17 @@ pub(crate) fn write_all(
     let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
     let mut next = rows.next().transpose()?;
     for item in &inventory.items {
-        let is_assessed = next.as_ref().is_some_and(|row| row.item.row == item.row && row.item.id == item.id);
+        let is_assessed = next
+            .as_ref()
+            .is_some_and(|row| row.item.row == item.row && row.item.id == item.id);
         let row = if is_assessed { next.take() } else { None };
-        outputs.add(inventory, &Line { item, found: row.as_ref().map(|row| (row.rank, &row.found)) })?;
+        outputs.add(
+            inventory,
+            &Line {
+                item,
+                found: row.as_ref().map(|row| (row.rank, &row.found)),
+            },
+        )?;
         if is_assessed {
             next = rows.next().transpose()?;
         }
@@ -134,15 +142,26 @@ struct Outputs {
 }
 
 impl Outputs {
-    fn begin(folder: &OutputFolder, head: &Head, inventory: &Inventory, wanted: Wanted) -> Result<Self, Problem> {
+    fn begin(
+        folder: &OutputFolder,
+        head: &Head,
+        inventory: &Inventory,
+        wanted: Wanted,
+    ) -> Result<Self, Problem> {
         let total = head.total.max(inventory.items.len());
         Ok(Self {
             overview: Overview::new(total, URGENT_ROWS),
             sources: Sources::default(),
             csv: CsvTable::begin(folder, inventory)?,
             worklist: Worklist::begin(folder)?,
-            parquet: wanted.parquet.then(|| ParquetTable::begin(folder, head, inventory)).transpose()?,
-            book: wanted.workbook.then(|| Book::begin(folder, inventory)).transpose()?,
+            parquet: wanted
+                .parquet
+                .then(|| ParquetTable::begin(folder, head, inventory))
+                .transpose()?,
+            book: wanted
+                .workbook
+                .then(|| Book::begin(folder, inventory))
+                .transpose()?,
             report: wanted.report.then(|| Report::new(wanted.pages)),
         })
     }
@@ -179,20 +198,26 @@ impl Outputs {
         if let Some(report) = self.report {
             report.write(folder, head, &self.overview)?;
         }
-        let first = self.overview.urgent.into_values().take(FIRST_ROWS).map(|one| First {
-            rank: one.rank,
-            id: one.id,
-            item: one.item,
-            floor: one.floor,
-            action: one.decision,
-            chance: one.chance,
-            force_n: one.force_n,
-        });
+        let first = self
+            .overview
+            .urgent
+            .into_values()
+            .take(FIRST_ROWS)
+            .map(|one| First {
+                rank: one.rank,
+                id: one.id,
+                item: one.item,
+                floor: one.floor,
+                action: one.decision,
+                chance: one.chance,
+                force_n: one.force_n,
+            });
         Ok(first.collect())
     }
 }
 
 fn out_of_order(id: &str) -> Problem {
     let message = format!("the result of \"{id}\" is not in the order of the inventory");
-    Problem::new(ProblemKind::Computation, message).hint("this is a defect in freestand: please report it")
+    Problem::new(ProblemKind::Computation, message)
+        .hint("this is a defect in freestand: please report it")
 }

@@ -57,7 +57,9 @@ pub(crate) fn outcomes_head() -> Result<Vec<u8>, Problem> {
 }
 
 /// Rows of the file, without its header.
-pub(crate) fn outcomes_rows<'a>(rows: impl Iterator<Item = OutcomeRow<'a>>) -> Result<Vec<u8>, Problem> {
+pub(crate) fn outcomes_rows<'a>(
+    rows: impl Iterator<Item = OutcomeRow<'a>>,
+) -> Result<Vec<u8>, Problem> {
     let flag = |one: Option<bool>| one.map_or(Cell::Missing, |one| Cell::Count(u64::from(one)));
     let cells = |row: OutcomeRow<'a>| {
         let demand = match row.demand_capacity_ratio {

@@ -37,10 +37,15 @@ pub fn object_rows<E: From<Problem>>(
             .hint("run the assessment again, and leave the file as it is until it has ended")
     };
     let header = reader.headers().map_err(|_| changed())?.clone();
-    let kinds: Vec<Kind> = (0..header.len()).map(|i| COLUMNS.get(i).map_or(Kind::Text, |column| column.kind)).collect();
+    let kinds: Vec<Kind> = (0..header.len())
+        .map(|i| COLUMNS.get(i).map_or(Kind::Text, |column| column.kind))
+        .collect();
     let mut items = inventory.items.iter();
     for record in reader.into_records() {
-        let (record, item) = (record.map_err(|_| changed())?, items.next().ok_or_else(changed)?);
+        let (record, item) = (
+            record.map_err(|_| changed())?,
+            items.next().ok_or_else(changed)?,
+        );
         let mut row = Map::new();
         for ((name, kind), field) in header.iter().zip(&kinds).zip(&record) {
             row.insert(name.to_owned(), value(*kind, field).ok_or_else(changed)?);
@@ -48,7 +53,11 @@ pub fn object_rows<E: From<Problem>>(
         row.insert(ROW.to_owned(), Value::from(item.row));
         each(&row)?;
     }
-    if items.next().is_some() { Err(changed().into()) } else { Ok(()) }
+    if items.next().is_some() {
+        Err(changed().into())
+    } else {
+        Ok(())
+    }
 }
 
 /// Rows of `objects.csv` as JSON, before there is a file.
@@ -59,14 +68,26 @@ pub(crate) struct JsonRows<'i> {
 
 impl<'i> JsonRows<'i> {
     pub(crate) fn new(inventory: &'i Inventory) -> Self {
-        Self { inventory, carried: carried_names(&inventory.carried) }
+        Self {
+            inventory,
+            carried: carried_names(&inventory.carried),
+        }
     }
 
     /// The row of an object, as [`object_rows`] reads it.
     pub(crate) fn row(&self, item: &Item, rank: usize, found: &Assessment) -> Map<String, Value> {
-        let line = Line { item, found: Some((rank, found)) };
-        let own = COLUMNS.iter().map(|column| (column.name.to_owned(), json((column.cell)(&line))));
-        let carried = self.carried.iter().cloned().zip(carried_cells(self.inventory, item).map(json));
+        let line = Line {
+            item,
+            found: Some((rank, found)),
+        };
+        let own = COLUMNS
+            .iter()
+            .map(|column| (column.name.to_owned(), json((column.cell)(&line))));
+        let carried = self
+            .carried
+            .iter()
+            .cloned()
+            .zip(carried_cells(self.inventory, item).map(json));
         let row = (ROW.to_owned(), Value::from(item.row));
         own.chain(carried).chain([row]).collect()
     }
@@ -103,7 +124,12 @@ mod tests {
     use crate::output::Wanted;
     use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
 
-    const CSV_ALONE: Wanted = Wanted { parquet: false, workbook: false, report: false, pages: 0 };
+    const CSV_ALONE: Wanted = Wanted {
+        parquet: false,
+        workbook: false,
+        report: false,
+        pages: 0,
+    };
 
     fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {
         let (folder, _) = written(inventory, inventory.items.len(), CSV_ALONE);
@@ -129,14 +155,39 @@ mod tests {
         let rows = rows(&inventory((0..4).map(item).collect()));
         let first = &rows[0];
         assert_eq!(
-            (first["row"].as_u64(), first["rank"].as_u64(), rows[3]["row"].as_u64()),
+            (
+                first["row"].as_u64(),
+                first["rank"].as_u64(),
+                rows[3]["row"].as_u64()
+            ),
             (Some(2), Some(4), Some(5))
         );
-        assert_eq!((first["id"].as_str(), first["quantity"].as_u64()), (Some("O-0000"), Some(1)));
-        assert_eq!((first["falls"].as_str(), first["close_call"].as_bool()), (Some("falls"), Some(false)));
-        assert_eq!((first["restraint_force_n"].as_f64(), first["width_m"].is_null()), (Some(410.0), true));
-        assert_eq!(first["edge_acceleration_g_p84"].as_str(), Some("overturned"));
-        assert_eq!((rows[1]["life_safety"].as_str(), rows[0]["life_safety"].is_null()), (Some("high"), true));
+        assert_eq!(
+            (first["id"].as_str(), first["quantity"].as_u64()),
+            (Some("O-0000"), Some(1))
+        );
+        assert_eq!(
+            (first["falls"].as_str(), first["close_call"].as_bool()),
+            (Some("falls"), Some(false))
+        );
+        assert_eq!(
+            (
+                first["restraint_force_n"].as_f64(),
+                first["width_m"].is_null()
+            ),
+            (Some(410.0), true)
+        );
+        assert_eq!(
+            first["edge_acceleration_g_p84"].as_str(),
+            Some("overturned")
+        );
+        assert_eq!(
+            (
+                rows[1]["life_safety"].as_str(),
+                rows[0]["life_safety"].is_null()
+            ),
+            (Some("high"), true)
+        );
         // A carried number stays the text of the inventory, without the mark for spreadsheets.
         assert_eq!(first["rank (inventory)"].as_str(), Some("-12"));
     }
@@ -146,8 +197,10 @@ mod tests {
     fn rows_before_there_is_a_file_are_the_same() {
         let inventory = inventory(hostile_items());
         let told = JsonRows::new(&inventory);
-        for (read, row) in rows(&inventory).iter().zip(crate::output::fixture::rows(&inventory, inventory.items.len()))
-        {
+        for (read, row) in rows(&inventory).iter().zip(crate::output::fixture::rows(
+            &inventory,
+            inventory.items.len(),
+        )) {
             assert_eq!(*read, told.row(row.item, row.rank, &row.found));
         }
     }
@@ -164,7 +217,13 @@ mod tests {
     fn another_table_is_refused() {
         let (folder, _) = written(&inventory((0..3).map(item).collect()), 3, CSV_ALONE);
         let more = inventory((0..4).map(item).collect());
-        let problem = object_rows(&folder.path().join("out"), &more, |_| Ok::<(), Problem>(())).unwrap_err();
-        assert!(problem.to_string().contains("is not the table that this run wrote"), "{problem}");
+        let problem =
+            object_rows(&folder.path().join("out"), &more, |_| Ok::<(), Problem>(())).unwrap_err();
+        assert!(
+            problem
+                .to_string()
+                .contains("is not the table that this run wrote"),
+            "{problem}"
+        );
     }
 }

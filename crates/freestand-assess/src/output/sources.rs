@@ -23,19 +23,29 @@ impl Sources {
     /// Counts the sources of one row.
     pub(super) fn add(&mut self, line: &Line) {
         if let Some(tolerance) = &line.item.tolerance {
-            self.count("tolerance", &tolerance.source, tolerance.confidence.description());
+            self.count(
+                "tolerance",
+                &tolerance.source,
+                tolerance.confidence.description(),
+            );
         }
         if let Some(source) = &line.item.cushion_source {
             self.count("cushion", source, "an estimate, not a measurement");
         }
-        for force in line.assessment().into_iter().flat_map(|found| &found.restraint) {
+        for force in line
+            .assessment()
+            .into_iter()
+            .flat_map(|found| &found.restraint)
+        {
             self.count("restraint force", &force.source, force.kind.description());
         }
     }
 
     /// What the number is, its source, its trust and the number of objects, in alphabetical order.
     pub(super) fn rows(&self) -> impl Iterator<Item = (&'static str, &str, &'static str, usize)> {
-        self.objects.iter().map(|((what, source, worth), count)| (*what, source.as_str(), *worth, *count))
+        self.objects
+            .iter()
+            .map(|((what, source, worth), count)| (*what, source.as_str(), *worth, *count))
     }
 
     fn count(&mut self, what: &'static str, source: &str, worth: &'static str) {
@@ -70,7 +80,13 @@ mod tests {
         // Some 2000 pads and the others together; a tolerance in three of four rows; the two
         // clauses were counted first.
         assert!(found.len() <= MAX_SOURCES + 1);
-        let of = |what: &str| found.iter().filter(|row| row.0 == what).map(|row| row.3).sum::<usize>();
+        let of = |what: &str| {
+            found
+                .iter()
+                .filter(|row| row.0 == what)
+                .map(|row| row.3)
+                .sum::<usize>()
+        };
         assert_eq!((of("tolerance"), of("cushion")), (1_575, 2_100));
         assert!(found.iter().any(|row| row.1 == "other sources"));
     }

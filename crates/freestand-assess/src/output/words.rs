@@ -50,11 +50,26 @@ pub fn advice(decision: Decision) -> &'static str {
 /// their lightness differs.
 pub fn colours(decision: Decision) -> Colours {
     match decision {
-        Decision::Restrain => Colours { ink: 0x00A8_4300, fill: 0x00F7_C5A0 },
-        Decision::Soften => Colours { ink: 0x0000_5A8C, fill: 0x00BF_DDF2 },
-        Decision::Lock => Colours { ink: 0x008A_2A66, fill: 0x00F2_D3E6 },
-        Decision::NoVerdict => Colours { ink: 0x0055_5555, fill: 0x00E4_E4E4 },
-        Decision::Leave => Colours { ink: 0x0000_6B4E, fill: 0x00D3_EFE4 },
+        Decision::Restrain => Colours {
+            ink: 0x00A8_4300,
+            fill: 0x00F7_C5A0,
+        },
+        Decision::Soften => Colours {
+            ink: 0x0000_5A8C,
+            fill: 0x00BF_DDF2,
+        },
+        Decision::Lock => Colours {
+            ink: 0x008A_2A66,
+            fill: 0x00F2_D3E6,
+        },
+        Decision::NoVerdict => Colours {
+            ink: 0x0055_5555,
+            fill: 0x00E4_E4E4,
+        },
+        Decision::Leave => Colours {
+            ink: 0x0000_6B4E,
+            fill: 0x00D3_EFE4,
+        },
     }
 }
 
@@ -89,13 +104,22 @@ pub fn ranked_milli(value: Ranked, unit: &str) -> String {
 /// `42 % (31–53 %)`.
 pub fn probability(probability: Probability) -> String {
     let Probability { value, low, high } = probability;
-    if low == high { percent(value, 0) } else { with_interval(probability, "") }
+    if low == high {
+        percent(value, 0)
+    } else {
+        with_interval(probability, "")
+    }
 }
 
 /// With its interval, and `after` that in the brackets.
 fn with_interval(Probability { value, low, high }: Probability, after: &str) -> String {
     let digits = |share: f64| fixed(100.0 * share, usize::from(high < 0.1));
-    format!("{} % ({}–{} %{after})", digits(value), digits(low), digits(high))
+    format!(
+        "{} % ({}–{} %{after})",
+        digits(value),
+        digits(low),
+        digits(high)
+    )
 }
 
 /// P(it falls) in words; a dash where it is not known. Motions that are too few to leave an object
@@ -111,14 +135,24 @@ pub fn exceeded(found: &Assessment) -> String {
 
 /// The probability that decides in words: `falls 31 % (25–37 %)`.
 pub fn chance(found: &Assessment) -> String {
-    let Some(answers) = &found.answers else { return "–".to_owned() };
-    let is_shock = answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
-    if is_shock { format!("exceeded {}", exceeded(found)) } else { format!("falls {}", falls(found)) }
+    let Some(answers) = &found.answers else {
+        return "–".to_owned();
+    };
+    let is_shock =
+        answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
+    if is_shock {
+        format!("exceeded {}", exceeded(found))
+    } else {
+        format!("falls {}", falls(found))
+    }
 }
 
 fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
     let Some(p) = p else { return "–".to_owned() };
-    let few = found.answers.as_ref().and_then(|answers| answers.few_motions);
+    let few = found
+        .answers
+        .as_ref()
+        .and_then(|answers| answers.few_motions);
     few.map_or_else(
         || probability(p),
         |few| with_interval(p, &format!(", {}", counted(few.motions as usize, "motion"))),
@@ -131,7 +165,8 @@ pub fn margin(found: &Assessment) -> String {
         None => "not known: no tolerance was given".to_owned(),
         Some(Ranked::Overturned) => "at least half of the worlds overturn it".to_owned(),
         Some(Ranked::NoData) if found.rolled.is_some() => {
-            "not known: its mass or the stiffness of its stop (wall_stiffness) was not given".to_owned()
+            "not known: its mass or the stiffness of its stop (wall_stiffness) was not given"
+                .to_owned()
         }
         Some(Ranked::NoData) => "not known: its mass or its cushion was not given".to_owned(),
         Some(Ranked::Value(ratio)) => number(ratio, 3),
@@ -189,8 +224,16 @@ mod tests {
     fn the_probability_that_decides_is_named() {
         let item = crate::output::fixture::item(0);
         let mut found = crate::output::fixture::assessment(&item, 0);
-        found.p_overturn = Some(Probability { value: 0.0, low: 0.0, high: 0.78 });
-        found.p_exceed = Some(Probability { value: 0.42, low: 0.31, high: 0.53 });
+        found.p_overturn = Some(Probability {
+            value: 0.0,
+            low: 0.0,
+            high: 0.78,
+        });
+        found.p_exceed = Some(Probability {
+            value: 0.42,
+            low: 0.31,
+            high: 0.53,
+        });
         assert_eq!(chance(&found), "falls 0 % (0–78 %)");
         found.answers.as_mut().unwrap().few_motions = crate::result::FewMotions::of(3, Some(44));
         assert_eq!(
@@ -201,7 +244,16 @@ mod tests {
         (answers.few_motions, answers.falls) = (None, FallsAnswer::Stays);
         assert_eq!(chance(&found), "exceeded 42 % (31–53 %)");
         found.answers = None;
-        assert_eq!((chance(&found), falls(&Assessment { p_overturn: None, ..found })), ("–".into(), "–".into()));
+        assert_eq!(
+            (
+                chance(&found),
+                falls(&Assessment {
+                    p_overturn: None,
+                    ..found
+                })
+            ),
+            ("–".into(), "–".into())
+        );
     }
 
     /// Word, sign and colour of every decision differ from those of the others.
@@ -209,7 +261,10 @@ mod tests {
     fn decisions_are_told_apart_without_colour() {
         for a in Decision::ALL {
             for b in Decision::ALL {
-                assert!(a == b || (sign(a) != sign(b) && label(a) != label(b) && colours(a) != colours(b)));
+                assert!(
+                    a == b
+                        || (sign(a) != sign(b) && label(a) != label(b) && colours(a) != colours(b))
+                );
             }
         }
     }

@@ -80,15 +80,25 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
     match (found.decision, force) {
         (Decision::Leave, _) => String::new(),
         (Decision::Lock, _) => give_room(found, "Lock it, tether it, or"),
-        (Decision::Restrain, _) if found.rolled.is_some() => give_room(found, "Tether it or restrain it, or"),
+        (Decision::Restrain, _) if found.rolled.is_some() => {
+            give_room(found, "Tether it or restrain it, or")
+        }
         (Decision::Restrain, Some(force)) => how_to_hold(item, force),
-        (Decision::Restrain, None) => "Find out its mass: the force of the restraint depends on it.".to_owned(),
+        (Decision::Restrain, None) => {
+            "Find out its mass: the force of the restraint depends on it.".to_owned()
+        }
         (Decision::Soften, _) => {
-            let stiffness = found.softening.as_ref().and_then(|softening| softening.max_stiffness_n_m);
+            let stiffness = found
+                .softening
+                .as_ref()
+                .and_then(|softening| softening.max_stiffness_n_m);
             stiffness.map_or_else(
                 || "Put it on a softer pad.".to_owned(),
                 |stiffness_n_m| {
-                    format!("Put pads of at most {} N/mm in total under each edge.", number(1e-3 * stiffness_n_m, 3))
+                    format!(
+                        "Put pads of at most {} N/mm in total under each edge.",
+                        number(1e-3 * stiffness_n_m, 3)
+                    )
                 },
             )
         }
@@ -99,13 +109,20 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
 /// What to do about an object that rolls or slides farther than it has room.
 fn give_room(found: &Assessment, or_else: &str) -> String {
     let needed_m = found.rolled.map_or(0.0, |rolled| rolled.clearance_needed_m);
-    format!("{or_else} give it at least {} mm of room on every side.", number((1e3 * needed_m).ceil(), 6))
+    format!(
+        "{or_else} give it at least {} mm of room on every side.",
+        number((1e3 * needed_m).ceil(), 6)
+    )
 }
 
 /// What is doubtful about the row of an object, behind the reason of its verdict.
 fn doubted(item: &Item) -> String {
     let kinds: Vec<&str> = item.doubts.iter().map(|doubt| doubt.name()).collect();
-    if kinds.is_empty() { String::new() } else { format!(" Check the input: {}.", kinds.join(", ")) }
+    if kinds.is_empty() {
+        String::new()
+    } else {
+        format!(" Check the input: {}.", kinds.join(", "))
+    }
 }
 
 /// What to find out about an object without a verdict.
@@ -114,7 +131,10 @@ fn find_out(item: &Item, found: &Assessment) -> String {
         return "Check its anchors.".to_owned();
     }
     if !item.to_confirm.is_empty() {
-        return format!("Confirm or correct its size or mass: read {}.", item.to_confirm.join(", "));
+        return format!(
+            "Confirm or correct its size or mass: read {}.",
+            item.to_confirm.join(", ")
+        );
     }
     if let Some(unstated) = found.unstated {
         return format!("State {}: give {}.", unstated.words(), unstated.keys());
@@ -128,9 +148,20 @@ fn find_out(item: &Item, found: &Assessment) -> String {
         (item.cushion.is_some(), "cushion"),
     ];
     // What its shock needs does not matter before its size is known.
-    let needed = if found.answers.is_some() { &known[3..] } else { &known[..3] };
-    let missing: Vec<&str> = needed.iter().filter(|(is_known, _)| !is_known).map(|(_, name)| *name).collect();
-    let is_recalled = item.tolerance.as_ref().is_some_and(|tolerance| tolerance.confidence == Confidence::Recalled);
+    let needed = if found.answers.is_some() {
+        &known[3..]
+    } else {
+        &known[..3]
+    };
+    let missing: Vec<&str> = needed
+        .iter()
+        .filter(|(is_known, _)| !is_known)
+        .map(|(_, name)| *name)
+        .collect();
+    let is_recalled = item
+        .tolerance
+        .as_ref()
+        .is_some_and(|tolerance| tolerance.confidence == Confidence::Recalled);
     match missing.is_empty() {
         true if is_recalled => "Confirm its tolerance.".to_owned(),
         true => "Complete its row of the list.".to_owned(),
@@ -175,35 +206,58 @@ impl Worklist {
     /// Adds a task.
     pub(super) fn add(&mut self, task: &Task) -> Result<(), Problem> {
         let line = line(task)?;
-        self.lines.write_all(&line).map_err(|error| unwritten(&error))?;
+        self.lines
+            .write_all(&line)
+            .map_err(|error| unwritten(&error))?;
         let next = self.floors.len() as u32;
-        let (floor, _) = *self.floors.entry(task.floor.clone()).or_insert((next, task.level_ratio));
+        let (floor, _) = *self
+            .floors
+            .entry(task.floor.clone())
+            .or_insert((next, task.level_ratio));
         let next = self.rooms.len() as u32;
         let room = match self.rooms.get(&task.room) {
             Some(room) => *room,
             None => *self.rooms.entry(task.room.clone()).or_insert(next),
         };
         let bytes = u32::try_from(line.len()).unwrap_or(u32::MAX);
-        self.entries.push(Entry { floor, room, rank: task.rank as u32, start: self.written, bytes });
+        self.entries.push(Entry {
+            floor,
+            room,
+            rank: task.rank as u32,
+            start: self.written,
+            bytes,
+        });
         self.written += u64::from(bytes);
         Ok(())
     }
 
     /// Writes the file: from the top floor down, room by room, the most urgent first.
     pub(super) fn finish(self, folder: &OutputFolder) -> Result<(), Problem> {
-        let Self { lines, mut entries, floors, rooms, .. } = self;
-        let mut lines = lines.into_inner().map_err(|error| unwritten(error.error()))?;
-        let mut named: Vec<(&FloorKey, u32, Option<f64>)> =
-            floors.iter().map(|(key, (number, level))| (key, *number, *level)).collect();
+        let Self {
+            lines,
+            mut entries,
+            floors,
+            rooms,
+            ..
+        } = self;
+        let mut lines = lines
+            .into_inner()
+            .map_err(|error| unwritten(error.error()))?;
+        let mut named: Vec<(&FloorKey, u32, Option<f64>)> = floors
+            .iter()
+            .map(|(key, (number, level))| (key, *number, *level))
+            .collect();
         sort_floors(&mut named, |(key, _, level)| (*level, *key));
-        let buildings: std::collections::HashSet<&str> = floors.keys().map(|key| key.building.as_str()).collect();
+        let buildings: std::collections::HashSet<&str> =
+            floors.keys().map(|key| key.building.as_str()).collect();
         let mut floor_order = vec![(0u32, String::new()); named.len()];
         for (place, (key, number, _)) in (0u32..).zip(&named) {
             if let Some(slot) = floor_order.get_mut(*number as usize) {
                 *slot = (place, floor_words(key, buildings.len() > 1));
             }
         }
-        let mut sorted: Vec<(&String, u32)> = rooms.iter().map(|(room, number)| (room, *number)).collect();
+        let mut sorted: Vec<(&String, u32)> =
+            rooms.iter().map(|(room, number)| (room, *number)).collect();
         sorted.sort_unstable();
         let mut room_order = vec![0u32; sorted.len()];
         for (place, (_, number)) in (0u32..).zip(&sorted) {
@@ -212,16 +266,26 @@ impl Worklist {
             }
         }
         let place = |entry: &Entry| {
-            let floor = floor_order.get(entry.floor as usize).map_or(0, |(place, _)| *place);
-            (floor, room_order.get(entry.room as usize).copied().unwrap_or(0), entry.rank)
+            let floor = floor_order
+                .get(entry.floor as usize)
+                .map_or(0, |(place, _)| *place);
+            (
+                floor,
+                room_order.get(entry.room as usize).copied().unwrap_or(0),
+                entry.rank,
+            )
         };
         entries.sort_unstable_by_key(place);
         let mut file = folder.begin(WORKLIST_NAME)?;
         let mut pending = HEADER.as_bytes().to_vec();
         for entry in &entries {
-            let name = floor_order.get(entry.floor as usize).map_or("", |(_, name)| name.as_str());
+            let name = floor_order
+                .get(entry.floor as usize)
+                .map_or("", |(_, name)| name.as_str());
             pending.extend(field(name)?);
-            lines.seek(SeekFrom::Start(entry.start)).map_err(|error| unwritten(&error))?;
+            lines
+                .seek(SeekFrom::Start(entry.start))
+                .map_err(|error| unwritten(&error))?;
             let from = pending.len();
             pending.resize(from + entry.bytes as usize, 0);
             if let Some(place) = pending.get_mut(from..) {
@@ -242,7 +306,9 @@ pub(super) fn sort_floors<T>(floors: &mut [T], of: impl Fn(&T) -> (Option<f64>, 
     floors.sort_by(|a, b| {
         let ((level, key), (other_level, other_key)) = (of(a), of(b));
         let height = |level: Option<f64>| level.unwrap_or(f64::NEG_INFINITY);
-        height(other_level).total_cmp(&height(level)).then_with(|| key.cmp(other_key))
+        height(other_level)
+            .total_cmp(&height(level))
+            .then_with(|| key.cmp(other_key))
     });
 }
 
@@ -285,11 +351,17 @@ fn row<const N: usize>(cells: [Cell; N]) -> Result<Vec<u8>, Problem> {
         writer.write_field(&text).map_err(broken)?;
     }
     writer.write_record(None::<&[u8]>).map_err(broken)?;
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+    writer
+        .into_inner()
+        .map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
 fn unwritten(error: &std::io::Error) -> Problem {
-    io_problem(std::path::Path::new(WORKLIST_NAME), "cannot be written", error)
+    io_problem(
+        std::path::Path::new(WORKLIST_NAME),
+        "cannot be written",
+        error,
+    )
 }
 
 #[cfg(test)]
@@ -298,7 +370,12 @@ mod tests {
     use crate::output::Wanted;
     use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
 
-    const TABLES: Wanted = Wanted { parquet: false, workbook: false, report: false, pages: 0 };
+    const TABLES: Wanted = Wanted {
+        parquet: false,
+        workbook: false,
+        report: false,
+        pages: 0,
+    };
 
     fn worklist(items: Vec<Item>) -> Vec<Vec<String>> {
         let count = items.len();
@@ -306,8 +383,20 @@ mod tests {
         assert!(names.iter().any(|name| name == WORKLIST_NAME));
         let bytes = read(&folder, WORKLIST_NAME);
         let mut reader = csv::Reader::from_reader(&bytes[..]);
-        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>().join(",") + "\n", HEADER);
-        reader.records().map(|row| row.unwrap().iter().map(str::to_owned).collect()).collect()
+        assert_eq!(
+            reader
+                .headers()
+                .unwrap()
+                .iter()
+                .collect::<Vec<_>>()
+                .join(",")
+                + "\n",
+            HEADER
+        );
+        reader
+            .records()
+            .map(|row| row.unwrap().iter().map(str::to_owned).collect())
+            .collect()
     }
 
     /// Of 24 items six may be left; the fixture ranks backwards, on five floors.
@@ -327,12 +416,18 @@ mod tests {
         }
         assert!(places.is_sorted(), "{places:?}");
         for row in &rows {
-            assert!(["restrain", "soften", "no-verdict"].contains(&row[5].as_str()) && row[10].is_empty());
+            assert!(
+                ["restrain", "soften", "no-verdict"].contains(&row[5].as_str())
+                    && row[10].is_empty()
+            );
             assert_eq!(row[5] == "restrain", !row[7].is_empty(), "{row:?}");
         }
         let restrain = rows.iter().find(|row| row[5] == "restrain").unwrap();
         assert_eq!((restrain[7].as_str(), restrain[8].as_str()), ("410", "950"));
-        assert!(restrain[6].contains("bracket at a height of 1350 mm"), "{restrain:?}");
+        assert!(
+            restrain[6].contains("bracket at a height of 1350 mm"),
+            "{restrain:?}"
+        );
         let soften = rows.iter().find(|row| row[5] == "soften").unwrap();
         assert!(soften[6].contains("1100 N/mm"), "{soften:?}");
         let unknown = rows.iter().find(|row| row[5] == "no-verdict").unwrap();
@@ -347,25 +442,55 @@ mod tests {
         let mut found = crate::output::fixture::assessment(&item, 0);
         found.restraint[0].anchor_tension_n = 0.0;
         found.restraint[1].kind = crate::result::RestraintKind::Floor;
-        let made = |found: &Assessment| task(&Line { item: &item, found: Some((1, found)) }).unwrap();
+        let made = |found: &Assessment| {
+            task(&Line {
+                item: &item,
+                found: Some((1, found)),
+            })
+            .unwrap()
+        };
         let of_floor = made(&found);
-        assert_eq!((of_floor.force_n, of_floor.anchor_tension_n), (Some(530.0), Some(720.0)));
-        assert!(of_floor.how.starts_with("Anchor it along both edges"), "{}", of_floor.how);
+        assert_eq!(
+            (of_floor.force_n, of_floor.anchor_tension_n),
+            (Some(530.0), Some(720.0))
+        );
+        assert!(
+            of_floor.how.starts_with("Anchor it along both edges"),
+            "{}",
+            of_floor.how
+        );
         found.restraint[1].anchor_tension_n = 0.0;
         let of_code = made(&found);
-        assert_eq!((of_code.force_n, of_code.anchor_tension_n), (Some(410.0), Some(0.0)));
-        assert!(of_code.how.starts_with("No tension: its weight holds it down."), "{}", of_code.how);
+        assert_eq!(
+            (of_code.force_n, of_code.anchor_tension_n),
+            (Some(410.0), Some(0.0))
+        );
+        assert!(
+            of_code
+                .how
+                .starts_with("No tension: its weight holds it down."),
+            "{}",
+            of_code.how
+        );
     }
 
     #[test]
     fn floors_of_two_buildings_are_told_apart() {
         // The second is to be left.
         let mut items: Vec<Item> = (0..3).map(item).collect();
-        items.iter_mut().for_each(|item| item.floor = "1".to_owned());
+        items
+            .iter_mut()
+            .for_each(|item| item.floor = "1".to_owned());
         items[2].building = "Annex".to_owned();
-        let floors: Vec<String> = worklist(items).into_iter().map(|row| row[0].clone()).collect();
+        let floors: Vec<String> = worklist(items)
+            .into_iter()
+            .map(|row| row[0].clone())
+            .collect();
         assert_eq!(floors.len(), 2);
-        assert!(floors.contains(&"Main, 1".to_owned()) && floors.contains(&"Annex, 1".to_owned()), "{floors:?}");
+        assert!(
+            floors.contains(&"Main, 1".to_owned()) && floors.contains(&"Annex, 1".to_owned()),
+            "{floors:?}"
+        );
     }
 
     #[test]

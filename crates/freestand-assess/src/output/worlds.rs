@@ -91,8 +91,10 @@ pub(crate) fn write_worlds(
     for first in (0..lived.worlds).step_by(BLOCK as usize) {
         go_on(first)?;
         let block = first..lived.worlds.min(first + BLOCK);
-        let made: Vec<Result<Vec<Vec<Cell>>, Problems>> =
-            block.into_par_iter().map(|world| rows(worlds, world, &lived.levels, &names)).collect();
+        let made: Vec<Result<Vec<Vec<Cell>>, Problems>> = block
+            .into_par_iter()
+            .map(|world| rows(worlds, world, &lived.levels, &names))
+            .collect();
         for rows in made {
             file.write(&csv_of(rows?)?)?;
         }
@@ -101,19 +103,39 @@ pub(crate) fn write_worlds(
 }
 
 /// The rows of a world, one for each level.
-fn rows<'a>(worlds: &Worlds, world: u32, levels: &[f64], names: &'a [String]) -> Result<Vec<Vec<Cell<'a>>>, Problems> {
+fn rows<'a>(
+    worlds: &Worlds,
+    world: u32,
+    levels: &[f64],
+    names: &'a [String],
+) -> Result<Vec<Vec<Cell<'a>>>, Problems> {
     let ground = worlds.ground(world, 0)?;
     let building = worlds.building(world)?;
-    let named = names.get(world as usize % names.len().max(1)).map(|name| Cell::text(name));
-    let record = named.unwrap_or_else(|| Cell::owned(ground.as_ref().and_then(|ground| ground.record.clone())));
-    let motions = ground.as_ref().map(|ground| components(&ground.motion)).unwrap_or_default();
+    let named = names
+        .get(world as usize % names.len().max(1))
+        .map(|name| Cell::text(name));
+    let record = named
+        .unwrap_or_else(|| Cell::owned(ground.as_ref().and_then(|ground| ground.record.clone())));
+    let motions = ground
+        .as_ref()
+        .map(|ground| components(&ground.motion))
+        .unwrap_or_default();
     let [along, across] = motions.map(spectrum_g);
     let spectra = [along?, across?].concat();
     let floors = worlds.floors_of_world(world, levels, Again::default(), None)?;
     let row = |(level_ratio, floor): (&f64, &FloorOfWorld)| {
-        let building = [building.map(|one| one.period_s), building.and_then(|one| one.damping_ratio)];
-        let peaks = [motions, components(&floor.motion)].concat().into_iter().map(peak_g);
-        let mut cells = vec![Cell::Count(u64::from(world)), Cell::number(Some(*level_ratio))];
+        let building = [
+            building.map(|one| one.period_s),
+            building.and_then(|one| one.damping_ratio),
+        ];
+        let peaks = [motions, components(&floor.motion)]
+            .concat()
+            .into_iter()
+            .map(peak_g);
+        let mut cells = vec![
+            Cell::Count(u64::from(world)),
+            Cell::number(Some(*level_ratio)),
+        ];
         cells.extend(building.map(Cell::number));
         cells.push(record.clone());
         cells.extend(peaks.chain(spectra.iter().copied()).map(Cell::number));
@@ -132,9 +154,14 @@ fn peak_g(motion: Option<&Motion>) -> Option<f64> {
 
 /// Pseudo-accelerations at [`PERIODS_S`] \[g\].
 fn spectrum_g(motion: Option<&Motion>) -> Result<[Option<f64>; 4], Problem> {
-    let Some(motion) = motion else { return Ok([None; 4]) };
+    let Some(motion) = motion else {
+        return Ok([None; 4]);
+    };
     let failed = |error: freestand::oscillator::OscillatorError| {
-        Problem::new(ProblemKind::Computation, format!("a ground spectrum cannot be computed: {error}"))
+        Problem::new(
+            ProblemKind::Computation,
+            format!("a ground spectrum cannot be computed: {error}"),
+        )
     };
     let found = response_spectrum(motion, DAMPING_RATIO, &PERIODS_S).map_err(failed)?;
     let mut values = found.psa_m_s2.into_iter().map(|psa| psa / G0_M_S2);
@@ -142,7 +169,9 @@ fn spectrum_g(motion: Option<&Motion>) -> Result<[Option<f64>; 4], Problem> {
 }
 
 /// Rows as CSV, written as `objects.csv` is.
-pub(super) fn csv_of<'a>(rows: impl IntoIterator<Item = Vec<Cell<'a>>>) -> Result<Vec<u8>, Problem> {
+pub(super) fn csv_of<'a>(
+    rows: impl IntoIterator<Item = Vec<Cell<'a>>>,
+) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
     let mut text = String::new();
     for row in rows {
@@ -153,7 +182,9 @@ pub(super) fn csv_of<'a>(rows: impl IntoIterator<Item = Vec<Cell<'a>>>) -> Resul
         }
         writer.write_record(None::<&[u8]>).map_err(broken)?;
     }
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+    writer
+        .into_inner()
+        .map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
 #[cfg(test)]
@@ -166,6 +197,12 @@ mod tests {
         for (worlds, level_ratio) in [(20, 0.5), (40, 1.0), (20, 0.0), (20, 0.5), (20, 0.25)] {
             lived.add(worlds, level_ratio);
         }
-        assert_eq!(lived, Lived { worlds: 40, levels: vec![0.0, 0.25, 0.5, 1.0] });
+        assert_eq!(
+            lived,
+            Lived {
+                worlds: 40,
+                levels: vec![0.0, 0.25, 0.5, 1.0]
+            }
+        );
     }
 }

@@ -10,10 +10,12 @@ use freestand_output::table::Table;
 
 use super::report::{ToConfirm, clause_words, to_confirm};
 use super::{
-    Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, assumed_hazard, case_of,
-    floor_of_list,
+    Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
+    assumed_hazard, case_of, floor_of_list,
 };
-use crate::inventory::{CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory};
+use crate::inventory::{
+    CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory,
+};
 use crate::library::Libraries;
 use crate::output::words::listed;
 
@@ -65,7 +67,14 @@ impl RestrainListReport {
             .key("objects", self.rows.len())
             .key("held", self.held)
             .key("assumptions", self.assumptions.clone())
-            .key("to_confirm", self.to_confirm.iter().cloned().map(ToConfirm::facts).collect::<Vec<_>>())
+            .key(
+                "to_confirm",
+                self.to_confirm
+                    .iter()
+                    .cloned()
+                    .map(ToConfirm::facts)
+                    .collect::<Vec<_>>(),
+            )
             .key("problems", self.problems.clone())
             .key("rows", self.rows.clone())
     }
@@ -92,7 +101,12 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         RestrainHazard::Code(_) | RestrainHazard::FloorAcceleration(_) => [None, None],
     };
     let libraries = Libraries::with_files(settings[0], settings[1])?;
-    let mapping = request.cells.columns.as_deref().map(Mapping::load).transpose()?;
+    let mapping = request
+        .cells
+        .columns
+        .as_deref()
+        .map(Mapping::load)
+        .transpose()?;
     let reading = libraries.looked_up(|lookup| {
         let options = ReadOptions {
             sheet: request.cells.sheet.as_deref(),
@@ -113,7 +127,11 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         width_m: None,
         cg_height_m: None,
         hazard: request.hazard.clone(),
-        floor: RestrainFloor { level_ratio: None, name: None, ..request.floor.clone() },
+        floor: RestrainFloor {
+            level_ratio: None,
+            name: None,
+            ..request.floor.clone()
+        },
         factors: request.factors,
         component: None,
         anchor_inset_m: None,
@@ -124,9 +142,15 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
     let is_on_floor = !matches!(request.hazard, RestrainHazard::FloorAcceleration(_));
     let at = |level_ratio: Option<f64>| {
         let level_ratio = level_ratio.filter(|_| is_on_floor);
-        RestrainFloor { level_ratio, ..like.floor.clone() }
+        RestrainFloor {
+            level_ratio,
+            ..like.floor.clone()
+        }
     };
-    let probe = RestrainRequest { floor: at(Some(0.0)), ..like.clone() };
+    let probe = RestrainRequest {
+        floor: at(Some(0.0)),
+        ..like.clone()
+    };
     let probe = case_of(probe, Ok(ObjectKind::default()))?;
     let assumptions = match (&request.hazard, &probe.target) {
         (RestrainHazard::Code(words), Some(target)) => assumed_hazard(words, target),
@@ -160,8 +184,13 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
                 base_thickness_m: item.base_thickness_m,
                 base_width_m: item.base_width_m,
             };
-            case_of(request, Ok(kind))
-                .map_err(|problems| problems.into_iter().map(|problem| problem.message).collect::<Vec<_>>().join("; "))
+            case_of(request, Ok(kind)).map_err(|problems| {
+                problems
+                    .into_iter()
+                    .map(|problem| problem.message)
+                    .collect::<Vec<_>>()
+                    .join("; ")
+            })
         });
         let (case, reason) = match found {
             Ok(case) => (Some(case), None),
@@ -187,19 +216,50 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
                 .key("row", item.row as usize)
                 .key("quantity", item.quantity as usize)
                 .key("level_ratio", item.level_ratio.filter(|_| is_on_floor))
-                .key("component", case.as_ref().and_then(|case| case.question.object.component).map(|row| row.name))
+                .key(
+                    "component",
+                    case.as_ref()
+                        .and_then(|case| case.question.object.component)
+                        .map(|row| row.name),
+                )
                 .key("clause", case.as_ref().map(|case| clause_words(&case.own)))
                 .key("force_n", force.map(|force| force.force_n))
                 .key("force_ratio", force.map(|force| force.force_ratio))
-                .key("acts_at_height_m", case.as_ref().map(|case| case.question.object.cg_height_m))
-                .key("axis", case.as_ref().and_then(|case| case.own.axis.as_ref()).map(|axis| axis.axis.name()))
+                .key(
+                    "acts_at_height_m",
+                    case.as_ref().map(|case| case.question.object.cg_height_m),
+                )
+                .key(
+                    "axis",
+                    case.as_ref()
+                        .and_then(|case| case.own.axis.as_ref())
+                        .map(|axis| axis.axis.name()),
+                )
                 .key("anchor_inset_m", case.as_ref().map(|case| case.own.inset_m))
-                .key("anchor_tension_n", force.map(|force| force.anchor_tension_n))
-                .key("anchor_tension_concrete_n", force.map(|force| force.anchor_tension_concrete_n))
-                .key("tension_of_each_n", force.map(|force| per_anchor(force.anchor_tension_n)))
-                .key("tension_concrete_of_each_n", force.map(|force| per_anchor(force.anchor_tension_concrete_n)))
-                .key("shear_of_each_n", case.as_ref().map(|case| case.anchor_shear_n()))
-                .key("bracket_height_m", force.map(|force| force.bracket_height_m))
+                .key(
+                    "anchor_tension_n",
+                    force.map(|force| force.anchor_tension_n),
+                )
+                .key(
+                    "anchor_tension_concrete_n",
+                    force.map(|force| force.anchor_tension_concrete_n),
+                )
+                .key(
+                    "tension_of_each_n",
+                    force.map(|force| per_anchor(force.anchor_tension_n)),
+                )
+                .key(
+                    "tension_concrete_of_each_n",
+                    force.map(|force| per_anchor(force.anchor_tension_concrete_n)),
+                )
+                .key(
+                    "shear_of_each_n",
+                    case.as_ref().map(|case| case.anchor_shear_n()),
+                )
+                .key(
+                    "bracket_height_m",
+                    force.map(|force| force.bracket_height_m),
+                )
                 .key("bracket_force_n", force.map(|force| force.bracket_force_n))
                 .key("reason", reason.clone()),
         );
@@ -210,10 +270,21 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
             ],
-            (None, reason) => [reason.unwrap_or_default(), String::new(), String::new(), String::new()],
+            (None, reason) => [
+                reason.unwrap_or_default(),
+                String::new(),
+                String::new(),
+                String::new(),
+            ],
         };
-        let name = if item.item.is_empty() { item.id.clone() } else { format!("{} {}", item.id, item.item) };
-        report.lines.push([item.row.to_string(), name, held, share, tension, concrete]);
+        let name = if item.item.is_empty() {
+            item.id.clone()
+        } else {
+            format!("{} {}", item.id, item.item)
+        };
+        report
+            .lines
+            .push([item.row.to_string(), name, held, share, tension, concrete]);
     }
     Ok(report)
 }
@@ -224,13 +295,23 @@ fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], String> {
         return Err("it is anchored already".to_owned());
     }
     if !item.to_confirm.is_empty() {
-        return Err(format!("its size or mass must be confirmed: {}", item.to_confirm.join(", ")));
+        return Err(format!(
+            "its size or mass must be confirmed: {}",
+            item.to_confirm.join(", ")
+        ));
     }
     if item.surroundings.upper.is_some() {
         return Err("another body stands on it, which is not counted".to_owned());
     }
-    match (item.mass_kg, item.height_m, item.thickness_m, item.level_ratio) {
-        (Some(mass_kg), Some(height_m), Some(thickness_m), level) if level.is_some() || !is_on_floor => {
+    match (
+        item.mass_kg,
+        item.height_m,
+        item.thickness_m,
+        item.level_ratio,
+    ) {
+        (Some(mass_kg), Some(height_m), Some(thickness_m), level)
+            if level.is_some() || !is_on_floor =>
+        {
             Ok([mass_kg, height_m, thickness_m])
         }
         (mass, height, thickness, level) => {
@@ -240,7 +321,10 @@ fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], String> {
                 (thickness.is_none(), "thickness"),
                 (level.is_none() && is_on_floor, "floor"),
             ];
-            let names: Vec<&str> = is_missing.into_iter().filter_map(|(is, name)| is.then_some(name)).collect();
+            let names: Vec<&str> = is_missing
+                .into_iter()
+                .filter_map(|(is, name)| is.then_some(name))
+                .collect();
             let verb = if names.len() == 1 { "is" } else { "are" };
             Err(format!("its {} {verb} not known", listed(&names)))
         }

@@ -127,9 +127,17 @@ impl RestrainFactors {
             importance_ratio: self.importance_ratio.or(settings.importance_ratio),
             amplification_ratio: self.amplification_ratio.or(settings.amplification_ratio),
             response_ratio: self.response_ratio.or(settings.response_ratio),
-            resonance_ratio: self.resonance_ratio.or(self.amplification_ratio).or(settings.resonance_ratio),
-            strength_ratio: self.strength_ratio.or(self.response_ratio).or(settings.strength_ratio),
-            building_ductility_ratio: self.building_ductility_ratio.or(settings.building_ductility_ratio),
+            resonance_ratio: self
+                .resonance_ratio
+                .or(self.amplification_ratio)
+                .or(settings.resonance_ratio),
+            strength_ratio: self
+                .strength_ratio
+                .or(self.response_ratio)
+                .or(settings.strength_ratio),
+            building_ductility_ratio: self
+                .building_ductility_ratio
+                .or(settings.building_ductility_ratio),
             ..settings
         }
     }
@@ -144,7 +152,11 @@ impl RestrainFactors {
             ("response", self.response_ratio, !asce7_22 && !floor),
             ("resonance", self.resonance_ratio, asce7_22),
             ("strength", self.strength_ratio, asce7_22),
-            ("building_ductility", self.building_ductility_ratio, asce7_22),
+            (
+                "building_ductility",
+                self.building_ductility_ratio,
+                asce7_22,
+            ),
         ]
     }
 
@@ -190,7 +202,10 @@ pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
 }
 
 fn case(request: RestrainRequest) -> Result<Case, Problems> {
-    let kind = component(&request).map(|component| ObjectKind { component, ..ObjectKind::default() });
+    let kind = component(&request).map(|component| ObjectKind {
+        component,
+        ..ObjectKind::default()
+    });
     case_of(request, kind)
 }
 
@@ -214,11 +229,26 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         check_factors(&request, target.as_ref(), &mut problems);
     }
     let found = blocks.zip(target).zip(floor).zip(kind);
-    let sizes = Sizes { height_m: request.height_m, thickness_m: request.thickness_m, width_m: request.width_m };
+    let sizes = Sizes {
+        height_m: request.height_m,
+        thickness_m: request.thickness_m,
+        width_m: request.width_m,
+    };
     let sizes = problems.keep(sizes.check());
     let ((((blocks, target), floor), kind), doubts) = problems.finish(found.zip(sizes))?;
-    let Floor { level_ratio, building_height_m, words: floor, mut assumptions } = floor;
-    let object = HeldObject::new(request.mass_kg, level_ratio, kind.is_critical, kind.component, &blocks);
+    let Floor {
+        level_ratio,
+        building_height_m,
+        words: floor,
+        mut assumptions,
+    } = floor;
+    let object = HeldObject::new(
+        request.mass_kg,
+        level_ratio,
+        kind.is_critical,
+        kind.component,
+        &blocks,
+    );
     let question = match &request.hazard {
         RestrainHazard::Study(study) => RestraintQuestion::in_study(study, object, None),
         hazard => RestraintQuestion {
@@ -237,11 +267,18 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     };
     let settings = request.factors.over(question.settings);
     let anchor_inset_m = request.anchor_inset_m.or(settings.anchor_inset_m);
-    let settings = RestraintSettings { anchor_inset_m, ..settings };
-    let question = RestraintQuestion { settings, ..question };
+    let settings = RestraintSettings {
+        anchor_inset_m,
+        ..settings
+    };
+    let question = RestraintQuestion {
+        settings,
+        ..question
+    };
     check_inset(&question)?;
-    let (others, mut own): (Vec<Demand>, Vec<Demand>) =
-        demands(&question).into_iter().partition(|demand| demand.source.kind == RestraintKind::OtherCode);
+    let (others, mut own): (Vec<Demand>, Vec<Demand>) = demands(&question)
+        .into_iter()
+        .partition(|demand| demand.source.kind == RestraintKind::OtherCode);
     if own.is_empty() {
         return Err(without_code().into());
     }
@@ -251,10 +288,13 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     }
     if request.cg_height_m.is_none() {
         let cg = request.units.length(question.object.cg_height_m);
-        assumptions.push(format!("The centre of gravity is at half of the height, {cg}."));
+        assumptions.push(format!(
+            "The centre of gravity is at half of the height, {cg}."
+        ));
     }
     if request.width_m.is_none() {
-        assumptions.push("No width was given: only tipping across the thickness is checked.".to_owned());
+        assumptions
+            .push("No width was given: only tipping across the thickness is checked.".to_owned());
     }
     if let (None, Some(axis)) = (question.settings.anchor_inset_m, &own.axis) {
         assumptions.push(format!(
@@ -264,51 +304,99 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     }
     let mut warnings: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
-        (RestrainHazard::Study(_), Some(target)) => target.place.and_then(Place::doubt).into_iter().collect(),
-        (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
+        (RestrainHazard::Study(_), Some(target)) => {
+            target.place.and_then(Place::doubt).into_iter().collect()
+        }
+        (_, target) => target
+            .iter()
+            .flat_map(|target| target.warnings.iter().cloned())
+            .collect(),
     };
     warnings.extend(doubts);
     let is_asce7 = |target: &Target| matches!(target.spectrum, CodeSpectrum::Asce7(_));
-    if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7) {
-        let by = target.as_ref().map_or("F = m a", |target| target.spectrum.name());
-        warnings.push(format!("`component` is not used by {by}: its tables are those of ASCE 7"));
+    if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7)
+    {
+        let by = target
+            .as_ref()
+            .map_or("F = m a", |target| target.spectrum.name());
+        warnings.push(format!(
+            "`component` is not used by {by}: its tables are those of ASCE 7"
+        ));
     }
     if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
         warnings.push(NO_TENSION.to_owned());
         own.source.remarks.insert(0, NO_TENSION.to_owned());
     }
-    let others = if request.is_compared { others } else { Vec::new() };
-    Ok(Case { request, question, target, floor, assumptions, warnings, own, others })
+    let others = if request.is_compared {
+        others
+    } else {
+        Vec::new()
+    };
+    Ok(Case {
+        request,
+        question,
+        target,
+        floor,
+        assumptions,
+        warnings,
+        own,
+        others,
+    })
 }
 
 /// The row of the object in the tables of ASCE 7.
 fn component(request: &RestrainRequest) -> Result<Option<&'static Component>, Problem> {
-    let Some(text) = &request.component else { return Ok(None) };
+    let Some(text) = &request.component else {
+        return Ok(None);
+    };
     let found = Component::find(text);
     found.map(Some).ok_or_else(|| {
-        let message = format!("`component` \"{}\" is no row of tables 13.5-1 and 13.6-1 that is known", shorten(text));
+        let message = format!(
+            "`component` \"{}\" is no row of tables 13.5-1 and 13.6-1 that is known",
+            shorten(text)
+        );
         Problem::value(message, format!("give one of {}", Component::names())).of(&["component"])
     })
 }
 
 /// Refuses anchors beyond the middle of the base: the edge would not be the one that they hold down.
 fn check_inset(question: &RestraintQuestion) -> Result<(), Problem> {
-    let Some(inset_m) = question.settings.anchor_inset_m else { return Ok(()) };
+    let Some(inset_m) = question.settings.anchor_inset_m else {
+        return Ok(());
+    };
     let is_beyond = |axis: &crate::restraint::RestraintAxis| inset_m >= axis.base_m / 2.0;
     if question.object.axes.iter().any(is_beyond) {
         let hint = "give the distance from the edge of the base to the anchors along it, such as \"75 mm\"";
-        return Err(Problem::value("`anchor_inset` is half of the base or more", hint).of(&["anchor_inset"]));
+        return Err(
+            Problem::value("`anchor_inset` is half of the base or more", hint)
+                .of(&["anchor_inset"]),
+        );
     }
     Ok(())
 }
 
-fn blocks(request: &RestrainRequest, kind: Option<&ObjectKind>) -> Result<Vec<(Axis, Block)>, Problem> {
+fn blocks(
+    request: &RestrainRequest,
+    kind: Option<&ObjectKind>,
+) -> Result<Vec<(Axis, Block)>, Problem> {
     let sides = [
-        (Axis::Thickness, Some(request.thickness_m), kind.and_then(|kind| kind.base_thickness_m)),
-        (Axis::Width, request.width_m, kind.and_then(|kind| kind.base_width_m)),
+        (
+            Axis::Thickness,
+            Some(request.thickness_m),
+            kind.and_then(|kind| kind.base_thickness_m),
+        ),
+        (
+            Axis::Width,
+            request.width_m,
+            kind.and_then(|kind| kind.base_width_m),
+        ),
     ];
     let block = |(axis, side_m, base_width_m): (Axis, Option<f64>, Option<f64>)| {
-        let shape = Shape { cg_height_m: request.cg_height_m, base_width_m, ..Shape::default() };
+        let shape = Shape {
+            cg_height_m: request.cg_height_m,
+            base_width_m,
+            ..Shape::default()
+        };
         let block = shape.block(request.height_m, side_m?);
         Some(block.map(|block| (axis, block)))
     };
@@ -323,11 +411,20 @@ fn target(request: &RestrainRequest) -> Result<Option<Target>, Problems> {
         RestrainHazard::Study(study) => {
             let target = study.restraint_target();
             let is_code = |target: &&Target| !matches!(target.spectrum, CodeSpectrum::Table(_));
-            target.filter(is_code).cloned().map(Some).ok_or_else(|| without_code().into())
+            target
+                .filter(is_code)
+                .cloned()
+                .map(Some)
+                .ok_or_else(|| without_code().into())
         }
         RestrainHazard::FloorAcceleration(_) if request.is_compared => {
-            let hint = "leave `compare` out, or give a place or a code in place of `floor_acceleration`";
-            Err(Problem::value("codes cannot be compared: a floor acceleration has no spectrum", hint).into())
+            let hint =
+                "leave `compare` out, or give a place or a code in place of `floor_acceleration`";
+            Err(Problem::value(
+                "codes cannot be compared: a floor acceleration has no spectrum",
+                hint,
+            )
+            .into())
         }
         RestrainHazard::FloorAcceleration(_) => Ok(None),
     }
@@ -341,14 +438,29 @@ fn without_code() -> Problem {
 
 /// Refuses factors that the code does not have: they would be read silently as others.
 fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &mut Problems) {
-    if request.factors.building_ductility_ratio.is_some_and(|ratio| ratio < LEAST_BUILDING_DUCTILITY_RATIO) {
-        let message = format!("`building_ductility` must be at least {LEAST_BUILDING_DUCTILITY_RATIO}");
-        problems.push(Problem::value(message, "leave it out: 1.3 stands for a building that is not known"));
+    if request
+        .factors
+        .building_ductility_ratio
+        .is_some_and(|ratio| ratio < LEAST_BUILDING_DUCTILITY_RATIO)
+    {
+        let message =
+            format!("`building_ductility` must be at least {LEAST_BUILDING_DUCTILITY_RATIO}");
+        problems.push(Problem::value(
+            message,
+            "leave it out: 1.3 stands for a building that is not known",
+        ));
     }
     for (name, ratio, _) in request.factors.stated(FactorsOf::OtherCode) {
         if ratio.is_some_and(|ratio| !FACTORS.contains(&ratio)) {
-            let message = format!("`{name}` must be between {} and {}", FACTORS.start(), FACTORS.end());
-            problems.push(Problem::value(message, "give the factor of the code, or leave it out"));
+            let message = format!(
+                "`{name}` must be between {} and {}",
+                FACTORS.start(),
+                FACTORS.end()
+            );
+            problems.push(Problem::value(
+                message,
+                "give the factor of the code, or leave it out",
+            ));
         }
     }
     if request.is_compared {
@@ -364,12 +476,17 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
     };
     let by = target.map_or("F = m a", |target| target.spectrum.name());
     let hint = match of {
-        FactorsOf::Asce7_22 => "ASCE 7-22 has `resonance` (C_AR), `strength` (R_po) and `building_ductility` (R_μ)",
+        FactorsOf::Asce7_22 => {
+            "ASCE 7-22 has `resonance` (C_AR), `strength` (R_po) and `building_ductility` (R_μ)"
+        }
         FactorsOf::OtherCode => "leave it out, or add `compare` to see ASCE 7-22 too",
         FactorsOf::Floor => "leave it out: only `amplification` multiplies a floor acceleration",
     };
     for name in request.factors.strangers(of) {
-        problems.push(Problem::value(format!("`{name}` is not a factor of {by}"), hint));
+        problems.push(Problem::value(
+            format!("`{name}` is not a factor of {by}"),
+            hint,
+        ));
     }
 }
 
@@ -382,12 +499,20 @@ struct Floor {
 }
 
 fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
-    let RestrainFloor { name, level_ratio, storeys, storey_height_m } = &request.floor;
+    let RestrainFloor {
+        name,
+        level_ratio,
+        storeys,
+        storey_height_m,
+    } = &request.floor;
     let mut problems = Problems::default();
     let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
     let has_building = storeys.is_some() || storey_height_m.is_some();
     if name.is_some() && level_ratio.is_some() {
-        note("`floor` and `level_ratio` exclude each other", "keep one of them");
+        note(
+            "`floor` and `level_ratio` exclude each other",
+            "keep one of them",
+        );
     }
     if level_ratio.is_some_and(|ratio| !(0.0..=1.0).contains(&ratio)) {
         note(
@@ -396,22 +521,35 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
         );
     }
     if storeys.is_some_and(|storeys| !(1..=MAX_STOREYS).contains(&storeys)) {
-        note(&format!("`storeys` must be from 1 to {MAX_STOREYS}"), "give the number of storeys above the ground");
+        note(
+            &format!("`storeys` must be from 1 to {MAX_STOREYS}"),
+            "give the number of storeys above the ground",
+        );
     }
     match &request.hazard {
-        RestrainHazard::FloorAcceleration(_) if name.is_some() || level_ratio.is_some() || has_building => note(
-            "the acceleration is that of the floor of the object: a floor or a building has no meaning beside it",
-            "leave them out, or give a place or a code in place of `floor_acceleration`",
-        ),
+        RestrainHazard::FloorAcceleration(_)
+            if name.is_some() || level_ratio.is_some() || has_building =>
+        {
+            note(
+                "the acceleration is that of the floor of the object: a floor or a building has no meaning beside it",
+                "leave them out, or give a place or a code in place of `floor_acceleration`",
+            )
+        }
         RestrainHazard::Study(_) if has_building => note(
             "the study describes the building: `storeys` and `storey_height` have no meaning beside it",
             "leave them out, or change the table [building] of the study",
         ),
         RestrainHazard::Code(_) => {
             if name.is_some() && storeys.is_none() {
-                note("`floor` needs `storeys`: the number of storeys of the building", "add `storeys`, such as 6");
+                note(
+                    "`floor` needs `storeys`: the number of storeys of the building",
+                    "add `storeys`, such as 6",
+                );
             } else if storey_height_m.is_some() && storeys.is_none() {
-                note("`storey_height` needs `storeys`", "add the number of storeys");
+                note(
+                    "`storey_height` needs `storeys`",
+                    "add the number of storeys",
+                );
             } else if has_building && name.is_none() && level_ratio.is_none() {
                 note(
                     "`storeys` and `storey_height` describe a building, but no floor of it is named",
@@ -424,27 +562,46 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
     problems.finish(Some(()))?;
     let floors = match &request.hazard {
         RestrainHazard::Study(study) => floors_of(study, None),
-        _ => Floors { storeys: *storeys, ..Floors::default() },
+        _ => Floors {
+            storeys: *storeys,
+            ..Floors::default()
+        },
     };
     let mut assumptions = Vec::new();
     let (level, words) = match (name, level_ratio) {
         (Some(name), _) => {
             let ratio = level_of_floor(&floors, name)?;
-            let of = floors.storeys.map_or_else(String::new, |storeys| format!(" ({})", counted(storeys, "storey")));
-            (ratio, format!("{}{of}, z/h = {}", name.trim(), number(ratio, 3)))
+            let of = floors.storeys.map_or_else(String::new, |storeys| {
+                format!(" ({})", counted(storeys, "storey"))
+            });
+            (
+                ratio,
+                format!("{}{of}, z/h = {}", name.trim(), number(ratio, 3)),
+            )
         }
         (None, Some(ratio)) => (*ratio, format!("z/h = {}", number(*ratio, 3))),
-        (None, None) if matches!(request.hazard, RestrainHazard::FloorAcceleration(_)) => (0.0, String::new()),
+        (None, None) if matches!(request.hazard, RestrainHazard::FloorAcceleration(_)) => {
+            (0.0, String::new())
+        }
         (None, None) => {
             assumptions.push("No floor was given: the object is on the ground.".to_owned());
             (0.0, "the ground".to_owned())
         }
     };
     if storeys.is_some() && storey_height_m.is_none() {
-        assumptions.push(format!("A storey is {} m high.", number(DEFAULT_STOREY_HEIGHT_M, 3)));
+        assumptions.push(format!(
+            "A storey is {} m high.",
+            number(DEFAULT_STOREY_HEIGHT_M, 3)
+        ));
     }
-    let building_height_m = storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
-    Ok(Floor { level_ratio: level, building_height_m, words, assumptions })
+    let building_height_m =
+        storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
+    Ok(Floor {
+        level_ratio: level,
+        building_height_m,
+        words,
+        assumptions,
+    })
 }
 
 /// The floors that the names in a list mean.
@@ -454,11 +611,17 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
 fn floor_of_list(hazard: &RestrainHazard, floor: &RestrainFloor) -> Result<Floors, Problem> {
     if floor.name.is_some() || floor.level_ratio.is_some() {
         let message = "`floor` and `level_ratio` are those of one object: the list names the floors of its own";
-        return Err(Problem::value(message, "leave them out, or give the object in place of the list"));
+        return Err(Problem::value(
+            message,
+            "leave them out, or give the object in place of the list",
+        ));
     }
     Ok(match hazard {
         RestrainHazard::Study(study) => floors_of(study, None),
-        _ => Floors { storeys: floor.storeys, ..Floors::default() },
+        _ => Floors {
+            storeys: floor.storeys,
+            ..Floors::default()
+        },
     })
 }
 
@@ -468,7 +631,10 @@ fn assumed_hazard(words: &Words, target: &Target) -> Vec<String> {
     if let (None, Some(site)) = (words.get("site"), target.spectrum.site_name()) {
         assumed.push(format!("The site was not given: class {site}."));
     }
-    if let (None, Some(years)) = (words.get("return_period_years"), target.spectrum.return_period_years()) {
+    if let (None, Some(years)) = (
+        words.get("return_period_years"),
+        target.spectrum.return_period_years(),
+    ) {
         assumed.push(format!("The return period was not given: {years} years."));
     }
     assumed

@@ -2,7 +2,8 @@
 
 use freestand_input::words::number;
 use freestand_output::html::{
-    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, properties, words,
+    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, properties,
+    words,
 };
 
 use super::Case;
@@ -38,10 +39,21 @@ sub { font-size: .72em; line-height: 0; }
 pub(super) fn sheet(case: &Case) -> String {
     let (own, force) = (&case.own, &case.own.force);
     let units = case.request.units;
-    let hazard = case.target.as_ref().map_or_else(String::new, |target| format!("{}. ", target.parts_words()));
-    let floor = if case.floor.is_empty() { String::new() } else { format!("Floor: {}.", case.floor) };
+    let hazard = case
+        .target
+        .as_ref()
+        .map_or_else(String::new, |target| format!("{}. ", target.parts_words()));
+    let floor = if case.floor.is_empty() {
+        String::new()
+    } else {
+        format!("Floor: {}.", case.floor)
+    };
     let subtitle = format!("{}: {hazard}{floor}", clause_words(own));
-    let mut html = opening("Restraint of an object", subtitle.trim_end(), &format!("{ONE_PAGE_CSS}{CSS}"));
+    let mut html = opening(
+        "Restraint of an object",
+        subtitle.trim_end(),
+        &format!("{ONE_PAGE_CSS}{CSS}"),
+    );
     html.push_str("<div class=\"sheet\">\n<div>\n");
     html.push_str(&sketch(case));
     html.push_str("</div>\n<div>\n");
@@ -55,20 +67,36 @@ pub(super) fn sheet(case: &Case) -> String {
         escape(&own.source.numbers)
     ));
     if let Some(limits) = limits_words(own) {
-        html.push_str(&format!("<p>Limits: {}: F = {} W.</p>\n", escape(&limits), number(force.force_ratio, 4)));
+        html.push_str(&format!(
+            "<p>Limits: {}: F = {} W.</p>\n",
+            escape(&limits),
+            number(force.force_ratio, 4)
+        ));
     }
     let row = |factor| {
         let [symbol, value, source] = factor_words(factor);
         vec![markup(symbols(&symbol), ""), words(&value), words(&source)]
     };
     let rows: Vec<Vec<Cell>> = own.source.factors.iter().map(row).collect();
-    html.push_str(&html::table("", &[vec![words("factor"), words("value"), words("who says so")]], &rows));
+    html.push_str(&html::table(
+        "",
+        &[vec![words("factor"), words("value"), words("who says so")]],
+        &rows,
+    ));
     html.push_str(&heading("The anchors"));
     html.push_str(&anchors(case));
     if !case.others.is_empty() {
         html.push_str(&heading("For comparison, on the same spectrum"));
         let mut titles = vec![words("clause")];
-        titles.extend(["force", "force/weight", "tension along one edge", "in concrete"].map(figure));
+        titles.extend(
+            [
+                "force",
+                "force/weight",
+                "tension along one edge",
+                "in concrete",
+            ]
+            .map(figure),
+        );
         let row = |other: &crate::restraint::Demand| {
             let force = &other.force;
             vec![
@@ -84,7 +112,11 @@ pub(super) fn sheet(case: &Case) -> String {
     }
     html.push_str(&confirmations(case));
     html.push_str(&heading("Assumed"));
-    let doubt = case.target.as_ref().and_then(|target| target.place).and_then(|place| place.doubt());
+    let doubt = case
+        .target
+        .as_ref()
+        .and_then(|target| target.place)
+        .and_then(|place| place.doubt());
     let mut notes: Vec<String> = doubt.map(|doubt| sentence(&doubt)).into_iter().collect();
     notes.extend(case.assumptions.iter().cloned());
     notes.extend(own.source.remarks.iter().cloned());
@@ -106,43 +138,91 @@ fn confirmations(case: &Case) -> String {
     if open.is_empty() {
         return String::new();
     }
-    let titles = ["not read in the code", "value used", "value in your edition", "initials"].map(words);
-    let row = |one: &super::ToConfirm| vec![markup(symbols(&one.what), ""), words(&one.value), words(""), words("")];
+    let titles = [
+        "not read in the code",
+        "value used",
+        "value in your edition",
+        "initials",
+    ]
+    .map(words);
+    let row = |one: &super::ToConfirm| {
+        vec![
+            markup(symbols(&one.what), ""),
+            words(&one.value),
+            words(""),
+            words(""),
+        ]
+    };
     let rows: Vec<Vec<Cell>> = open.iter().map(row).collect();
     let table = html::classed_table("blanks", "", &[titles.to_vec()], &rows);
-    format!("<section class=\"confirm\">\n{}{table}</section>\n", heading("To be confirmed by the engineer"))
+    format!(
+        "<section class=\"confirm\">\n{}{table}</section>\n",
+        heading("To be confirmed by the engineer")
+    )
 }
 
 /// A warning as a sentence.
 fn sentence(warning: &str) -> String {
     let mut letters = warning.chars();
-    letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
+    letters.next().map_or_else(String::new, |first| {
+        format!("{}{}.", first.to_uppercase(), letters.as_str())
+    })
 }
 
 fn object_and_results(case: &Case) -> String {
     let (own, force, object) = (&case.own, &case.own.force, &case.question.object);
     let units = case.request.units;
     let length = |length_m: f64| units.length(length_m);
-    let sides: Vec<String> = [Some(case.request.height_m), Some(case.request.thickness_m), case.request.width_m]
-        .into_iter()
-        .flatten()
-        .map(length)
-        .collect();
-    let weight = format!("{}, weight W = {}", units.mass(object.mass_kg), units.force_in_both(case.weight_n()));
+    let sides: Vec<String> = [
+        Some(case.request.height_m),
+        Some(case.request.thickness_m),
+        case.request.width_m,
+    ]
+    .into_iter()
+    .flatten()
+    .map(length)
+    .collect();
+    let weight = format!(
+        "{}, weight W = {}",
+        units.mass(object.mass_kg),
+        units.force_in_both(case.weight_n())
+    );
     let object_rows = [
         ("Height × thickness × width", sides.join(" × ")),
         ("Mass", weight),
-        ("Height of the centre of gravity", length(object.cg_height_m)),
+        (
+            "Height of the centre of gravity",
+            length(object.cg_height_m),
+        ),
     ];
-    let bracket = format!("{} at {}", units.force_in_both(force.bracket_force_n), length(force.bracket_height_m));
+    let bracket = format!(
+        "{} at {}",
+        units.force_in_both(force.bracket_force_n),
+        length(force.bracket_height_m)
+    );
     let results = [
         ("Design force F", units.force_in_both(force.force_n)),
-        ("Overturning moment", units.moment(own.overturning_moment_n_m)),
-        ("Resisting moment of the weight", units.moment(own.resisting_moment_n_m)),
-        ("Tension T along one edge", tension_words(units, force.anchor_tension_n)),
-        ("The same in concrete", tension_words(units, force.anchor_tension_concrete_n)),
+        (
+            "Overturning moment",
+            units.moment(own.overturning_moment_n_m),
+        ),
+        (
+            "Resisting moment of the weight",
+            units.moment(own.resisting_moment_n_m),
+        ),
+        (
+            "Tension T along one edge",
+            tension_words(units, force.anchor_tension_n),
+        ),
+        (
+            "The same in concrete",
+            tension_words(units, force.anchor_tension_concrete_n),
+        ),
         ("Or a bracket, P", bracket),
-        ("with, at the feet", units.force_in_both(force.bracket_base_shear_n)),
+        (
+            "with, at the feet",
+            units.force_in_both(force.bracket_base_shear_n),
+        ),
     ];
     properties("The object", &object_rows) + &properties("The restraint", &results)
 }
@@ -160,11 +240,28 @@ fn anchors(case: &Case) -> String {
     };
     let edge = [force.anchor_tension_n, force.anchor_tension_concrete_n];
     let all = [edge[0], edge[1], case.anchor_shear_n() * count as f64];
-    let each = [case.anchor_n(edge[0]), case.anchor_n(edge[1]), case.anchor_shear_n()];
-    let table = html::table("", &[titles], &[row("all along one edge", all), row(&format!("each of {count}"), each)]);
-    let Some(axis) = &case.own.axis else { return table };
+    let each = [
+        case.anchor_n(edge[0]),
+        case.anchor_n(edge[1]),
+        case.anchor_shear_n(),
+    ];
+    let table = html::table(
+        "",
+        &[titles],
+        &[
+            row("all along one edge", all),
+            row(&format!("each of {count}"), each),
+        ],
+    );
+    let Some(axis) = &case.own.axis else {
+        return table;
+    };
     let length = |length_m: f64| units.length(length_m);
-    let stated = if case.question.settings.anchor_inset_m.is_some() { "" } else { ", assumed" };
+    let stated = if case.question.settings.anchor_inset_m.is_some() {
+        ""
+    } else {
+        ", assumed"
+    };
     let tension = format!(
         "T = (F c − H e)/(B − a), at least 0, with c = {}, e = {}, B = {} (the {}), a = {} (the distance of the anchors \
          from the edge that they hold down{stated}) and H = {} W, the weight that holds it down{}. In concrete, Ω_0 F takes the place of F, with Ω_0 = {}.",
@@ -184,7 +281,9 @@ fn anchors(case: &Case) -> String {
 fn symbols(text: &str) -> String {
     let (mut html, mut rest) = (String::new(), text);
     while let Some((before, after)) = rest.split_once('_') {
-        let index = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
+        let index = after
+            .find(|c: char| !c.is_alphanumeric())
+            .unwrap_or(after.len());
         let (index, tail) = after.split_at(index);
         html.push_str(&format!("{}<sub>{}</sub>", escape(before), escape(index)));
         rest = tail;

@@ -18,7 +18,10 @@ fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest 
         width_m: Some(0.9),
         cg_height_m: None,
         hazard,
-        floor: RestrainFloor { level_ratio, ..RestrainFloor::default() },
+        floor: RestrainFloor {
+            level_ratio,
+            ..RestrainFloor::default()
+        },
         factors: RestrainFactors::default(),
         component: Some("cabinet".to_owned()),
         // At the edges, so that the numbers below stay simple.
@@ -40,7 +43,10 @@ fn number_of(report: &RestrainReport, name: &str) -> f64 {
 #[track_caller]
 fn near(got: f64, expected: f64) {
     // A handful of products of numbers near one, times a weight of some kN.
-    assert!((got - expected).abs() < 1e-9 * expected.abs().max(1.0), "{got} {expected}");
+    assert!(
+        (got - expected).abs() < 1e-9 * expected.abs().max(1.0),
+        "{got} {expected}"
+    );
 }
 
 fn problems(request: RestrainRequest) -> String {
@@ -55,8 +61,15 @@ fn problems(request: RestrainRequest) -> String {
 #[test]
 fn asce_7_16_by_hand() {
     let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
-    let factors = RestrainFactors { importance_ratio: Some(1.5), ..RestrainFactors::default() };
-    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(1.0)) }).unwrap();
+    let factors = RestrainFactors {
+        importance_ratio: Some(1.5),
+        ..RestrainFactors::default()
+    };
+    let report = restrain(RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(1.0))
+    })
+    .unwrap();
     for (name, ratio) in [
         ("force_n", 0.72),
         ("overturning_moment_n_m", 0.828),
@@ -72,12 +85,30 @@ fn asce_7_16_by_hand() {
     }
     near(number_of(&report, "force_ratio"), 0.72);
     near(number_of(&report, "acts_at_height_m"), 1.15);
-    assert_eq!((report.facts.text("code"), report.facts.text("clause")), (Some("ASCE 7-16"), Some("13.3.1")));
-    let factor = |symbol: &str| report.factors.iter().find(|row| row[0] == symbol).unwrap().clone();
+    assert_eq!(
+        (report.facts.text("code"), report.facts.text("clause")),
+        (Some("ASCE 7-16"), Some("13.3.1"))
+    );
+    let factor = |symbol: &str| {
+        report
+            .factors
+            .iter()
+            .find(|row| row[0] == symbol)
+            .unwrap()
+            .clone()
+    };
     assert_eq!(factor("I_p"), ["I_p", "1.5", "given"]);
-    assert_eq!(factor("a_p"), ["a_p", "1", "read: UFC 3-310-03A, table 10-1 (FEMA 302)"]);
+    assert_eq!(
+        factor("a_p"),
+        ["a_p", "1", "read: UFC 3-310-03A, table 10-1 (FEMA 302)"]
+    );
     assert_eq!(factor("S_DS"), ["S_DS", "1 g", "from the hazard"]);
-    assert!(report.others.is_empty() && report.sheet.contains("0.45 W to 2.4 W; the formula governs"));
+    assert!(
+        report.others.is_empty()
+            && report
+                .sheet
+                .contains("0.45 W to 2.4 W; the formula governs")
+    );
     let expected = "Design its restraint for 989 N (72 % of its weight), 1.15 m above its floor, by ASCE 7-16, 13.3.1: \
                     the anchors along one edge carry 1.41 kN of tension.";
     assert_eq!(report.answer, expected);
@@ -107,8 +138,20 @@ fn anchors_inside_the_edge_have_a_shorter_lever() {
     near(tension(None), 0.9 * 609.6 / (609.6 - 75.0));
     let assumed = at(None).unwrap();
     near(number_of(&assumed, "anchor_inset_m"), 0.075);
-    assert!(assumed.assumptions.iter().any(|line| line.contains("`anchor_inset`")), "{:?}", assumed.assumptions);
-    assert!(at(Some(0.31)).unwrap_err().to_string().contains("half of the base"));
+    assert!(
+        assumed
+            .assumptions
+            .iter()
+            .any(|line| line.contains("`anchor_inset`")),
+        "{:?}",
+        assumed.assumptions
+    );
+    assert!(
+        at(Some(0.31))
+            .unwrap_err()
+            .to_string()
+            .contains("half of the base")
+    );
 }
 
 /// On the roof, S_DS = 1 g, ASCE 7-16: 0.4 · 3 a_p/R_p. Switchgear 2.5/6: 0.5 W; on isolators 2.5/2:
@@ -119,7 +162,10 @@ fn a_generator_is_no_cabinet() {
     let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
     let of = |words: &[(&'static str, &'static str)], component: Option<&str>| {
         let component = component.map(str::to_owned);
-        restrain(RestrainRequest { component, ..cabinet(code(words), Some(1.0)) })
+        restrain(RestrainRequest {
+            component,
+            ..cabinet(code(words), Some(1.0))
+        })
     };
     let ratio = |component| number_of(&of(&words, component).unwrap(), "force_ratio");
     near(ratio(Some("switchgear")), 0.5);
@@ -127,11 +173,32 @@ fn a_generator_is_no_cabinet() {
     near(ratio(Some("Emergency generator, 200 kVA")), 0.48);
     near(ratio(None), 0.8);
     let unnamed = of(&words, None).unwrap();
-    assert!(unnamed.to_confirm.iter().any(|open| open.what.contains("what the object is")));
-    let europe = [("code", "eurocode8"), ("ground_acceleration", "0.24 g"), ("spectrum_type", "1"), ("site", "B")];
-    near(number_of(&of(&europe, Some("cabinet")).unwrap(), "force_ratio"), 0.36);
-    near(number_of(&of(&europe, Some("generator")).unwrap(), "force_ratio"), 0.72);
-    assert!(of(&words, Some("gizmo")).unwrap_err().to_string().contains("give one of cabinet, shelving, generator"));
+    assert!(
+        unnamed
+            .to_confirm
+            .iter()
+            .any(|open| open.what.contains("what the object is"))
+    );
+    let europe = [
+        ("code", "eurocode8"),
+        ("ground_acceleration", "0.24 g"),
+        ("spectrum_type", "1"),
+        ("site", "B"),
+    ];
+    near(
+        number_of(&of(&europe, Some("cabinet")).unwrap(), "force_ratio"),
+        0.36,
+    );
+    near(
+        number_of(&of(&europe, Some("generator")).unwrap(), "force_ratio"),
+        0.72,
+    );
+    assert!(
+        of(&words, Some("gizmo"))
+            .unwrap_err()
+            .to_string()
+            .contains("give one of cabinet, shelving, generator")
+    );
 }
 
 /// California has adopted ASCE 7-22; an edition that is stated counts, and elsewhere the one of the
@@ -139,25 +206,61 @@ fn a_generator_is_no_cabinet() {
 #[test]
 fn the_edition_in_force() {
     let by = |words: &[(&'static str, &'static str)]| {
-        restrain(cabinet(code(words), Some(1.0))).unwrap().facts.text("code").map(str::to_owned)
+        restrain(cabinet(code(words), Some(1.0)))
+            .unwrap()
+            .facts
+            .text("code")
+            .map(str::to_owned)
     };
-    assert_eq!(by(&[("place", "Los Angeles")]).as_deref(), Some("ASCE 7-22"));
-    assert_eq!(by(&[("place", "Los Angeles"), ("edition", "2016")]).as_deref(), Some("ASCE 7-16"));
+    assert_eq!(
+        by(&[("place", "Los Angeles")]).as_deref(),
+        Some("ASCE 7-22")
+    );
+    assert_eq!(
+        by(&[("place", "Los Angeles"), ("edition", "2016")]).as_deref(),
+        Some("ASCE 7-16")
+    );
     assert_eq!(by(&[("place", "Seattle")]).as_deref(), Some("ASCE 7-16"));
 }
 
 /// What nobody has read has its own box on the sheet; a value that the user gives is not in it.
 #[test]
 fn recalled_values_are_to_be_confirmed() {
-    let words = [("code", "eurocode8"), ("ground_acceleration", "0.24 g"), ("spectrum_type", "1"), ("site", "B")];
+    let words = [
+        ("code", "eurocode8"),
+        ("ground_acceleration", "0.24 g"),
+        ("spectrum_type", "1"),
+        ("site", "B"),
+    ];
     let report = restrain(cabinet(code(&words), Some(0.5))).unwrap();
-    assert!(report.to_confirm.iter().any(|open| open.what.starts_with("q_a") && open.value == "2"));
+    assert!(
+        report
+            .to_confirm
+            .iter()
+            .any(|open| open.what.starts_with("q_a") && open.value == "2")
+    );
     assert!(report.sheet.contains("class=\"confirm\""));
-    let factors = RestrainFactors { response_ratio: Some(2.0), ..RestrainFactors::default() };
-    let given = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(0.5)) }).unwrap();
-    assert!(!given.to_confirm.iter().any(|open| open.what.starts_with("q_a")));
+    let factors = RestrainFactors {
+        response_ratio: Some(2.0),
+        ..RestrainFactors::default()
+    };
+    let given = restrain(RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(0.5))
+    })
+    .unwrap();
+    assert!(
+        !given
+            .to_confirm
+            .iter()
+            .any(|open| open.what.starts_with("q_a"))
+    );
     // Of every code: no factor is printed as sourced that is not.
-    for words in [&[("place", "Melbourne")][..], &[("place", "Wellington")], &[("place", "Seattle")]] {
+    for words in [
+        &[("place", "Melbourne")][..],
+        &[("place", "Wellington")],
+        &[("place", "Seattle")],
+    ] {
         let report = restrain(cabinet(code(words), Some(0.5))).unwrap();
         assert!(!report.to_confirm.is_empty(), "{words:?}");
     }
@@ -167,9 +270,21 @@ fn recalled_values_are_to_be_confirmed() {
 #[test]
 fn us_units_on_the_sheet() {
     let request = cabinet(RestrainHazard::FloorAcceleration(0.9), None);
-    let report = restrain(RestrainRequest { units: UnitSystem::Us, ..request }).unwrap();
-    assert!(report.answer.contains("278 lbf") && report.answer.contains("45.28 in"), "{}", report.answer);
-    assert!(report.sheet.contains("308.6 lb") && report.sheet.contains("23.62 in") && report.sheet.contains("lbf·ft"));
+    let report = restrain(RestrainRequest {
+        units: UnitSystem::Us,
+        ..request
+    })
+    .unwrap();
+    assert!(
+        report.answer.contains("278 lbf") && report.answer.contains("45.28 in"),
+        "{}",
+        report.answer
+    );
+    assert!(
+        report.sheet.contains("308.6 lb")
+            && report.sheet.contains("23.62 in")
+            && report.sheet.contains("lbf·ft")
+    );
     near(number_of(&report, "force_n"), 0.9 * WEIGHT_N);
 }
 
@@ -185,10 +300,21 @@ fn asce_7_22_by_hand() {
         building_ductility_ratio: Some(1.5),
         ..RestrainFactors::default()
     };
-    let at = |level| restrain(RestrainRequest { factors, ..cabinet(code(&words), level) }).unwrap();
+    let at = |level| {
+        restrain(RestrainRequest {
+            factors,
+            ..cabinet(code(&words), level)
+        })
+        .unwrap()
+    };
     near(number_of(&at(Some(0.5)), "force_ratio"), 1.056);
     near(number_of(&at(None), "force_ratio"), 0.704);
-    assert!(at(None).assumptions.iter().any(|line| line.contains("on the ground")));
+    assert!(
+        at(None)
+            .assumptions
+            .iter()
+            .any(|line| line.contains("on the ground"))
+    );
 }
 
 /// AS 1170.4, Z = 0.11 (600 years do not matter: 500), class Ce: Ch(0) = 1.3, kpZ Ch(0) = 0.143 g.
@@ -196,18 +322,33 @@ fn asce_7_22_by_hand() {
 /// 1: 0.28886 W, from 0.05 W to 0.5 W; T = (0.28886 · 1.15 − 0.9 · 0.3)/0.6.
 #[test]
 fn as_1170_4_by_hand() {
-    let words = [("code", "as1170.4"), ("hazard_factor", "0.11"), ("site", "Ce")];
+    let words = [
+        ("code", "as1170.4"),
+        ("hazard_factor", "0.11"),
+        ("site", "Ce"),
+    ];
     let floor = RestrainFloor {
         name: Some("2".to_owned()),
         storeys: Some(3),
         storey_height_m: Some(3.0),
         ..RestrainFloor::default()
     };
-    let factors =
-        RestrainFactors { amplification_ratio: Some(2.5), response_ratio: Some(2.5), ..RestrainFactors::default() };
-    let report = restrain(RestrainRequest { floor, factors, ..cabinet(code(&words), None) }).unwrap();
+    let factors = RestrainFactors {
+        amplification_ratio: Some(2.5),
+        response_ratio: Some(2.5),
+        ..RestrainFactors::default()
+    };
+    let report = restrain(RestrainRequest {
+        floor,
+        factors,
+        ..cabinet(code(&words), None)
+    })
+    .unwrap();
     near(number_of(&report, "force_ratio"), 0.143 * 2.02);
-    near(number_of(&report, "anchor_tension_n") / WEIGHT_N, (0.143 * 2.02 * 1.15 - 0.27) / 0.6);
+    near(
+        number_of(&report, "anchor_tension_n") / WEIGHT_N,
+        (0.143 * 2.02 * 1.15 - 0.27) / 0.6,
+    );
     assert_eq!(report.facts.text("code"), Some("AS 1170.4"));
 }
 
@@ -217,23 +358,58 @@ fn as_1170_4_by_hand() {
 #[test]
 fn nzs_1170_5_by_hand() {
     let words = [("place", "Wellington"), ("site", "C")];
-    near(number_of(&restrain(cabinet(code(&words), Some(1.0))).unwrap(), "force_ratio"), 3.192);
-    let factors = RestrainFactors { response_ratio: Some(2.0), ..RestrainFactors::default() };
-    let request = RestrainRequest { factors, ..cabinet(code(&words), Some(0.1)) };
+    near(
+        number_of(
+            &restrain(cabinet(code(&words), Some(1.0))).unwrap(),
+            "force_ratio",
+        ),
+        3.192,
+    );
+    let factors = RestrainFactors {
+        response_ratio: Some(2.0),
+        ..RestrainFactors::default()
+    };
+    let request = RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(0.1))
+    };
     near(number_of(&restrain(request).unwrap(), "force_ratio"), 1.064);
-    let factors = RestrainFactors { importance_ratio: Some(1.3), ..RestrainFactors::default() };
-    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(1.0)) }).unwrap();
+    let factors = RestrainFactors {
+        importance_ratio: Some(1.3),
+        ..RestrainFactors::default()
+    };
+    let report = restrain(RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(1.0))
+    })
+    .unwrap();
     near(number_of(&report, "force_ratio"), 3.6);
-    assert!(report.sheet.contains("at most 3.6 W; the upper limit governs"));
+    assert!(
+        report
+            .sheet
+            .contains("at most 3.6 W; the upper limit governs")
+    );
 }
 
 /// EN 1998-1, a_gR = 0.24 g, type 1, ground B (S = 1.2): α S = 0.288; z/H = 0.5, rigid, γ_a = 1.5, q_a
 /// = 2: 0.288 · (3 · 1.5/2 − 0.5) · 1.5/2 = 0.378 W.
 #[test]
 fn eurocode_8_by_hand() {
-    let words = [("code", "eurocode8"), ("ground_acceleration", "0.24 g"), ("spectrum_type", "1"), ("site", "B")];
-    let factors = RestrainFactors { importance_ratio: Some(1.5), ..RestrainFactors::default() };
-    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(0.5)) }).unwrap();
+    let words = [
+        ("code", "eurocode8"),
+        ("ground_acceleration", "0.24 g"),
+        ("spectrum_type", "1"),
+        ("site", "B"),
+    ];
+    let factors = RestrainFactors {
+        importance_ratio: Some(1.5),
+        ..RestrainFactors::default()
+    };
+    let report = restrain(RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(0.5))
+    })
+    .unwrap();
     near(number_of(&report, "force_ratio"), 0.378);
     assert_eq!(report.facts.text("code"), Some("Eurocode 8"));
 }
@@ -244,17 +420,37 @@ fn a_floor_acceleration_by_hand() {
     let report = restrain(cabinet(RestrainHazard::FloorAcceleration(0.9), None)).unwrap();
     near(number_of(&report, "force_ratio"), 0.9);
     near(number_of(&report, "anchor_tension_n") / WEIGHT_N, 1.275);
-    assert_eq!((report.facts.text("code"), report.facts.text("clause")), (None, Some("F = m a")));
-    assert!(!report.assumptions.iter().any(|line| line.contains("ground")), "{:?}", report.assumptions);
+    assert_eq!(
+        (report.facts.text("code"), report.facts.text("clause")),
+        (None, Some("F = m a"))
+    );
+    assert!(
+        !report
+            .assumptions
+            .iter()
+            .any(|line| line.contains("ground")),
+        "{:?}",
+        report.assumptions
+    );
 }
 
 /// Other codes are shown where they are asked for; the sheet holds everything and loads nothing.
 #[test]
 fn other_codes_and_the_sheet() {
-    let request = |is_compared| RestrainRequest { is_compared, ..cabinet(code(&[("place", "Athens")]), Some(1.0)) };
+    let request = |is_compared| RestrainRequest {
+        is_compared,
+        ..cabinet(code(&[("place", "Athens")]), Some(1.0))
+    };
     let report = restrain(request(true)).unwrap();
     let others: Vec<&str> = report.others.iter().map(|row| row[0].as_str()).collect();
-    assert_eq!(others, ["AS 1170.4, section 8", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1"]);
+    assert_eq!(
+        others,
+        [
+            "AS 1170.4, section 8",
+            "ASCE 7-16, 13.3.1",
+            "ASCE 7-22, 13.3.1"
+        ]
+    );
     assert!(restrain(request(false)).unwrap().others.is_empty());
     let sheet = &report.sheet;
     for part in [
@@ -268,7 +464,8 @@ fn other_codes_and_the_sheet() {
         assert!(sheet.contains(part), "{part}");
     }
     assert!(
-        !sheet.contains("http://") || sheet.matches("http://").count() == sheet.matches("http://www.w3.org").count()
+        !sheet.contains("http://")
+            || sheet.matches("http://").count() == sheet.matches("http://www.w3.org").count()
     );
 }
 
@@ -281,21 +478,32 @@ fn a_list_and_a_single_object_agree() {
     let study = resolve(toml, None, "".as_ref()).unwrap();
     let csv = "id,height [mm],thickness [mm],width [mm],mass [kg],cg height [mm],floor,life safety,anchored\n\
                a,2300,600,900,140,1300,3,M,yes\nb,1800,500,700,90,,roof,,yes\nc,2300,600,900,140,1300,3,H,yes\n";
-    let options = ReadOptions { floors: floors_of(&study, None), ..ReadOptions::new(&Lookup::NONE) };
+    let options = ReadOptions {
+        floors: floors_of(&study, None),
+        ..ReadOptions::new(&Lookup::NONE)
+    };
     let read = parse_inventory(csv.as_bytes().to_vec(), "list.csv".as_ref(), &options);
     let items = read.unwrap().inventory.items;
     let alone =
-        |height_m, (thickness_m, width_m), mass_kg, cg_height_m, floor: &str, importance_ratio| RestrainRequest {
-            height_m,
-            thickness_m,
-            width_m: Some(width_m),
-            mass_kg,
-            cg_height_m,
-            floor: RestrainFloor { name: Some(floor.to_owned()), ..RestrainFloor::default() },
-            factors: RestrainFactors { importance_ratio, ..RestrainFactors::default() },
-            component: None,
-            anchor_inset_m: None,
-            ..cabinet(RestrainHazard::Study(Arc::new(study.clone())), None)
+        |height_m, (thickness_m, width_m), mass_kg, cg_height_m, floor: &str, importance_ratio| {
+            RestrainRequest {
+                height_m,
+                thickness_m,
+                width_m: Some(width_m),
+                mass_kg,
+                cg_height_m,
+                floor: RestrainFloor {
+                    name: Some(floor.to_owned()),
+                    ..RestrainFloor::default()
+                },
+                factors: RestrainFactors {
+                    importance_ratio,
+                    ..RestrainFactors::default()
+                },
+                component: None,
+                anchor_inset_m: None,
+                ..cabinet(RestrainHazard::Study(Arc::new(study.clone())), None)
+            }
         };
     let singles = [
         alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", None),
@@ -304,14 +512,27 @@ fn a_list_and_a_single_object_agree() {
         alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", Some(1.5)),
     ];
     for (item, request) in items.iter().zip(singles) {
-        let subject = Subject::new(item, &freestand_study::study::assessment::Settings::default()).unwrap();
+        let subject = Subject::new(
+            item,
+            &freestand_study::study::assessment::Settings::default(),
+        )
+        .unwrap();
         let forces = restraint_of(&study, item, &subject, None);
         let listed = reported_force(&forces).unwrap();
         let report = restrain(request).unwrap();
-        let numbers = ["force_n", "anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n"];
+        let numbers = [
+            "force_n",
+            "anchor_tension_n",
+            "anchor_tension_concrete_n",
+            "bracket_force_n",
+        ];
         let alone = numbers.map(|name| number_of(&report, name).to_bits());
-        let listed =
-            [listed.force_n, listed.anchor_tension_n, listed.anchor_tension_concrete_n, listed.bracket_force_n];
+        let listed = [
+            listed.force_n,
+            listed.anchor_tension_n,
+            listed.anchor_tension_concrete_n,
+            listed.bracket_force_n,
+        ];
         assert_eq!(alone, listed.map(f64::to_bits), "{}", item.id);
     }
     assert_eq!(items.len(), 3);
@@ -326,34 +547,90 @@ fn bad_requests_say_what_is_wrong() {
         storeys,
         storey_height_m: None,
     };
-    let on = |floor| problems(RestrainRequest { floor, ..cabinet(melbourne(), None) });
+    let on = |floor| {
+        problems(RestrainRequest {
+            floor,
+            ..cabinet(melbourne(), None)
+        })
+    };
     assert!(on(floor(Some("3"), None, None)).contains("`floor` needs `storeys`"));
     assert!(on(floor(Some("3"), Some(0.5), Some(6))).contains("exclude each other"));
     assert!(on(floor(Some("9"), None, Some(6))).contains("is not a floor of the building"));
     assert!(on(floor(None, Some(1.2), None)).contains("`level_ratio` must be"));
     assert!(on(floor(None, None, Some(6))).contains("no floor of it is named"));
-    let with = |factors| problems(RestrainRequest { factors, ..cabinet(melbourne(), None) });
+    let with = |factors| {
+        problems(RestrainRequest {
+            factors,
+            ..cabinet(melbourne(), None)
+        })
+    };
     let none = RestrainFactors::default();
     assert!(
-        with(RestrainFactors { strength_ratio: Some(1.5), ..none }).contains("`strength` is not a factor of AS 1170.4")
+        with(RestrainFactors {
+            strength_ratio: Some(1.5),
+            ..none
+        })
+        .contains("`strength` is not a factor of AS 1170.4")
     );
-    assert!(with(RestrainFactors { building_ductility_ratio: Some(1.0), ..none }).contains("at least 1.3"));
-    assert!(with(RestrainFactors { importance_ratio: Some(0.01), ..none }).contains("`importance` must be between"));
-    let sized = |height_m| problems(RestrainRequest { height_m, ..cabinet(melbourne(), None) });
+    assert!(
+        with(RestrainFactors {
+            building_ductility_ratio: Some(1.0),
+            ..none
+        })
+        .contains("at least 1.3")
+    );
+    assert!(
+        with(RestrainFactors {
+            importance_ratio: Some(0.01),
+            ..none
+        })
+        .contains("`importance` must be between")
+    );
+    let sized = |height_m| {
+        problems(RestrainRequest {
+            height_m,
+            ..cabinet(melbourne(), None)
+        })
+    };
     assert!(sized(1.8e6).contains("no object has 1800000 m"));
     let told = restrain(cabinet(melbourne(), None)).unwrap().warnings;
-    assert!(told.iter().any(|warning| warning.starts_with("`component` is not used by AS 1170.4")), "{told:?}");
-    let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
-    let factors = RestrainFactors { response_ratio: Some(2.5), ..none };
     assert!(
-        problems(RestrainRequest { factors, ..cabinet(newer, None) })
-            .contains("`response` is not a factor of ASCE 7-22")
+        told.iter()
+            .any(|warning| warning.starts_with("`component` is not used by AS 1170.4")),
+        "{told:?}"
+    );
+    let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
+    let factors = RestrainFactors {
+        response_ratio: Some(2.5),
+        ..none
+    };
+    assert!(
+        problems(RestrainRequest {
+            factors,
+            ..cabinet(newer, None)
+        })
+        .contains("`response` is not a factor of ASCE 7-22")
     );
     let given = || RestrainHazard::FloorAcceleration(0.9);
-    assert!(problems(RestrainRequest { is_compared: true, ..cabinet(given(), None) }).contains("no spectrum"));
+    assert!(
+        problems(RestrainRequest {
+            is_compared: true,
+            ..cabinet(given(), None)
+        })
+        .contains("no spectrum")
+    );
     assert!(problems(cabinet(given(), Some(0.5))).contains("no meaning beside it"));
-    assert!(problems(RestrainRequest { cg_height_m: Some(3.0), ..cabinet(melbourne(), None) }).contains("height"));
+    assert!(
+        problems(RestrainRequest {
+            cg_height_m: Some(3.0),
+            ..cabinet(melbourne(), None)
+        })
+        .contains("height")
+    );
     let mut study = resolve("[building]\nstoreys = 30\n", None, "".as_ref()).unwrap();
     study.ground = freestand_study::study::Ground::Recorded(Vec::new());
-    assert!(problems(cabinet(RestrainHazard::Study(Arc::new(study)), None)).contains("the study names no code"));
+    assert!(
+        problems(cabinet(RestrainHazard::Study(Arc::new(study)), None))
+            .contains("the study names no code")
+    );
 }

@@ -75,10 +75,18 @@ impl Component {
     pub fn find(text: &str) -> Option<&'static Self> {
         let text = compared(text);
         let by_name = Self::all().iter().find(|row| compared(row.name) == text);
-        let phrases = Self::all().iter().flat_map(|row| row.words.iter().map(move |phrase| (row, phrase)));
+        let phrases = Self::all()
+            .iter()
+            .flat_map(|row| row.words.iter().map(move |phrase| (row, phrase)));
         let found = phrases.filter(|(_, phrase)| text.contains(phrase.as_str()));
         // Of two phrases of one length the first row counts.
-        let longest = found.reduce(|best, one| if one.1.len() > best.1.len() { one } else { best });
+        let longest = found.reduce(|best, one| {
+            if one.1.len() > best.1.len() {
+                one
+            } else {
+                best
+            }
+        });
         by_name.or(longest.map(|(row, _)| row))
     }
 
@@ -92,7 +100,9 @@ impl Component {
 /// The words of a text in singular, with a blank before and after each.
 fn compared(text: &str) -> String {
     let text = canonical(text);
-    let words = text.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());
+    let words = text
+        .split(|letter: char| !letter.is_alphanumeric())
+        .filter(|word| !word.is_empty());
     let singular = |word: &str| match word.strip_suffix('s') {
         Some(stem) if stem.len() > 2 && !stem.ends_with('s') => stem.to_owned(),
         _ => word.to_owned(),
@@ -102,16 +112,36 @@ fn compared(text: &str) -> String {
 
 /// The rows of the table.
 fn rows() -> impl Iterator<Item = &'static str> {
-    include_str!("components.csv").lines().filter(|line| !line.starts_with('#') && !line.is_empty())
+    include_str!("components.csv")
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.is_empty())
 }
 
 fn read(row: &'static str) -> Option<Component> {
     let fields: Vec<&str> = row.split(';').map(str::trim).collect();
-    let &[name, title, table, of_16, source_16, of_22, source_22, words] = fields.as_slice() else { return None };
-    let numbers = |text: &str| -> Vec<f64> { text.split(',').filter_map(|value| value.trim().parse().ok()).collect() };
+    let &[
+        name,
+        title,
+        table,
+        of_16,
+        source_16,
+        of_22,
+        source_22,
+        words,
+    ] = fields.as_slice()
+    else {
+        return None;
+    };
+    let numbers = |text: &str| -> Vec<f64> {
+        text.split(',')
+            .filter_map(|value| value.trim().parse().ok())
+            .collect()
+    };
     let source = |text: &'static str| Some(text).filter(|text| *text != RECALLED);
-    let (&[amplification_ratio, response_ratio], &[on_ground, above, strength_ratio, overstrength_ratio]) =
-        (numbers(of_16).as_slice(), numbers(of_22).as_slice())
+    let (
+        &[amplification_ratio, response_ratio],
+        &[on_ground, above, strength_ratio, overstrength_ratio],
+    ) = (numbers(of_16).as_slice(), numbers(of_22).as_slice())
     else {
         return None;
     };
@@ -126,7 +156,11 @@ fn read(row: &'static str) -> Option<Component> {
         strength_ratio,
         overstrength_ratio,
         source_22: source(source_22),
-        words: words.split(',').filter(|word| !word.trim().is_empty()).map(compared).collect(),
+        words: words
+            .split(',')
+            .filter(|word| !word.trim().is_empty())
+            .map(compared)
+            .collect(),
     })
 }
 
@@ -146,9 +180,23 @@ mod tests {
         words.dedup();
         assert_eq!(words.len(), count, "a word in two rows");
         for row in all {
-            let factors = [row.amplification_ratio, row.response_ratio, row.strength_ratio, row.overstrength_ratio];
-            assert!(factors.iter().chain(&row.resonance_ratios).all(|factor| (1.0..=6.0).contains(factor)), "{row:?}");
-            assert_eq!(Component::find(row.name).map(|found| found.name), Some(row.name));
+            let factors = [
+                row.amplification_ratio,
+                row.response_ratio,
+                row.strength_ratio,
+                row.overstrength_ratio,
+            ];
+            assert!(
+                factors
+                    .iter()
+                    .chain(&row.resonance_ratios)
+                    .all(|factor| (1.0..=6.0).contains(factor)),
+                "{row:?}"
+            );
+            assert_eq!(
+                Component::find(row.name).map(|found| found.name),
+                Some(row.name)
+            );
         }
     }
 
@@ -164,7 +212,11 @@ mod tests {
             ("Server", [1.0, 2.5]),
         ] {
             let row = Component::find(item).unwrap();
-            assert_eq!([row.amplification_ratio, row.response_ratio], factors, "{item}");
+            assert_eq!(
+                [row.amplification_ratio, row.response_ratio],
+                factors,
+                "{item}"
+            );
         }
         assert_eq!(Component::find("upset vase"), None);
     }

@@ -54,8 +54,18 @@ impl Factor {
         assumed: f64,
         reason: &'static str,
     ) -> Self {
-        let source = if stated.is_some() { FactorSource::Given } else { FactorSource::Assumed(reason) };
-        Self { key, symbol, value: stated.unwrap_or(assumed), unit: "1", source }
+        let source = if stated.is_some() {
+            FactorSource::Given
+        } else {
+            FactorSource::Assumed(reason)
+        };
+        Self {
+            key,
+            symbol,
+            value: stated.unwrap_or(assumed),
+            unit: "1",
+            source,
+        }
     }
 
     /// The stated value, or that of a table with its source; without a source nobody has read it.
@@ -66,9 +76,22 @@ impl Factor {
         value: f64,
         source: Option<&'static str>,
     ) -> Self {
-        let from = source.map_or(FactorSource::Recalled("the row of the table"), FactorSource::Read);
-        let source = if stated.is_some() { FactorSource::Given } else { from };
-        Self { key, symbol, value: stated.unwrap_or(value), unit: "1", source }
+        let from = source.map_or(
+            FactorSource::Recalled("the row of the table"),
+            FactorSource::Read,
+        );
+        let source = if stated.is_some() {
+            FactorSource::Given
+        } else {
+            from
+        };
+        Self {
+            key,
+            symbol,
+            value: stated.unwrap_or(value),
+            unit: "1",
+            source,
+        }
     }
 
     /// The stated value, or one that nobody has read.
@@ -79,8 +102,18 @@ impl Factor {
         value: f64,
         reason: &'static str,
     ) -> Self {
-        let source = if stated.is_some() { FactorSource::Given } else { FactorSource::Recalled(reason) };
-        Self { key, symbol, value: stated.unwrap_or(value), unit: "1", source }
+        let source = if stated.is_some() {
+            FactorSource::Given
+        } else {
+            FactorSource::Recalled(reason)
+        };
+        Self {
+            key,
+            symbol,
+            value: stated.unwrap_or(value),
+            unit: "1",
+            source,
+        }
     }
 
     /// A value that follows from something else.
@@ -91,7 +124,13 @@ impl Factor {
         unit: &'static str,
         from: &'static str,
     ) -> Self {
-        Self { key, symbol, value, unit, source: FactorSource::Found(from) }
+        Self {
+            key,
+            symbol,
+            value,
+            unit,
+            source: FactorSource::Found(from),
+        }
     }
 
     pub(crate) fn number(&self) -> String {
@@ -102,20 +141,42 @@ impl Factor {
 /// ` Assumed: a_p = 1 (rigid). Stated in the study: R_p = 2.` with `stated` for the second title.
 pub(super) fn said(factors: &[Factor], stated: &str) -> String {
     let list = |title: &str, wanted: fn(FactorSource) -> Option<&'static str>| {
-        let chosen = factors.iter().filter_map(|factor| Some((factor, wanted(factor.source)?)));
+        let chosen = factors
+            .iter()
+            .filter_map(|factor| Some((factor, wanted(factor.source)?)));
         let each = chosen.map(|(factor, reason)| match reason {
             "" => format!("{} = {}", factor.symbol, factor.number()),
             reason => format!("{} = {} ({reason})", factor.symbol, factor.number()),
         });
         let each: Vec<String> = each.collect();
-        if each.is_empty() { String::new() } else { format!(" {title}: {}.", each.join(", ")) }
+        if each.is_empty() {
+            String::new()
+        } else {
+            format!(" {title}: {}.", each.join(", "))
+        }
     };
-    let assumed =
-        list("Assumed", |source| if let FactorSource::Assumed(reason) = source { Some(reason) } else { None });
-    let read = list("Read", |source| if let FactorSource::Read(source) = source { Some(source) } else { None });
+    let assumed = list("Assumed", |source| {
+        if let FactorSource::Assumed(reason) = source {
+            Some(reason)
+        } else {
+            None
+        }
+    });
+    let read = list("Read", |source| {
+        if let FactorSource::Read(source) = source {
+            Some(source)
+        } else {
+            None
+        }
+    });
     let recalled = list("To be confirmed by the engineer", |source| match source {
         FactorSource::Recalled(reason) => Some(reason),
         _ => None,
     });
-    assumed + &read + &recalled + &list(stated, |source| (source == FactorSource::Given).then_some(""))
+    assumed
+        + &read
+        + &recalled
+        + &list(stated, |source| {
+            (source == FactorSource::Given).then_some("")
+        })
 }

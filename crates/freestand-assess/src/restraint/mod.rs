@@ -13,7 +13,9 @@ use crate::result::{Axis, RestraintForce, RestraintKind, reported_force};
 
 use self::components::Component;
 use self::sources::Source;
-use self::statics::{Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension};
+use self::statics::{
+    Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension,
+};
 
 pub(crate) mod components;
 pub(crate) mod factor;
@@ -129,14 +131,22 @@ pub(crate) struct RestraintQuestion {
 
 impl RestraintQuestion {
     /// The question for an object in the building of a study.
-    pub(crate) fn in_study(study: &Study, object: HeldObject, floor_acceleration_g: Option<f64>) -> Self {
+    pub(crate) fn in_study(
+        study: &Study,
+        object: HeldObject,
+        floor_acceleration_g: Option<f64>,
+    ) -> Self {
         let building = study.building.as_ref();
         Self {
             object,
             building_height_m: building.map(|building| building.height_m),
             building_period_s: building.map(|building| building.along.period_s()),
-            spectrum: study.restraint_target().map(|target| target.parts_spectrum().clone()),
-            parts_edition: study.restraint_target().and_then(|target| target.parts_edition),
+            spectrum: study
+                .restraint_target()
+                .map(|target| target.parts_spectrum().clone()),
+            parts_edition: study
+                .restraint_target()
+                .and_then(|target| target.parts_edition),
             floor_acceleration_g,
             is_floor_given: false,
             settings: study.assessment.restraint,
@@ -162,7 +172,10 @@ pub(crate) struct Demand {
 
 /// The forces for the design of a restraint: [`demands`] as outputs show them.
 pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
-    demands(question).into_iter().map(|demand| demand.force).collect()
+    demands(question)
+        .into_iter()
+        .map(|demand| demand.force)
+        .collect()
 }
 
 /// What a restraint must carry, one demand for each source: first by the study's own code, then by
@@ -188,23 +201,40 @@ pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintFor
 /// There is no force for an object without mass or size.
 pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
-    let HeldObject { mass_kg, height_m, cg_height_m, .. } = question.object;
-    if ![mass_kg, height_m, cg_height_m].into_iter().all(is_positive) {
+    let HeldObject {
+        mass_kg,
+        height_m,
+        cg_height_m,
+        ..
+    } = question.object;
+    if ![mass_kg, height_m, cg_height_m]
+        .into_iter()
+        .all(is_positive)
+    {
         return Vec::new();
     }
     let is_own = |code: &Source| code.kind == RestraintKind::OwnCode;
-    let (own, others): (Vec<Source>, Vec<Source>) = sources::codes(question).into_iter().partition(is_own);
-    let pfa_g = question.floor_acceleration_g.filter(|&pfa_g| is_positive(pfa_g));
+    let (own, others): (Vec<Source>, Vec<Source>) =
+        sources::codes(question).into_iter().partition(is_own);
+    let pfa_g = question
+        .floor_acceleration_g
+        .filter(|&pfa_g| is_positive(pfa_g));
     let floor = pfa_g.map(|pfa_g| {
         let mut floor = sources::floor(question, pfa_g);
         let ratio = floor.force.force_ratio;
         if let Some(code) = own.first().filter(|code| ratio > code.force.force_ratio) {
             let times = number(ratio / code.force.force_ratio, 3);
-            floor.remarks.push(format!("It is {times} times the force by {}.", code.name));
+            floor
+                .remarks
+                .push(format!("It is {times} times the force by {}.", code.name));
         }
         floor
     });
-    own.into_iter().chain(floor).chain(others).map(|source| demand(question, source)).collect()
+    own.into_iter()
+        .chain(floor)
+        .chain(others)
+        .map(|source| demand(question, source))
+        .collect()
 }
 
 /// What the force by a source asks of anchors and of a bracket.
@@ -214,22 +244,45 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
     let force_ratio = source.force.force_ratio;
     let force_n = force_ratio * weight_n;
     let concrete_n = source.overstrength_ratio * force_n;
-    let held_weight_ratio = held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
+    let held_weight_ratio =
+        held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
     let held_n = held_weight_ratio * weight_n;
     let inset_m = question.settings.anchor_inset_m;
     let tension = |force_n: f64| {
-        worst_tension(&object.axes, inset_m, &Pulled { force_n, cg_height_m: object.cg_height_m, held_n })
+        worst_tension(
+            &object.axes,
+            inset_m,
+            &Pulled {
+                force_n,
+                cg_height_m: object.cg_height_m,
+                held_n,
+            },
+        )
     };
     let (worst, worst_in_concrete) = (tension(force_n), tension(concrete_n));
     let held = bracket(question);
-    let stated = if question.is_floor_given { "Given" } else { "Stated in the study" };
+    let stated = if question.is_floor_given {
+        "Given"
+    } else {
+        "Stated in the study"
+    };
     let note = [
-        if source.kind == RestraintKind::OtherCode { "For comparison, on your spectrum. " } else { "" },
+        if source.kind == RestraintKind::OtherCode {
+            "For comparison, on your spectrum. "
+        } else {
+            ""
+        },
         &source.note(stated),
         &held_words(question, &source, held_weight_ratio),
-        &worst.map_or_else(String::new, |(axis, _)| anchor_words(question, axis, held_weight_ratio)),
+        &worst.map_or_else(String::new, |(axis, _)| {
+            anchor_words(question, axis, held_weight_ratio)
+        }),
         &bracket_words(question, &held, force_n, held_n, source.overstrength_ratio),
-        if source.overstrength_ratio == 1.0 { "" } else { " In concrete, Ω_0 F takes the place of F." },
+        if source.overstrength_ratio == 1.0 {
+            ""
+        } else {
+            " In concrete, Ω_0 F takes the place of F."
+        },
     ];
     let force = RestraintForce {
         kind: source.kind,
@@ -251,7 +304,9 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
         source,
         force,
         overturning_moment_n_m: force_n * object.cg_height_m,
-        resisting_moment_n_m: axis.as_ref().map_or(0.0, |axis| held_n * axis.least_lever_m()),
+        resisting_moment_n_m: axis
+            .as_ref()
+            .map_or(0.0, |axis| held_n * axis.least_lever_m()),
         inset_m: axis.as_ref().map_or(0.0, |axis| axis.inset_m(inset_m)),
         axis,
     }
@@ -260,7 +315,11 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
 /// What an object that falls needs, although the force of the code would not lift it: `The code's
 /// force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for 3.1
 /// kN.` `None` where the code's force asks for anchors, or there is no code.
-pub(crate) fn beyond_code_words(forces: &[RestraintForce], overturned: usize, worlds: usize) -> Option<String> {
+pub(crate) fn beyond_code_words(
+    forces: &[RestraintForce],
+    overturned: usize,
+    worlds: usize,
+) -> Option<String> {
     let design = crate::result::design_force(forces)?;
     let own = reported_force(forces)?;
     (design != own && overturned > 0).then(|| {
@@ -289,14 +348,22 @@ fn held_words(question: &RestraintQuestion, source: &Source, held_weight_ratio: 
 }
 
 /// The tension of the anchors of one edge, in words.
-fn anchor_words(question: &RestraintQuestion, axis: &RestraintAxis, held_weight_ratio: f64) -> String {
+fn anchor_words(
+    question: &RestraintQuestion,
+    axis: &RestraintAxis,
+    held_weight_ratio: f64,
+) -> String {
     let length = |value_m: f64| format_si(value_m, Dimension::Length);
     let stated_m = question.settings.anchor_inset_m;
     format!(
         " Anchors along one edge, {}, {}{}: (F × {} − {} W × {})/({} − {}).",
         axis.axis.name(),
         length(axis.inset_m(stated_m)),
-        if stated_m.is_some() { " inside it" } else { " inside it (assumed)" },
+        if stated_m.is_some() {
+            " inside it"
+        } else {
+            " inside it (assumed)"
+        },
         length(question.object.cg_height_m),
         number(held_weight_ratio, 4),
         length(axis.least_lever_m()),
@@ -314,7 +381,11 @@ fn anchor_words(question: &RestraintQuestion, axis: &RestraintAxis, held_weight_
 /// (1 − cos θ).
 pub(crate) fn clearance_m(height_m: f64, thickness_m: f64, rotation_rad: f64) -> f64 {
     let rotation_rad = rotation_rad.abs();
-    if rotation_rad > (thickness_m / height_m).atan() { height_m } else { height_m * rotation_rad.sin() }
+    if rotation_rad > (thickness_m / height_m).atan() {
+        height_m
+    } else {
+        height_m * rotation_rad.sin()
+    }
 }
 
 #[cfg(test)]

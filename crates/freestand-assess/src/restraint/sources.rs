@@ -2,10 +2,13 @@
 //! floor.
 
 use freestand::code_spectrum::part_forces::{
-    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing, LEAST_BUILDING_DUCTILITY_RATIO, Nzs1170_5Part,
-    PartForce, as1170_4_force, asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
+    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing,
+    LEAST_BUILDING_DUCTILITY_RATIO, Nzs1170_5Part, PartForce, as1170_4_force, asce7_16_force,
+    asce7_22_force, eurocode8_force, nzs1170_5_force,
 };
-use freestand::code_spectrum::parts::{PartsQuestion, as1170_4_height_ratio, asce7_height_ratio, floor_acceleration_g};
+use freestand::code_spectrum::parts::{
+    PartsQuestion, as1170_4_height_ratio, asce7_height_ratio, floor_acceleration_g,
+};
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::words::number;
 use freestand_study::study::assessment::Bracket;
@@ -21,10 +24,12 @@ use super::factor::{Factor, FactorSource, said};
 const TALL_M: f64 = 60.0;
 
 /// What nobody has read of AS 1170.4 and NZS 1170.5.
-const CLAUSE_RECALLED: &str = "the formula of this clause and its limits, which are quoted from memory";
+const CLAUSE_RECALLED: &str =
+    "the formula of this clause and its limits, which are quoted from memory";
 
 /// The same of ASCE 7: the weight that holds the object down.
-const COMBINATION_RECALLED: &str = "the load combination 0.9 D − 0.2 S_DS D (2.3.6, 12.4.2.2), quoted from memory";
+const COMBINATION_RECALLED: &str =
+    "the load combination 0.9 D − 0.2 S_DS D (2.3.6, 12.4.2.2), quoted from memory";
 
 /// What of tables that were read in another edition must be confirmed.
 const OTHER_EDITION: &str = "that ASCE 7-16 has kept a_p and R_p of the edition that was read";
@@ -96,7 +101,10 @@ impl Source {
             note.push_str(remark);
         }
         if !self.to_confirm.is_empty() {
-            note.push_str(&format!(" An engineer must confirm {}.", self.to_confirm.join("; ")));
+            note.push_str(&format!(
+                " An engineer must confirm {}.",
+                self.to_confirm.join("; ")
+            ));
         }
         note
     }
@@ -108,13 +116,21 @@ impl Source {
         if self.vertical_words.is_empty() {
             return String::new();
         }
-        format!(" ({} is deducted for vertical shaking)", self.vertical_words)
+        format!(
+            " ({} is deducted for vertical shaking)",
+            self.vertical_words
+        )
     }
 }
 
 /// `; the lower limit governs: 0.05 W`, where a limit does.
 fn governs(force: &PartForce) -> String {
-    let limit = |name: &str| format!("; the {name} limit governs: {} W", number(force.force_ratio, 4));
+    let limit = |name: &str| {
+        format!(
+            "; the {name} limit governs: {} W",
+            number(force.force_ratio, 4)
+        )
+    };
     match force.governing {
         Governing::Formula => String::new(),
         Governing::Minimum => limit("lower"),
@@ -153,7 +169,11 @@ impl<'a> Asked<'a> {
             building_period_s: question.building_period_s,
         };
         let is_known = question.building_height_m.is_some() || question.object.level_ratio <= 0.0;
-        Self { question, place, tall: (!is_known).then(|| tall.to_owned()) }
+        Self {
+            question,
+            place,
+            tall: (!is_known).then(|| tall.to_owned()),
+        }
     }
 
     fn is_flexible(&self) -> bool {
@@ -162,18 +182,38 @@ impl<'a> Asked<'a> {
 
     /// The amplification on a rigid and on a flexible bracket.
     fn amplification(&self, symbol: &'static str, rigid: f64, flexible: f64) -> Factor {
-        self.amplified("amplification", symbol, self.question.settings.amplification_ratio, [rigid, flexible])
+        self.amplified(
+            "amplification",
+            symbol,
+            self.question.settings.amplification_ratio,
+            [rigid, flexible],
+        )
     }
 
-    fn amplified(&self, key: &'static str, symbol: &'static str, stated: Option<f64>, assumed: [f64; 2]) -> Factor {
+    fn amplified(
+        &self,
+        key: &'static str,
+        symbol: &'static str,
+        stated: Option<f64>,
+        assumed: [f64; 2],
+    ) -> Factor {
         let [rigid, flexible] = assumed;
-        let (assumed, reason) =
-            if self.is_flexible() { (flexible, "a flexible bracket") } else { (rigid, "a rigid bracket") };
+        let (assumed, reason) = if self.is_flexible() {
+            (flexible, "a flexible bracket")
+        } else {
+            (rigid, "a rigid bracket")
+        };
         Factor::new(key, symbol, stated, assumed, reason)
     }
 
     fn response(&self, symbol: &'static str, value: f64, reason: &'static str) -> Factor {
-        Factor::recalled("response", symbol, self.question.settings.response_ratio, value, reason)
+        Factor::recalled(
+            "response",
+            symbol,
+            self.question.settings.response_ratio,
+            value,
+            reason,
+        )
     }
 
     /// The row of the object in the tables of ASCE 7, and whether somebody has named it.
@@ -183,7 +223,11 @@ impl<'a> Asked<'a> {
 
     /// What an engineer must confirm of a force by ASCE 7.
     fn unconfirmed(&self, edition: Asce7Edition) -> Vec<&'static str> {
-        let is_named = self.question.object.component.is_some_and(|row| !row.is_other());
+        let is_named = self
+            .question
+            .object
+            .component
+            .is_some_and(|row| !row.is_other());
         let is_read = self.component().is_some_and(|row| row.source_16.is_some());
         let mut list = vec![COMBINATION_RECALLED];
         list.extend((edition == Asce7Edition::Asce7_16 && is_read).then_some(OTHER_EDITION));
@@ -192,22 +236,47 @@ impl<'a> Asked<'a> {
     }
 
     fn importance(&self, symbol: &'static str) -> Factor {
-        let (assumed, reason) =
-            if self.question.object.is_critical { (CRITICAL_RATIO, "life safety is rated high") } else { (1.0, "") };
-        Factor::new("importance", symbol, self.question.settings.importance_ratio, assumed, reason)
+        let (assumed, reason) = if self.question.object.is_critical {
+            (CRITICAL_RATIO, "life safety is rated high")
+        } else {
+            (1.0, "")
+        };
+        Factor::new(
+            "importance",
+            symbol,
+            self.question.settings.importance_ratio,
+            assumed,
+            reason,
+        )
     }
 
     fn overstrength(&self, value: f64, reason: &'static str) -> Factor {
-        Factor::recalled("overstrength", "Ω_0", self.question.settings.overstrength_ratio, value, reason)
+        Factor::recalled(
+            "overstrength",
+            "Ω_0",
+            self.question.settings.overstrength_ratio,
+            value,
+            reason,
+        )
     }
 
     /// z/h.
     fn level(&self) -> Factor {
-        Factor::found("level_ratio", "z/h", self.place.level_ratio, "1", "the floor")
+        Factor::found(
+            "level_ratio",
+            "z/h",
+            self.place.level_ratio,
+            "1",
+            "the floor",
+        )
     }
 
     fn kind(&self, is_own: bool) -> RestraintKind {
-        if is_own { RestraintKind::OwnCode } else { RestraintKind::OtherCode }
+        if is_own {
+            RestraintKind::OwnCode
+        } else {
+            RestraintKind::OtherCode
+        }
     }
 
     fn australia(&self, spectrum: &CodeSpectrum) -> Option<Source> {
@@ -217,14 +286,21 @@ impl<'a> Asked<'a> {
         let floor_g = if is_own {
             floor_acceleration_g(spectrum, &self.place)?
         } else {
-            ground_g(spectrum) * as1170_4_height_ratio(self.place.level_ratio, self.place.building_height_m?)
+            ground_g(spectrum)
+                * as1170_4_height_ratio(self.place.level_ratio, self.place.building_height_m?)
         };
         let ground_g = ground_g(spectrum);
-        let borrowed = (!is_own).then(|| "kpZ Ch(0) is taken as Sa(0) of the study's spectrum.".to_owned());
+        let borrowed =
+            (!is_own).then(|| "kpZ Ch(0) is taken as Sa(0) of the study's spectrum.".to_owned());
         let importance = self.importance("I_c");
         let amplification = self.amplification("a_c", 1.0, FLEXIBLE_RATIO);
-        let ductility = self.response("R_c", 1.0, "2.5 where the connection is shown to be ductile");
-        let overstrength = self.overstrength(1.0, "AS 5216 has rules of its own for anchors in concrete");
+        let ductility = self.response(
+            "R_c",
+            1.0,
+            "2.5 where the connection is shown to be ductile",
+        );
+        let overstrength =
+            self.overstrength(1.0, "AS 5216 has rules of its own for anchors in concrete");
         let force = as1170_4_force(
             floor_g,
             &As1170_4Part {
@@ -253,7 +329,13 @@ impl<'a> Asked<'a> {
             equation: "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W".to_owned(),
             numbers,
             factors: self.factors(
-                Factor::found("ground_acceleration", "kpZ Ch(0)", ground_g, "g", "the hazard"),
+                Factor::found(
+                    "ground_acceleration",
+                    "kpZ Ch(0)",
+                    ground_g,
+                    "g",
+                    "the hazard",
+                ),
                 Factor::found("height", "a_x", height, "1", "the floor: 1 + kc hx"),
                 [importance, amplification, ductility, overstrength],
             ),
@@ -265,14 +347,31 @@ impl<'a> Asked<'a> {
     fn america(&self, spectrum: &CodeSpectrum, edition: Asce7Edition) -> Option<Source> {
         let sds_g = spectrum.plateau_g();
         let own = self.own_edition(spectrum);
-        let borrowed = own.is_none().then(|| "S_DS is taken as the plateau of the study's spectrum.".to_owned());
-        let height = asce7_height_ratio(edition, self.place.level_ratio, self.place.building_period_s);
+        let borrowed = own
+            .is_none()
+            .then(|| "S_DS is taken as the plateau of the study's spectrum.".to_owned());
+        let height = asce7_height_ratio(
+            edition,
+            self.place.level_ratio,
+            self.place.building_period_s,
+        );
         let row = self.component()?;
         let (code, name, clause) = match edition {
-            Asce7Edition::Asce7_16 => ("ASCE 7-16", "ASCE 7-16, 13.3.1", self.asce7_16(row, sds_g, height)),
-            Asce7Edition::Asce7_22 => ("ASCE 7-22", "ASCE 7-22, 13.3.1", self.asce7_22(row, sds_g, height)),
+            Asce7Edition::Asce7_16 => (
+                "ASCE 7-16",
+                "ASCE 7-16, 13.3.1",
+                self.asce7_16(row, sds_g, height),
+            ),
+            Asce7Edition::Asce7_22 => (
+                "ASCE 7-22",
+                "ASCE 7-22, 13.3.1",
+                self.asce7_22(row, sds_g, height),
+            ),
         };
-        let used = format!("The factors are those of {} (table {}).", row.title, row.table);
+        let used = format!(
+            "The factors are those of {} (table {}).",
+            row.title, row.table
+        );
         let of_older = (own == Some(Asce7Edition::Asce7_22)).then_some(spectrum).and_then(|spectrum| match spectrum {
             CodeSpectrum::Asce7(code) if code.edition() == Asce7Edition::Asce7_16 => Some(
                 "The clause is that of ASCE 7-22, the code in force; S_DS is from the mapped values of ASCE 7-16."
@@ -300,7 +399,9 @@ impl<'a> Asked<'a> {
     /// The edition by which the parts are designed where the hazard is by ASCE 7: that in force, else
     /// that of the spectrum.
     fn own_edition(&self, spectrum: &CodeSpectrum) -> Option<Asce7Edition> {
-        let CodeSpectrum::Asce7(code) = spectrum else { return None };
+        let CodeSpectrum::Asce7(code) = spectrum else {
+            return None;
+        };
         Some(self.question.parts_edition.unwrap_or(code.edition()))
     }
 
@@ -310,9 +411,21 @@ impl<'a> Asked<'a> {
             self.amplification("a_p", FLEXIBLE_RATIO, FLEXIBLE_RATIO)
         } else {
             let value = row.amplification_ratio;
-            Factor::of_table("amplification", "a_p", settings.amplification_ratio, value, row.source_16)
+            Factor::of_table(
+                "amplification",
+                "a_p",
+                settings.amplification_ratio,
+                value,
+                row.source_16,
+            )
         };
-        let response = Factor::of_table("response", "R_p", settings.response_ratio, row.response_ratio, row.source_16);
+        let response = Factor::of_table(
+            "response",
+            "R_p",
+            settings.response_ratio,
+            row.response_ratio,
+            row.source_16,
+        );
         let importance = self.importance("I_p");
         let overstrength = self.overstrength(ASCE7_OVERSTRENGTH_RATIO, "anchors in concrete");
         let part = Asce7_16Part {
@@ -342,8 +455,16 @@ impl<'a> Asked<'a> {
     }
 
     /// The ground, the floor, what both give, and the numbers of the part.
-    fn factors<const N: usize>(&self, ground: Factor, height: Factor, part: [Factor; N]) -> Vec<Factor> {
-        [ground, self.level(), height].into_iter().chain(part).collect()
+    fn factors<const N: usize>(
+        &self,
+        ground: Factor,
+        height: Factor,
+        part: [Factor; N],
+    ) -> Vec<Factor> {
+        [ground, self.level(), height]
+            .into_iter()
+            .chain(part)
+            .collect()
     }
 
     fn asce7_22(&self, row: &Component, sds_g: f64, height_ratio: f64) -> Clause {
@@ -359,16 +480,39 @@ impl<'a> Asked<'a> {
             Factor::of_table("resonance", "C_AR", stated, of_row, row.source_22)
         };
         let stated = settings.strength_ratio.or(settings.response_ratio);
-        let strength = Factor::of_table("strength", "R_po", stated, row.strength_ratio, row.source_22);
-        let overstrength =
-            Factor::of_table("overstrength", "Ω_0", settings.overstrength_ratio, row.overstrength_ratio, row.source_22);
+        let strength = Factor::of_table(
+            "strength",
+            "R_po",
+            stated,
+            row.strength_ratio,
+            row.source_22,
+        );
+        let overstrength = Factor::of_table(
+            "overstrength",
+            "Ω_0",
+            settings.overstrength_ratio,
+            row.overstrength_ratio,
+            row.source_22,
+        );
         let ductility = if is_at_grade {
             // 13.3.1.2: whatever the building is.
-            Factor::new("building_ductility", "R_μ", None, 1.0, "on or below the ground")
+            Factor::new(
+                "building_ductility",
+                "R_μ",
+                None,
+                1.0,
+                "on or below the ground",
+            )
         } else {
             let reason = "the ductility of the building is not known";
             let stated = settings.building_ductility_ratio;
-            Factor::new("building_ductility", "R_μ", stated, LEAST_BUILDING_DUCTILITY_RATIO, reason)
+            Factor::new(
+                "building_ductility",
+                "R_μ",
+                stated,
+                LEAST_BUILDING_DUCTILITY_RATIO,
+                reason,
+            )
         };
         let importance = self.importance("I_p");
         let part = Asce7_22Part {
@@ -405,25 +549,47 @@ impl<'a> Asked<'a> {
     }
 
     fn europe(&self, spectrum: &CodeSpectrum) -> Option<Source> {
-        let CodeSpectrum::Eurocode8(code) = spectrum else { return None };
+        let CodeSpectrum::Eurocode8(code) = spectrum else {
+            return None;
+        };
         let ground_g = code.zero_period_g();
         let stated = self.question.settings.amplification_ratio;
         // The formula has no factor for a part: a stated one multiplies the force of a rigid part.
         let period = if self.is_flexible() && stated.is_none() {
-            Factor::new("period_ratio", "T_a/T_1", None, 1.0, "a flexible bracket: resonance")
+            Factor::new(
+                "period_ratio",
+                "T_a/T_1",
+                None,
+                1.0,
+                "a flexible bracket: resonance",
+            )
         } else {
             Factor::new("period_ratio", "T_a/T_1", None, 0.0, "a rigid part")
         };
-        let known = stated.map(|_| Factor::new("amplification", "amplification A", stated, 1.0, ""));
+        let known =
+            stated.map(|_| Factor::new("amplification", "amplification A", stated, 1.0, ""));
         let importance = self.importance("γ_a");
-        let is_cabinet = self.question.object.component.is_some_and(|row| row.is_cabinet());
+        let is_cabinet = self
+            .question
+            .object
+            .component
+            .is_some_and(|row| row.is_cabinet());
         let (assumed, reason) = if is_cabinet {
-            (2.0, "table 4.4, anchorage of floor-supported cabinets and book stacks")
+            (
+                2.0,
+                "table 4.4, anchorage of floor-supported cabinets and book stacks",
+            )
         } else {
-            (1.0, "no reduction: table 4.4 has a value for floor-supported cabinets alone")
+            (
+                1.0,
+                "no reduction: table 4.4 has a value for floor-supported cabinets alone",
+            )
         };
         let behaviour = self.response("q_a", assumed, reason);
-        let overstrength = self.overstrength(1.0, "EN 1992-4 has rules of its own for anchors in concrete");
+        let overstrength = self.overstrength(
+            1.0,
+            "EN 1992-4 has rules of its own for anchors in concrete",
+        );
         let part = Eurocode8Part {
             period_ratio: period.value,
             amplification_ratio: known.map_or(1.0, |factor| factor.value),
@@ -468,18 +634,35 @@ impl<'a> Asked<'a> {
     }
 
     fn new_zealand(&self, spectrum: &CodeSpectrum) -> Option<Source> {
-        let CodeSpectrum::Nzs1170_5(_) = spectrum else { return None };
+        let CodeSpectrum::Nzs1170_5(_) = spectrum else {
+            return None;
+        };
         let floor_g = floor_acceleration_g(spectrum, &self.place)?;
         let ground_g = ground_g(spectrum);
         let settings = &self.question.settings;
-        let shape =
-            Factor::recalled("amplification", "C_i", settings.amplification_ratio, 2.0, "a period up to 0.75 s");
+        let shape = Factor::recalled(
+            "amplification",
+            "C_i",
+            settings.amplification_ratio,
+            2.0,
+            "a period up to 0.75 s",
+        );
         // The code multiplies by C_ph; a study states what a force is divided by.
-        let response = Factor::new("response", "C_ph", settings.response_ratio.map(f64::recip), 1.0, "elastic");
+        let response = Factor::new(
+            "response",
+            "C_ph",
+            settings.response_ratio.map(f64::recip),
+            1.0,
+            "elastic",
+        );
         let risk = Factor::new("importance", "R_p", settings.importance_ratio, 1.0, "");
-        let overstrength = self.overstrength(1.0, "NZS 3101 has rules of its own for anchors in concrete");
-        let part =
-            Nzs1170_5Part { spectral_ratio: shape.value, response_ratio: response.value, risk_ratio: risk.value };
+        let overstrength =
+            self.overstrength(1.0, "NZS 3101 has rules of its own for anchors in concrete");
+        let part = Nzs1170_5Part {
+            spectral_ratio: shape.value,
+            response_ratio: response.value,
+            risk_ratio: risk.value,
+        };
         let height = Factor::found("height", "C_Hi", floor_g / ground_g, "1", "the floor");
         Some(Source {
             kind: RestraintKind::OwnCode,
@@ -491,7 +674,13 @@ impl<'a> Asked<'a> {
             vertical_words: "",
             overstrength_ratio: overstrength.value,
             equation: "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W".to_owned(),
-            numbers: format!("{} × {} × {} × {}", number(floor_g, 4), shape.number(), response.number(), risk.number()),
+            numbers: format!(
+                "{} × {} × {} × {}",
+                number(floor_g, 4),
+                shape.number(),
+                response.number(),
+                risk.number()
+            ),
             factors: self.factors(
                 Factor::found("ground_acceleration", "C(0)", ground_g, "g", "the hazard"),
                 height,
@@ -505,17 +694,23 @@ impl<'a> Asked<'a> {
 
 /// The forces by the codes.
 pub(super) fn codes(question: &RestraintQuestion) -> Vec<Source> {
-    let Some(spectrum) = &question.spectrum else { return Vec::new() };
+    let Some(spectrum) = &question.spectrum else {
+        return Vec::new();
+    };
     let asked = Asked::new(question);
-    [asked.europe(spectrum), asked.new_zealand(spectrum), asked.australia(spectrum)]
-        .into_iter()
-        .flatten()
-        .chain(
-            [Asce7Edition::Asce7_16, Asce7Edition::Asce7_22]
-                .into_iter()
-                .filter_map(|edition| asked.america(spectrum, edition)),
-        )
-        .collect()
+    [
+        asked.europe(spectrum),
+        asked.new_zealand(spectrum),
+        asked.australia(spectrum),
+    ]
+    .into_iter()
+    .flatten()
+    .chain(
+        [Asce7Edition::Asce7_16, Asce7Edition::Asce7_22]
+            .into_iter()
+            .filter_map(|edition| asked.america(spectrum, edition)),
+    )
+    .collect()
 }
 
 /// The force by the acceleration of the floor: F = m A PFA, with A at least 1. It is that of
@@ -524,13 +719,30 @@ pub(super) fn floor(question: &RestraintQuestion, pfa_g: f64) -> Source {
     let asked = Asked::new(question);
     let amplification = asked.amplification("A", 1.0, FLEXIBLE_RATIO);
     let used_ratio = amplification.value.max(1.0);
-    let overstrength = asked.overstrength(1.0, "the standard for anchors in concrete has rules of its own");
+    let overstrength = asked.overstrength(
+        1.0,
+        "the standard for anchors in concrete has rules of its own",
+    );
     let (name, equation, pfa) = if question.is_floor_given {
-        let pfa = Factor { source: FactorSource::Given, ..Factor::found("floor_acceleration", "a", pfa_g, "g", "") };
-        ("the given floor acceleration", "F = A m a, A at least 1", pfa)
+        let pfa = Factor {
+            source: FactorSource::Given,
+            ..Factor::found("floor_acceleration", "a", pfa_g, "g", "")
+        };
+        (
+            "the given floor acceleration",
+            "F = A m a, A at least 1",
+            pfa,
+        )
     } else {
-        let pfa = Factor::found("floor_acceleration", "PFA", pfa_g, "g", "the simulated earthquakes");
-        let equation = "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds";
+        let pfa = Factor::found(
+            "floor_acceleration",
+            "PFA",
+            pfa_g,
+            "g",
+            "the simulated earthquakes",
+        );
+        let equation =
+            "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds";
         ("computed floor acceleration", equation, pfa)
     };
     let ratio = used_ratio * pfa_g;

@@ -37,12 +37,21 @@ pub(super) fn worst_tension<'a>(
     inset_m: Option<f64>,
     pulled: &Pulled,
 ) -> Option<(&'a RestraintAxis, f64)> {
-    let Pulled { force_n, cg_height_m, held_n } = *pulled;
+    let Pulled {
+        force_n,
+        cg_height_m,
+        held_n,
+    } = *pulled;
     // The largest before it is limited to 0, so that the axis does not depend on their order.
     let moment_n_m = |axis: &RestraintAxis| force_n * cg_height_m - held_n * axis.least_lever_m();
     let pull = |axis: &RestraintAxis| moment_n_m(axis) / axis.anchor_lever_m(inset_m);
-    let usable = axes.iter().filter(|axis| axis.anchor_lever_m(inset_m) > 0.0);
-    usable.map(|axis| (axis, pull(axis))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(axis, n)| (axis, n.max(0.0)))
+    let usable = axes
+        .iter()
+        .filter(|axis| axis.anchor_lever_m(inset_m) > 0.0);
+    usable
+        .map(|axis| (axis, pull(axis)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(axis, n)| (axis, n.max(0.0)))
 }
 
 /// A bracket: the object stands on its feet, and is held at this height.
@@ -60,11 +69,18 @@ pub(super) struct Held {
 /// note says so: with P = F c/z_b, a bracket above the object would get too small a force.
 pub(super) fn bracket(question: &RestraintQuestion) -> Held {
     match question.settings.bracket_height_m {
-        Some(stated_m) if stated_m > question.object.height_m => {
-            Held { height_m: question.object.height_m, too_high_m: Some(stated_m) }
-        }
-        Some(stated_m) => Held { height_m: stated_m, too_high_m: None },
-        None => Held { height_m: BRACKET_SHARE * question.object.height_m, too_high_m: None },
+        Some(stated_m) if stated_m > question.object.height_m => Held {
+            height_m: question.object.height_m,
+            too_high_m: Some(stated_m),
+        },
+        Some(stated_m) => Held {
+            height_m: stated_m,
+            too_high_m: None,
+        },
+        None => Held {
+            height_m: BRACKET_SHARE * question.object.height_m,
+            too_high_m: None,
+        },
     }
 }
 
@@ -94,7 +110,10 @@ pub(super) fn bracket_words(
     let shear_n = base_shear_n(force_n, cg_height_m, height_m);
     let friction_n = FOOT_FRICTION_RATIO * held_n;
     let limited = held.too_high_m.map_or_else(String::new, |stated_m| {
-        format!(" The stated height, {}, is above the object: the bracket is taken at its top.", length(stated_m))
+        format!(
+            " The stated height, {}, is above the object: the bracket is taken at its top.",
+            length(stated_m)
+        )
     });
     let below = if cg_height_m > height_m {
         " The bracket is below the centre of gravity: it carries more than F, and the force at the feet is reversed. \
@@ -103,12 +122,18 @@ pub(super) fn bracket_words(
         ""
     };
     let feet = if friction_n >= shear_n {
-        format!("friction with a coefficient of {FOOT_FRICTION_RATIO} carries {}: it suffices", kilonewtons(friction_n))
+        format!(
+            "friction with a coefficient of {FOOT_FRICTION_RATIO} carries {}: it suffices",
+            kilonewtons(friction_n)
+        )
     } else {
         let in_concrete = if overstrength_ratio == 1.0 {
             String::new()
         } else {
-            format!(", in concrete for {}", kilonewtons(overstrength_ratio * shear_n))
+            format!(
+                ", in concrete for {}",
+                kilonewtons(overstrength_ratio * shear_n)
+            )
         };
         format!(
             "friction with a coefficient of {FOOT_FRICTION_RATIO} carries only {}: fix the feet{in_concrete}",

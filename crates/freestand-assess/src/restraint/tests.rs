@@ -1,6 +1,6 @@
 use freestand::code_spectrum::{
-    As1170_4, Asce7, Asce7Edition, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5, OutOfRange, SiteClass,
-    SpectrumTable, SpectrumType, SubsoilClass,
+    As1170_4, Asce7, Asce7Edition, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5,
+    OutOfRange, SiteClass, SpectrumTable, SpectrumType, SubsoilClass,
 };
 use freestand_study::study::assessment::Bracket;
 
@@ -11,7 +11,11 @@ const WEIGHT_N: f64 = 140.0 * 9.80665;
 
 /// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, on the roof of a tower.
 fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
-    let axis = |axis, base_m: f64| RestraintAxis { axis, base_m, weight_lever_m: base_m / 2.0 };
+    let axis = |axis, base_m: f64| RestraintAxis {
+        axis,
+        base_m,
+        weight_lever_m: base_m / 2.0,
+    };
     RestraintQuestion {
         object: HeldObject {
             mass_kg: 140.0,
@@ -29,7 +33,10 @@ fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
         floor_acceleration_g: Some(0.4),
         is_floor_given: false,
         // At the edges, so that the numbers below stay simple.
-        settings: RestraintSettings { anchor_inset_m: Some(0.0), ..RestraintSettings::default() },
+        settings: RestraintSettings {
+            anchor_inset_m: Some(0.0),
+            ..RestraintSettings::default()
+        },
     }
 }
 
@@ -48,7 +55,9 @@ fn set(question: RestraintQuestion, change: impl Fn(&mut RestraintSettings)) -> 
 }
 
 fn melbourne() -> CodeSpectrum {
-    As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().into()
+    As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)
+        .unwrap()
+        .into()
 }
 
 /// S_DS = 1 g.
@@ -57,7 +66,10 @@ fn america(edition: Asce7Edition) -> CodeSpectrum {
 }
 
 fn of<'a>(forces: &'a [RestraintForce], source: &str) -> &'a RestraintForce {
-    forces.iter().find(|force| force.source.starts_with(source)).unwrap()
+    forces
+        .iter()
+        .find(|force| force.source.starts_with(source))
+        .unwrap()
 }
 
 fn names(forces: &[RestraintForce]) -> Vec<&str> {
@@ -68,18 +80,32 @@ fn names(forces: &[RestraintForce]) -> Vec<&str> {
 fn held(forces: &[RestraintForce], source: &str) -> [f64; 3] {
     let force = of(forces, source);
     near([force.force_n / WEIGHT_N], [force.force_ratio]);
-    [force.force_ratio, force.anchor_tension_n / WEIGHT_N, force.anchor_tension_concrete_n / WEIGHT_N]
+    [
+        force.force_ratio,
+        force.anchor_tension_n / WEIGHT_N,
+        force.anchor_tension_concrete_n / WEIGHT_N,
+    ]
 }
 
 /// P/W, P_c/W and V/W.
 fn bracketed(force: &RestraintForce) -> [f64; 3] {
-    [force.bracket_force_n, force.bracket_force_concrete_n, force.bracket_base_shear_n].map(|n| n / WEIGHT_N)
+    [
+        force.bracket_force_n,
+        force.bracket_force_concrete_n,
+        force.bracket_base_shear_n,
+    ]
+    .map(|n| n / WEIGHT_N)
 }
 
 #[track_caller]
 fn near<const N: usize>(got: [f64; N], expected: [f64; N]) {
     // A handful of products of numbers near one.
-    assert!(got.iter().zip(&expected).all(|(got, expected)| (got - expected).abs() < 1e-12), "{got:?} {expected:?}");
+    assert!(
+        got.iter()
+            .zip(&expected)
+            .all(|(got, expected)| (got - expected).abs() < 1e-12),
+        "{got:?} {expected:?}"
+    );
 }
 
 /// kpZ Ch(0) = 0.088 g, a_x = 3: 0.264 W. T = (0.264 · 1.15 − 0.9 · 0.3)/0.6 W = 0.056 W; across
@@ -90,20 +116,48 @@ fn near<const N: usize>(got: [f64; N], expected: [f64; N]) {
 #[test]
 fn the_cabinet_in_melbourne_by_hand() {
     let forces = restraint_forces(&cabinet(Some(melbourne())));
-    let expected =
-        ["AS 1170.4-2007, section 8", "computed floor acceleration", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1"];
+    let expected = [
+        "AS 1170.4-2007, section 8",
+        "computed floor acceleration",
+        "ASCE 7-16, 13.3.1",
+        "ASCE 7-22, 13.3.1",
+    ];
     assert_eq!(names(&forces), expected);
     near(held(&forces, "AS 1170"), [0.264, 0.056, 0.056]);
     near(held(&forces, "ASCE 7-16"), [0.141_312, 0.0, 0.121_136]);
     let force = 0.4 * 0.2944 * (1.0 + 1.0 / 3.0 + 1.0 - (0.4_f64 / 3.0).powi(2)) / 1.3 / 1.5;
-    near(held(&forces, "ASCE 7-22"), [force, 0.0, (2.0 * force * 1.15 - 0.84112 * 0.3) / 0.6]);
+    near(
+        held(&forces, "ASCE 7-22"),
+        [force, 0.0, (2.0 * force * 1.15 - 0.84112 * 0.3) / 0.6],
+    );
     // (0.4 · 1.15 − 0.27)/0.6; across the width (0.46 − 0.405)/0.9 is less.
     near(held(&forces, "computed"), [0.4, 0.19 / 0.6, 0.19 / 0.6]);
-    near([of(&forces, "AS 1170").held_weight_ratio, of(&forces, "ASCE").held_weight_ratio], [0.9, 0.84112]);
-    near([of(&forces, "AS 1170").overstrength_ratio, of(&forces, "ASCE").overstrength_ratio], [1.0, 2.0]);
-    assert!(forces[2].note.contains("S_DS is taken as the plateau") && forces[0].note.contains("from memory"));
+    near(
+        [
+            of(&forces, "AS 1170").held_weight_ratio,
+            of(&forces, "ASCE").held_weight_ratio,
+        ],
+        [0.9, 0.84112],
+    );
+    near(
+        [
+            of(&forces, "AS 1170").overstrength_ratio,
+            of(&forces, "ASCE").overstrength_ratio,
+        ],
+        [1.0, 2.0],
+    );
+    assert!(
+        forces[2].note.contains("S_DS is taken as the plateau")
+            && forces[0].note.contains("from memory")
+    );
     assert!(!forces[0].note.contains("taken as"), "its own spectrum");
-    assert!(forces[1].note.contains("It is 1.52 times the force by AS 1170.4"), "0.4/0.264: {}", forces[1].note);
+    assert!(
+        forces[1]
+            .note
+            .contains("It is 1.52 times the force by AS 1170.4"),
+        "0.4/0.264: {}",
+        forces[1].note
+    );
 }
 
 /// The cabinet's bracket at 0.9 · 2.3 m = 2.07 m: P = 0.264 · 1.15/2.07 = 0.146667 W, V = 0.264 (1
@@ -114,13 +168,35 @@ fn a_bracket_by_hand() {
     let forces = restraint_forces(&cabinet(Some(melbourne())));
     let (own, asce) = (of(&forces, "AS 1170"), of(&forces, "ASCE 7-16"));
     near([own.bracket_height_m], [2.07]);
-    near(bracketed(own), [0.264 / 1.8, 0.264 / 1.8, 0.264 * 0.8 / 1.8]);
-    near(bracketed(asce), [0.141_312 / 1.8, 0.282_624 / 1.8, 0.141_312 * 0.8 / 1.8]);
+    near(
+        bracketed(own),
+        [0.264 / 1.8, 0.264 / 1.8, 0.264 * 0.8 / 1.8],
+    );
+    near(
+        bracketed(asce),
+        [0.141_312 / 1.8, 0.282_624 / 1.8, 0.141_312 * 0.8 / 1.8],
+    );
     // 0.146667, 0.117333 and 0.27 of 1372.93 N.
-    assert!(own.note.contains("= 201.4 N, the weight is not counted"), "{}", own.note);
-    assert!(own.note.contains("= 161.1 N; friction with a coefficient of 0.3 carries 370.7 N: it suffices."));
-    assert!(asce.note.contains("In concrete, Ω_0 F takes the place of F."), "{}", asce.note);
-    assert!(!own.note.contains("Ω_0 F takes"), "a factor of 1 changes nothing");
+    assert!(
+        own.note.contains("= 201.4 N, the weight is not counted"),
+        "{}",
+        own.note
+    );
+    assert!(
+        own.note.contains(
+            "= 161.1 N; friction with a coefficient of 0.3 carries 370.7 N: it suffices."
+        )
+    );
+    assert!(
+        asce.note
+            .contains("In concrete, Ω_0 F takes the place of F."),
+        "{}",
+        asce.note
+    );
+    assert!(
+        !own.note.contains("Ω_0 F takes"),
+        "a factor of 1 changes nothing"
+    );
 }
 
 /// At 0.5 m, below the centre of gravity: P = 0.264 · 2.3 = 0.6072 W, V = 0.264 · 1.3 = 0.3432 W
@@ -129,19 +205,33 @@ fn a_bracket_by_hand() {
 #[test]
 fn a_bracket_below_the_centre_of_gravity_and_above_the_object() {
     let at = |height_m| {
-        let question = set(cabinet(Some(melbourne())), |settings| settings.bracket_height_m = Some(height_m));
+        let question = set(cabinet(Some(melbourne())), |settings| {
+            settings.bracket_height_m = Some(height_m)
+        });
         restraint_forces(&question).remove(0)
     };
     let low = at(0.5);
     near(bracketed(&low), [0.6072, 0.6072, 0.3432]);
-    assert!(low.note.contains("below the centre of gravity: it carries more than F"));
-    assert!(low.note.contains("carries only 370.7 N: fix the feet."), "{}", low.note);
+    assert!(
+        low.note
+            .contains("below the centre of gravity: it carries more than F")
+    );
+    assert!(
+        low.note.contains("carries only 370.7 N: fix the feet."),
+        "{}",
+        low.note
+    );
     near(bracketed(&at(1.15)), [0.264, 0.264, 0.0]);
     assert!(!at(1.15).note.contains("below the centre"));
     let high = at(3.0);
     near([high.bracket_height_m], [2.3]);
     near(bracketed(&high), [0.132, 0.132, 0.132]);
-    assert!(high.note.contains("The stated height, 3 m, is above the object"), "{}", high.note);
+    assert!(
+        high.note
+            .contains("The stated height, 3 m, is above the object"),
+        "{}",
+        high.note
+    );
     assert!(!at(2.3).note.contains("above the object"));
 }
 
@@ -152,20 +242,37 @@ fn a_bracket_below_the_centre_of_gravity_and_above_the_object() {
 fn america_takes_some_of_the_weight_away() {
     let question = cabinet(Some(america(Asce7Edition::Asce7_16)));
     let forces = restraint_forces(&question);
-    let expected =
-        ["ASCE 7-16, 13.3.1", "computed floor acceleration", "AS 1170.4-2007, section 8", "ASCE 7-22, 13.3.1"];
+    let expected = [
+        "ASCE 7-16, 13.3.1",
+        "computed floor acceleration",
+        "AS 1170.4-2007, section 8",
+        "ASCE 7-22, 13.3.1",
+    ];
     assert_eq!(names(&forces), expected);
     near(held(&forces, "ASCE 7-16"), [0.48, 0.57, 1.49]);
-    near(held(&forces, "AS 1170.4"), [0.5, (0.575 - 0.27) / 0.6, (0.575 - 0.27) / 0.6]);
+    near(
+        held(&forces, "AS 1170.4"),
+        [0.5, (0.575 - 0.27) / 0.6, (0.575 - 0.27) / 0.6],
+    );
     let note = |source| of(&forces, source).note.as_str();
-    assert!(!note("AS 1170").contains("Stated") && note("AS 1170").contains("the upper limit governs: 0.5 W"));
+    assert!(
+        !note("AS 1170").contains("Stated")
+            && note("AS 1170").contains("the upper limit governs: 0.5 W")
+    );
     assert!(note("AS 1170").contains("taken as Sa(0)") && !note("ASCE 7-16").contains("plateau"));
     assert!(note("ASCE 7-16").contains("max(0, 0.9 − 0.2 S_DS) W = max(0, 0.9 − 0.2) W = 0.7 W"));
     // 0.4 g is below 0.48 g.
     assert!(!note("computed").contains("times the force"));
     let critical = restraint_forces(&other(question, |object| object.is_critical = true));
-    near(held(&critical, "ASCE 7-16"), [0.72, (0.72 * 1.15 - 0.21) / 0.6, (1.44 * 1.15 - 0.21) / 0.6]);
-    assert!(of(&critical, "ASCE").note.contains("I_p = 1.5 (life safety is rated high)"));
+    near(
+        held(&critical, "ASCE 7-16"),
+        [0.72, (0.72 * 1.15 - 0.21) / 0.6, (1.44 * 1.15 - 0.21) / 0.6],
+    );
+    assert!(
+        of(&critical, "ASCE")
+            .note
+            .contains("I_p = 1.5 (life safety is rated high)")
+    );
 }
 
 /// S_DS = 5 g deducts more than the dead load: H = 0, not less. T = F c/B.
@@ -174,28 +281,55 @@ fn no_more_than_the_weight_is_deducted() {
     let code = Asce7::new(Asce7Edition::Asce7_16, 5.0, 3.0, 8.0).unwrap();
     let forces = restraint_forces(&cabinet(Some(code.into())));
     near([of(&forces, "ASCE 7-16").held_weight_ratio], [0.0]);
-    near(held(&forces, "ASCE 7-16"), [2.4, 2.4 * 1.15 / 0.6, 4.8 * 1.15 / 0.6]);
+    near(
+        held(&forces, "ASCE 7-16"),
+        [2.4, 2.4 * 1.15 / 0.6, 4.8 * 1.15 / 0.6],
+    );
 }
 
 /// The edition of the study comes first, the other one is for comparison.
 #[test]
 fn own_code_then_floor_then_comparisons() {
-    for (edition, own) in [(Asce7Edition::Asce7_16, "ASCE 7-16"), (Asce7Edition::Asce7_22, "ASCE 7-22")] {
+    for (edition, own) in [
+        (Asce7Edition::Asce7_16, "ASCE 7-16"),
+        (Asce7Edition::Asce7_22, "ASCE 7-22"),
+    ] {
         let forces = restraint_forces(&cabinet(Some(america(edition))));
         let study: Vec<&str> = forces
             .iter()
             .take_while(|force| force.kind != RestraintKind::OtherCode)
             .map(|force| force.source.as_str())
             .collect();
-        assert_eq!(study, [format!("{own}, 13.3.1").as_str(), "computed floor acceleration"]);
+        assert_eq!(
+            study,
+            [
+                format!("{own}, 13.3.1").as_str(),
+                "computed floor acceleration"
+            ]
+        );
         assert!(forces[2..].iter().all(|force| {
-            force.kind == RestraintKind::OtherCode && force.note.starts_with("For comparison, on your spectrum. F_")
+            force.kind == RestraintKind::OtherCode
+                && force
+                    .note
+                    .starts_with("For comparison, on your spectrum. F_")
         }));
-        assert!(reported_force(&forces).unwrap().source.starts_with(own), "not the largest");
+        assert!(
+            reported_force(&forces).unwrap().source.starts_with(own),
+            "not the largest"
+        );
     }
     // Nothing of the study's own: no force counts.
-    let table = SpectrumTable::new(vec![0.1, 1.0], vec![0.2, 0.1], Interpolation::LogLog, OutOfRange::Refuse).unwrap();
-    let only = RestraintQuestion { floor_acceleration_g: None, ..cabinet(Some(table.into())) };
+    let table = SpectrumTable::new(
+        vec![0.1, 1.0],
+        vec![0.2, 0.1],
+        Interpolation::LogLog,
+        OutOfRange::Refuse,
+    )
+    .unwrap();
+    let only = RestraintQuestion {
+        floor_acceleration_g: None,
+        ..cabinet(Some(table.into()))
+    };
     let forces = restraint_forces(&only);
     assert!(forces.len() == 3 && reported_force(&forces).is_none());
 }
@@ -205,8 +339,15 @@ fn own_code_then_floor_then_comparisons() {
 fn europe_and_new_zealand_have_their_own() {
     let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
     let forces = restraint_forces(&cabinet(Some(europe.into())));
-    near(held(&forces, "EN 1998"), [0.3, (0.345 - 0.27) / 0.6, (0.345 - 0.27) / 0.6]);
-    assert!(forces.len() == 5 && forces[0].source.starts_with("EN 1998") && forces[0].note.contains("EN 1992-4"));
+    near(
+        held(&forces, "EN 1998"),
+        [0.3, (0.345 - 0.27) / 0.6, (0.345 - 0.27) / 0.6],
+    );
+    assert!(
+        forces.len() == 5
+            && forces[0].source.starts_with("EN 1998")
+            && forces[0].note.contains("EN 1992-4")
+    );
     let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
     let forces = restraint_forces(&cabinet(Some(new_zealand.into())));
     let tension: [f64; 2] = [(3.192 * 1.15 - 0.27) / 0.6, (3.192 * 1.15 - 0.405) / 0.9];
@@ -223,7 +364,9 @@ fn europe_and_new_zealand_have_their_own() {
 #[test]
 fn stated_factors_replace_those_of_the_codes() {
     let stated = |spectrum: CodeSpectrum| {
-        let question = other(cabinet(Some(spectrum)), |object| (object.level_ratio, object.is_critical) = (0.5, true));
+        let question = other(cabinet(Some(spectrum)), |object| {
+            (object.level_ratio, object.is_critical) = (0.5, true)
+        });
         restraint_forces(&set(question, |settings| {
             *settings = RestraintSettings {
                 dead_load_ratio: 0.8,
@@ -238,21 +381,48 @@ fn stated_factors_replace_those_of_the_codes() {
     let ratio = |forces: &[RestraintForce], source: &str| of(forces, source).force_ratio;
     let forces = stated(melbourne());
     near(
-        [ratio(&forces, "AS 1170"), ratio(&forces, "ASCE 7-16"), ratio(&forces, "computed")],
+        [
+            ratio(&forces, "AS 1170"),
+            ratio(&forces, "ASCE 7-16"),
+            ratio(&forces, "computed"),
+        ],
         [0.14784, 0.197_836_8, 0.56],
     );
     // T = 3 s: 1 + 0.5/3 + 0.98222/1024; 0.4 · 0.2944 · 1.2 · H_f/1.3 · 1.4/2.
     let height = 1.0 + 0.5 / 3.0 + (1.0 - (0.4_f64 / 3.0).powi(2)) / 1024.0;
-    near([ratio(&forces, "ASCE 7-22")], [(0.4 * 0.2944 * 1.2 * height / 1.3 * 0.7).max(0.3 * 0.2944 * 1.2)]);
-    near(held(&forces, "computed"), [0.56, (0.56 * 1.15 - 0.24) / 0.6, (1.7 * 0.56 * 1.15 - 0.24) / 0.6]);
+    near(
+        [ratio(&forces, "ASCE 7-22")],
+        [(0.4 * 0.2944 * 1.2 * height / 1.3 * 0.7).max(0.3 * 0.2944 * 1.2)],
+    );
+    near(
+        held(&forces, "computed"),
+        [
+            0.56,
+            (0.56 * 1.15 - 0.24) / 0.6,
+            (1.7 * 0.56 * 1.15 - 0.24) / 0.6,
+        ],
+    );
     assert!(forces.iter().all(|force| force.overstrength_ratio == 1.7));
-    near([of(&forces, "AS 1170").held_weight_ratio, of(&forces, "ASCE").held_weight_ratio], [0.8, 0.74112]);
+    near(
+        [
+            of(&forces, "AS 1170").held_weight_ratio,
+            of(&forces, "ASCE").held_weight_ratio,
+        ],
+        [0.8, 0.74112],
+    );
     let note = &of(&forces, "AS 1170").note;
-    assert!(note.contains("Stated in the study: I_c = 1.2, a_c = 1.4, R_c = 2, Ω_0 = 1.7."), "{note}");
+    assert!(
+        note.contains("Stated in the study: I_c = 1.2, a_c = 1.4, R_c = 2, Ω_0 = 1.7."),
+        "{note}"
+    );
     let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
     let forces = stated(europe.into());
     near([ratio(&forces, "EN 1998")], [0.3528]);
-    assert!(forces[0].note.contains("amplification A = 1.4"), "{}", forces[0].note);
+    assert!(
+        forces[0].note.contains("amplification A = 1.4"),
+        "{}",
+        forces[0].note
+    );
     let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
     let forces = stated(new_zealand.into());
     near([ratio(&forces, "NZS")], [1.340_64]);
@@ -264,41 +434,86 @@ fn stated_factors_replace_those_of_the_codes() {
 /// C_AR = 2.2. Eurocode 8 in resonance on the roof: 0.24 · 5.5/2 = 0.66 W.
 #[test]
 fn a_flexible_bracket_amplifies() {
-    let flexible =
-        |spectrum| restraint_forces(&set(cabinet(Some(spectrum)), |settings| settings.bracket = Bracket::Flexible));
+    let flexible = |spectrum| {
+        restraint_forces(&set(cabinet(Some(spectrum)), |settings| {
+            settings.bracket = Bracket::Flexible
+        }))
+    };
     let forces = flexible(melbourne());
     let rigid = restraint_forces(&cabinet(Some(melbourne())));
     let ratio = |source| of(&forces, source).force_ratio;
-    near([ratio("computed"), ratio("AS 1170"), ratio("ASCE 7-16")], [1.0, 0.5, 2.5 * 0.141_312]);
-    near([ratio("ASCE 7-22")], [2.2 * of(&rigid, "ASCE 7-22").force_ratio]);
-    assert!(of(&forces, "computed").note.contains("A = 2.5 (a flexible bracket)"));
+    near(
+        [ratio("computed"), ratio("AS 1170"), ratio("ASCE 7-16")],
+        [1.0, 0.5, 2.5 * 0.141_312],
+    );
+    near(
+        [ratio("ASCE 7-22")],
+        [2.2 * of(&rigid, "ASCE 7-22").force_ratio],
+    );
+    assert!(
+        of(&forces, "computed")
+            .note
+            .contains("A = 2.5 (a flexible bracket)")
+    );
     let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
-    near([of(&flexible(europe.into()), "EN 1998").force_ratio], [0.66]);
+    near(
+        [of(&flexible(europe.into()), "EN 1998").force_ratio],
+        [0.66],
+    );
     // An amplification of the floor is never below 1.
-    let low = restraint_forces(&set(cabinet(None), |settings| settings.amplification_ratio = Some(0.5)));
+    let low = restraint_forces(&set(cabinet(None), |settings| {
+        settings.amplification_ratio = Some(0.5)
+    }));
     near([low[0].force_ratio], [0.4]);
-    assert!(low[0].note.contains("A at least 1") && low[0].note.contains("Stated in the study: A = 0.5"));
+    assert!(
+        low[0].note.contains("A at least 1")
+            && low[0].note.contains("Stated in the study: A = 0.5")
+    );
 }
 
 /// A table that begins at 0.1 s: its first value is the ground's. A low building: 1 + 0.17 · 10 m ·
 /// 0.5.
 #[test]
 fn a_table_and_a_low_building() {
-    let table = SpectrumTable::new(vec![0.1, 1.0], vec![0.2, 0.1], Interpolation::LogLog, OutOfRange::Refuse).unwrap();
+    let table = SpectrumTable::new(
+        vec![0.1, 1.0],
+        vec![0.2, 0.1],
+        Interpolation::LogLog,
+        OutOfRange::Refuse,
+    )
+    .unwrap();
     let low = RestraintQuestion {
         building_height_m: Some(10.0),
         building_period_s: None,
-        ..other(cabinet(Some(table.into())), |object| object.level_ratio = 0.5)
+        ..other(cabinet(Some(table.into())), |object| {
+            object.level_ratio = 0.5
+        })
     };
     let forces = restraint_forces(&low);
     // The table is nobody's code: the floor comes first, and counts.
-    assert_eq!(reported_force(&forces).unwrap().source, "computed floor acceleration");
+    assert_eq!(
+        reported_force(&forces).unwrap().source,
+        "computed floor acceleration"
+    );
     let tension = (0.37 * 1.15 - 0.27) / 0.6;
     near(held(&forces, "AS 1170"), [0.2 * 1.85, tension, tension]);
     let force: f64 = 0.4 * 0.2 * 2.25 / 1.3 / 1.5;
-    near(held(&forces, "ASCE 7-22"), [force, 0.0, ((2.0 * force * 1.15 - 0.86 * 0.3) / 0.6).max(0.0)]);
-    let unknown = restraint_forces(&RestraintQuestion { building_height_m: None, ..low });
-    near(held(&unknown, "AS 1170"), [0.4, (0.46 - 0.27) / 0.6, (0.46 - 0.27) / 0.6]);
+    near(
+        held(&forces, "ASCE 7-22"),
+        [
+            force,
+            0.0,
+            ((2.0 * force * 1.15 - 0.86 * 0.3) / 0.6).max(0.0),
+        ],
+    );
+    let unknown = restraint_forces(&RestraintQuestion {
+        building_height_m: None,
+        ..low
+    });
+    near(
+        held(&unknown, "AS 1170"),
+        [0.4, (0.46 - 0.27) / 0.6, (0.46 - 0.27) / 0.6],
+    );
     assert!(of(&unknown, "AS 1170").note.contains("was not given"));
 }
 
@@ -307,12 +522,31 @@ fn without_a_hazard_only_the_computed_floor_speaks() {
     let forces = restraint_forces(&cabinet(None));
     assert_eq!(names(&forces), ["computed floor acceleration"]);
     assert_eq!(reported_force(&forces), forces.first());
-    assert!(restraint_forces(&RestraintQuestion { floor_acceleration_g: None, ..cabinet(None) }).is_empty());
-    assert!(restraint_forces(&other(cabinet(Some(melbourne())), |object| object.mass_kg = 0.0)).is_empty());
-    assert!(restraint_forces(&other(cabinet(Some(melbourne())), |object| object.height_m = 0.0)).is_empty());
+    assert!(
+        restraint_forces(&RestraintQuestion {
+            floor_acceleration_g: None,
+            ..cabinet(None)
+        })
+        .is_empty()
+    );
+    assert!(
+        restraint_forces(&other(cabinet(Some(melbourne())), |object| object
+            .mass_kg =
+            0.0))
+        .is_empty()
+    );
+    assert!(
+        restraint_forces(&other(cabinet(Some(melbourne())), |object| object
+            .height_m =
+            0.0))
+        .is_empty()
+    );
     // No side to tip over: the force and the bracket alone.
     let flat = restraint_forces(&other(cabinet(None), |object| object.axes.clear()));
-    assert_eq!((flat[0].anchor_tension_n, flat[0].anchor_tension_concrete_n), (0.0, 0.0));
+    assert_eq!(
+        (flat[0].anchor_tension_n, flat[0].anchor_tension_concrete_n),
+        (0.0, 0.0)
+    );
     near(bracketed(&flat[0]), [0.4 / 1.8, 0.4 / 1.8, 0.4 * 0.8 / 1.8]);
 }
 
@@ -328,11 +562,18 @@ fn the_nearer_edge_and_the_worse_axis_count() {
         restraint_forces(&question)
     };
     for lever_m in [0.2, 0.4] {
-        near(held(&axes(lever_m, 0.45), "computed"), [0.4, 0.28 / 0.6, 0.28 / 0.6]);
+        near(
+            held(&axes(lever_m, 0.45), "computed"),
+            [0.4, 0.28 / 0.6, 0.28 / 0.6],
+        );
     }
     let forces = axes(0.3, 0.0);
     near(held(&forces, "computed"), [0.4, 0.46 / 0.9, 0.46 / 0.9]);
-    assert!(forces[0].note.contains("Anchors along one edge, width, "), "{}", forces[0].note);
+    assert!(
+        forces[0].note.contains("Anchors along one edge, width, "),
+        "{}",
+        forces[0].note
+    );
 }
 
 /// The largest reach of all four corners, followed one by one.
@@ -367,19 +608,32 @@ fn the_clearance_is_that_of_the_top_or_of_the_fallen_object() {
 /// (0.46 − 0.27)/0.6 W: the anchors are those of the floor.
 #[test]
 fn what_the_code_does_not_lift_is_designed_for_the_floor() {
-    let at =
-        |level_ratio| restraint_forces(&other(cabinet(Some(melbourne())), |object| object.level_ratio = level_ratio));
+    let at = |level_ratio| {
+        restraint_forces(&other(cabinet(Some(melbourne())), |object| {
+            object.level_ratio = level_ratio
+        }))
+    };
     let middle = at(0.5);
-    assert_eq!((middle[0].kind, middle[0].anchor_tension_n), (RestraintKind::OwnCode, 0.0));
+    assert_eq!(
+        (middle[0].kind, middle[0].anchor_tension_n),
+        (RestraintKind::OwnCode, 0.0)
+    );
     assert_eq!(reported_force(&middle), middle.first());
     assert_eq!(design_force(&middle).unwrap().kind, RestraintKind::Floor);
     let expected = "The code's force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for \
                     0.55 kN.";
     assert_eq!(beyond_code_words(&middle, 7, 20).unwrap(), expected);
-    assert!(beyond_code_words(&middle, 1, 20).unwrap().contains("1 of 20 simulated earthquakes overturns it"));
+    assert!(
+        beyond_code_words(&middle, 1, 20)
+            .unwrap()
+            .contains("1 of 20 simulated earthquakes overturns it")
+    );
     // On the roof the code asks for anchors itself; nothing falls; no code.
     assert_eq!(beyond_code_words(&at(1.0), 7, 20), None);
     assert_eq!(design_force(&at(1.0)).unwrap().kind, RestraintKind::OwnCode);
     assert_eq!(beyond_code_words(&middle, 0, 20), None);
-    assert_eq!(beyond_code_words(&restraint_forces(&cabinet(None)), 7, 20), None);
+    assert_eq!(
+        beyond_code_words(&restraint_forces(&cabinet(None)), 7, 20),
+        None
+    );
 }

@@ -10,7 +10,9 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating};
+use crate::inventory::{
+    Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating,
+};
 use crate::too_mild::TooMild;
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
@@ -39,8 +41,17 @@ const COLUMNS: [&str; 18] = [
     "latitude",
 ];
 /// The columns of a file of options.
-const OPTION_COLUMNS: [&str; 9] =
-    ["id", "option", "cost", "life", "median_factor", "curves", "stiffness", "base_thickness", "mass"];
+const OPTION_COLUMNS: [&str; 9] = [
+    "id",
+    "option",
+    "cost",
+    "life",
+    "median_factor",
+    "curves",
+    "stiffness",
+    "base_thickness",
+    "mass",
+];
 const OPTIONS_HINT: &str = "the columns are id, option, cost [AUD], perhaps life [yr], and one effect: median_factor, \
                             curves, or a change of stiffness [N/mm], base_thickness [mm] or mass [kg]";
 
@@ -100,10 +111,20 @@ impl CostRow {
         let parts = [
             (self.repair.is_some(), "repair_cost"),
             (self.replacement.is_some(), "replacement_cost"),
-            (self.downtime_days.zip(self.downtime_cost).is_some(), "downtime"),
-            (self.casualty_probability.zip(self.casualty_cost).is_some(), "casualties"),
+            (
+                self.downtime_days.zip(self.downtime_cost).is_some(),
+                "downtime",
+            ),
+            (
+                self.casualty_probability.zip(self.casualty_cost).is_some(),
+                "casualties",
+            ),
         ];
-        parts.into_iter().filter(|(is_given, _)| !is_given).map(|(_, name)| name).collect()
+        parts
+            .into_iter()
+            .filter(|(is_given, _)| !is_given)
+            .map(|(_, name)| name)
+            .collect()
     }
 }
 
@@ -119,21 +140,46 @@ pub(crate) struct Costs {
 }
 
 /// The currency of a column, `AUD` of `[AUD]` and of `[AUD/day]`; all columns have the same.
-fn currency_of(table: &Table, columns: &[(&str, &str)], known: Option<&str>) -> Result<Option<String>, Problem> {
+fn currency_of(
+    table: &Table,
+    columns: &[(&str, &str)],
+    known: Option<&str>,
+) -> Result<Option<String>, Problem> {
     let mut currency = known.map(str::to_owned);
     for (name, per) in columns {
-        let Some(heading) = table.column(name).and_then(|column| table.headings.get(column)) else { continue };
-        let unit = heading.unit.as_deref().and_then(|unit| unit.strip_suffix(per)).map(str::trim);
-        let is_currency =
-            |unit: &&str| !unit.is_empty() && unit.chars().all(|c| c.is_alphanumeric() || "$€£¥_".contains(c));
+        let Some(heading) = table
+            .column(name)
+            .and_then(|column| table.headings.get(column))
+        else {
+            continue;
+        };
+        let unit = heading
+            .unit
+            .as_deref()
+            .and_then(|unit| unit.strip_suffix(per))
+            .map(str::trim);
+        let is_currency = |unit: &&str| {
+            !unit.is_empty()
+                && unit
+                    .chars()
+                    .all(|c| c.is_alphanumeric() || "$€£¥_".contains(c))
+        };
         let unit = unit.filter(is_currency).ok_or_else(|| {
             let message = format!("the column \"{name}\" states no currency");
-            table.header_problem(message).hint(format!("write {name} [AUD{per}]"))
+            table
+                .header_problem(message)
+                .hint(format!("write {name} [AUD{per}]"))
         })?;
         match &currency {
             Some(other) if other != unit => {
-                let message = format!("\"{name}\" is in {}, and other costs are in {}", shorten(unit), shorten(other));
-                return Err(table.header_problem(message).hint("convert all costs to one currency"));
+                let message = format!(
+                    "\"{name}\" is in {}, and other costs are in {}",
+                    shorten(unit),
+                    shorten(other)
+                );
+                return Err(table
+                    .header_problem(message)
+                    .hint("convert all costs to one currency"));
             }
             _ => currency = Some(unit.to_owned()),
         }
@@ -142,11 +188,15 @@ fn currency_of(table: &Table, columns: &[(&str, &str)], known: Option<&str>) -> 
 }
 
 fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> {
-    let heading = table.column(name).and_then(|column| table.headings.get(column));
+    let heading = table
+        .column(name)
+        .and_then(|column| table.headings.get(column));
     match heading.map(|heading| heading.unit.as_deref()) {
         Some(unit) if !unit.is_some_and(|unit| units.contains(&unit)) => {
             let message = format!("the column \"{name}\" is not in {}", units[0]);
-            Err(table.header_problem(message).hint(format!("write {name} [{}]", units[0])))
+            Err(table
+                .header_problem(message)
+                .hint(format!("write {name} [{}]", units[0])))
         }
         _ => Ok(()),
     }
@@ -160,13 +210,23 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
     let bytes = load(path)?;
     let file = InputFile::new(path, &bytes);
     if !list.is_given() && is_table(&bytes, path) {
-        return Ok(Costs { file, ..read_costs(&bytes, path)? });
+        return Ok(Costs {
+            file,
+            ..read_costs(&bytes, path)?
+        });
     }
     let found = costs_of_list(path, list)?;
     let row = |(item, amounts): (Item, Amounts)| {
-        let [repair, replacement, downtime_days, downtime_cost] =
-            [Cost::Repair, Cost::Replacement, Cost::Downtime, Cost::DowntimeDay].map(|cost| amounts.of(cost));
-        let words = [&item.location, &item.floor, &item.room].into_iter().filter(|text| !text.is_empty());
+        let [repair, replacement, downtime_days, downtime_cost] = [
+            Cost::Repair,
+            Cost::Replacement,
+            Cost::Downtime,
+            Cost::DowntimeDay,
+        ]
+        .map(|cost| amounts.of(cost));
+        let words = [&item.location, &item.floor, &item.room]
+            .into_iter()
+            .filter(|text| !text.is_empty());
         CostRow {
             line: usize::try_from(item.row).unwrap_or(0),
             quantity: f64::from(item.quantity),
@@ -179,7 +239,11 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
             casualty_cost: amounts.of(Cost::Casualty),
             accepted_rate: amounts.of(Cost::AcceptedRate),
             accepted_exceed_rate: amounts.of(Cost::AcceptedExceedRate),
-            anchored: if item.anchored == Some(true) { "yes".to_owned() } else { String::new() },
+            anchored: if item.anchored == Some(true) {
+                "yes".to_owned()
+            } else {
+                String::new()
+            },
             life_safety: item.consequences.life_safety,
             floor: None,
             site_deg: amounts.of(Cost::Longitude).zip(amounts.of(Cost::Latitude)),
@@ -191,7 +255,13 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
     };
     let rows: Vec<CostRow> = found.objects.into_iter().map(row).collect();
     let warnings = dear(&rows, path).chain(found.warnings).collect();
-    Ok(Costs { file, currency: found.currency, rows, too_mild: found.too_mild, warnings })
+    Ok(Costs {
+        file,
+        currency: found.currency,
+        rows,
+        too_mild: found.too_mild,
+        warnings,
+    })
 }
 
 /// Whether a file has the names of costs themselves; any other is read as a list as people keep it.
@@ -199,7 +269,9 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
     let is_workbook = bytes.starts_with(b"PK");
     match Table::read(bytes, path, HINT, &mut RowProblems::default()) {
         Ok(table) => {
-            let has_costs = COLUMNS.iter().any(|name| cost_name(name).is_some() && table.column(name).is_some());
+            let has_costs = COLUMNS
+                .iter()
+                .any(|name| cost_name(name).is_some() && table.column(name).is_some());
             table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
         }
         // What is wrong with a table is said of the table.
@@ -209,7 +281,9 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
 
 /// That a repair costs more than a new object.
 fn dear(rows: &[CostRow], path: &Path) -> impl Iterator<Item = String> {
-    let is_dear = |row: &&CostRow| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned());
+    let is_dear = |row: &&CostRow| {
+        row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned())
+    };
     rows.iter().filter(is_dear).map(|row| {
         format!(
             "{}:{}: the repair of {} costs more than its overturning: are the costs in the wrong columns?",
@@ -225,7 +299,12 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     let table = Table::read(bytes, path, HINT, &mut rows)?;
     let mut problems = Problems::default();
     let id = problems.keep(table.needed("id"));
-    let amounts = [("repair_cost", ""), ("replacement_cost", ""), ("downtime_cost", "/day"), ("casualty_cost", "")];
+    let amounts = [
+        ("repair_cost", ""),
+        ("replacement_cost", ""),
+        ("downtime_cost", "/day"),
+        ("casualty_cost", ""),
+    ];
     let currency = problems.keep(currency_of(&table, &amounts, None));
     problems.keep(check_unit(&table, "downtime", &["day", "days", "d"]));
     for name in ["accepted_annual_rate", "accepted_exceed_annual_rate"] {
@@ -236,15 +315,29 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     let rows = table.each_row(rows, |row, problems| {
         let name = problems.keep(new_name(&table, row, id, &mut known, "id"));
         let mut amount = |name: &str| problems.keep(table.optional(row, table.column(name)));
-        let (quantity, repair, replacement) = (amount("quantity"), amount("repair_cost"), amount("replacement_cost"));
+        let (quantity, repair, replacement) = (
+            amount("quantity"),
+            amount("repair_cost"),
+            amount("replacement_cost"),
+        );
         let (downtime_days, downtime_cost) = (amount("downtime"), amount("downtime_cost"));
         let casualty_cost = amount("casualty_cost");
         let casualty_probability = problems.keep(probability_of(&table, row));
         let mut rate = |name: &str| problems.keep(positive_of(&table, row, name));
-        let (accepted_rate, accepted_exceed_rate) = (rate("accepted_annual_rate"), rate("accepted_exceed_annual_rate"));
-        let (floor, site_deg) = (problems.keep(floor_of(&table, row)), problems.keep(site_of(&table, row)));
+        let (accepted_rate, accepted_exceed_rate) = (
+            rate("accepted_annual_rate"),
+            rate("accepted_exceed_annual_rate"),
+        );
+        let (floor, site_deg) = (
+            problems.keep(floor_of(&table, row)),
+            problems.keep(site_of(&table, row)),
+        );
         let life_safety = problems.keep(rating_of(&table, row));
-        let text = |name: &str| table.column(name).map_or(String::new(), |column| table.text(row, column).to_owned());
+        let text = |name: &str| {
+            table
+                .column(name)
+                .map_or(String::new(), |column| table.text(row, column).to_owned())
+        };
         Some(CostRow {
             item: text("item"),
             building: text("building"),
@@ -269,13 +362,27 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     })?;
     let mut warnings: Vec<String> = table.unused(&COLUMNS).into_iter().collect();
     if let Some(quantity) = table.column("quantity") {
-        let blank = table.rows.iter().filter(|row| table.text(row, quantity).is_empty()).count();
+        let blank = table
+            .rows
+            .iter()
+            .filter(|row| table.text(row, quantity).is_empty())
+            .count();
         let has = if blank == 1 { "has" } else { "have" };
-        let said = format!("{}: {} {has} no quantity: 1 is assumed", path.display(), counted(blank, "row"));
+        let said = format!(
+            "{}: {} {has} no quantity: 1 is assumed",
+            path.display(),
+            counted(blank, "row")
+        );
         warnings.extend((blank > 0).then_some(said));
     }
     warnings.extend(dear(&rows, path));
-    Ok(Costs { file: InputFile::new(path, bytes), currency, rows, too_mild: Vec::new(), warnings })
+    Ok(Costs {
+        file: InputFile::new(path, bytes),
+        currency,
+        rows,
+        too_mild: Vec::new(),
+        warnings,
+    })
 }
 
 /// The text of a cell, which no row above may have; `known` has the lines of the texts above.
@@ -287,25 +394,44 @@ fn new_name(
     what: &str,
 ) -> Result<String, Problem> {
     let name = table.filled(row, column)?.to_owned();
-    twice(table, row, column, known.insert(name.clone(), row.line), &format!("the {what} \"{}\"", shorten(&name)))?;
+    twice(
+        table,
+        row,
+        column,
+        known.insert(name.clone(), row.line),
+        &format!("the {what} \"{}\"", shorten(&name)),
+    )?;
     Ok(name)
 }
 
-fn twice(table: &Table, row: &Row, column: usize, above: Option<usize>, what: &str) -> Result<(), Problem> {
+fn twice(
+    table: &Table,
+    row: &Row,
+    column: usize,
+    above: Option<usize>,
+    what: &str,
+) -> Result<(), Problem> {
     above.map_or(Ok(()), |line| {
         let message = format!("{what} appears twice, first in line {line}");
-        Err(table.cell_problem(row, column, &message).hint("rename one of the two, or leave out one of the rows"))
+        Err(table
+            .cell_problem(row, column, &message)
+            .hint("rename one of the two, or leave out one of the rows"))
     })
 }
 
 /// A number above 0; `None` without the column or in an empty cell.
 fn positive_of(table: &Table, row: &Row, name: &str) -> Result<Option<f64>, Problem> {
-    table.given(row, name).map(|column| table.positive(row, column)).transpose()
+    table
+        .given(row, name)
+        .map(|column| table.positive(row, column))
+        .transpose()
 }
 
 /// High, medium or low, by the words of inventories.
 fn rating_of(table: &Table, row: &Row) -> Result<Option<Rating>, Problem> {
-    let Some(column) = table.given(row, "life_safety") else { return Ok(None) };
+    let Some(column) = table.given(row, "life_safety") else {
+        return Ok(None);
+    };
     let text = table.text(row, column);
     let found = match rating(text) {
         Some(2) => Some(Rating::High),
@@ -315,42 +441,65 @@ fn rating_of(table: &Table, row: &Row) -> Result<Option<Rating>, Problem> {
     };
     found.map(Some).ok_or_else(|| {
         let message = format!("\"{}\" is not a rating", shorten(text));
-        table.cell_problem(row, column, &message).hint("write high, medium or low")
+        table
+            .cell_problem(row, column, &message)
+            .hint("write high, medium or low")
     })
 }
 
 fn probability_of(table: &Table, row: &Row) -> Result<Option<f64>, Problem> {
-    let Some(column) = table.given(row, "casualty_probability") else { return Ok(None) };
+    let Some(column) = table.given(row, "casualty_probability") else {
+        return Ok(None);
+    };
     let probability = table.non_negative(row, column)?;
     if probability > 1.0 {
-        let message = format!("{} is not a probability: it is above 1", shorten(table.text(row, column)));
-        return Err(table.cell_problem(row, column, &message).hint("write a number from 0 to 1"));
+        let message = format!(
+            "{} is not a probability: it is above 1",
+            shorten(table.text(row, column))
+        );
+        return Err(table
+            .cell_problem(row, column, &message)
+            .hint("write a number from 0 to 1"));
     }
     Ok(Some(probability))
 }
 
 /// The number of a floor, from 0 for the ground.
 fn floor_of(table: &Table, row: &Row) -> Result<Option<u32>, Problem> {
-    let Some(column) = table.given(row, "floor") else { return Ok(None) };
+    let Some(column) = table.given(row, "floor") else {
+        return Ok(None);
+    };
     let text = table.text(row, column);
     let floor = text.parse::<u32>().ok().filter(|floor| *floor <= MAX_FLOOR);
     floor.map(Some).ok_or_else(|| {
         let message = format!("\"{}\" is not the number of a floor", shorten(text));
-        table.cell_problem(row, column, &message).hint("write 0 for the ground, 1 for the first floor above it")
+        table
+            .cell_problem(row, column, &message)
+            .hint("write 0 for the ground, 1 for the first floor above it")
     })
 }
 
 fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
-    let degrees =
-        |name: &str, most: f64| table.given(row, name).map(|column| table.degrees(row, column, most)).transpose();
+    let degrees = |name: &str, most: f64| {
+        table
+            .given(row, name)
+            .map(|column| table.degrees(row, column, most))
+            .transpose()
+    };
     match (degrees("longitude", 360.0)?, degrees("latitude", 90.0)?) {
         (Some(lon), Some(lat)) => Ok(Some((lon, lat))),
         (None, None) => Ok(None),
         (one, _) => {
-            let (given, missing) = if one.is_some() { ("longitude", "latitude") } else { ("latitude", "longitude") };
+            let (given, missing) = if one.is_some() {
+                ("longitude", "latitude")
+            } else {
+                ("latitude", "longitude")
+            };
             let message = format!("the row has a {given} but no {missing}");
             let column = table.column(given).unwrap_or(0);
-            Err(table.cell_problem(row, column, &message).hint("give both, in degrees, or neither"))
+            Err(table
+                .cell_problem(row, column, &message)
+                .hint("give both, in degrees, or neither"))
         }
     }
 }
@@ -392,9 +541,14 @@ pub(crate) struct Options {
 /// # Errors
 /// Another currency; every row with no effect or more than one, with an option that appears twice,
 /// or with a changed object without curves.
-pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[ObjectCurves]) -> Result<Options, Problems> {
+pub(crate) fn load_options(
+    path: &Path,
+    currency: Option<&str>,
+    curves: &[ObjectCurves],
+) -> Result<Options, Problems> {
     let bytes = load(path)?;
-    let known: HashMap<&str, &ObjectCurves> = curves.iter().map(|one| (one.id.as_str(), one)).collect();
+    let known: HashMap<&str, &ObjectCurves> =
+        curves.iter().map(|one| (one.id.as_str(), one)).collect();
     let read = read_options(&bytes, path, currency, |object| {
         let found = known.get(object.curve_id.as_str()).copied().ok_or_else(|| {
             let wanted = shorten(&object.curve_id);
@@ -405,8 +559,17 @@ pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[Object
         })?;
         Ok(Some(Effect::Curves(found.clone())))
     })?;
-    let ReadOptions { rows, curves, warnings } = read;
-    Ok(Options { file: InputFile::new(path, &bytes), rows, curves, warnings })
+    let ReadOptions {
+        rows,
+        curves,
+        warnings,
+    } = read;
+    Ok(Options {
+        file: InputFile::new(path, &bytes),
+        rows,
+        curves,
+        warnings,
+    })
 }
 
 /// The objects that options change, of a file of options.
@@ -422,7 +585,10 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
     })?;
     if objects.is_empty() {
         let hint = "give a column stiffness [N/mm], base_thickness [mm] or mass [kg], or leave the options out";
-        let problem = Problem::value("no option changes an object, so there is nothing to run", hint);
+        let problem = Problem::value(
+            "no option changes an object, so there is nothing to run",
+            hint,
+        );
         return Err(problem.in_file(path).into());
     }
     Ok((InputFile::new(path, &bytes), objects))
@@ -457,8 +623,15 @@ fn read_options(
         let life_years = problems.keep(positive_of(&table, row, "life"));
         let change = problems.keep(change_of(&table, row));
         let (name, choice) = names?;
-        let effect = match (table.given(row, "median_factor"), table.given(row, "curves"), change?) {
-            (Some(column), None, None) => table.positive(row, column).map(Effect::MedianFactor).map(Some),
+        let effect = match (
+            table.given(row, "median_factor"),
+            table.given(row, "curves"),
+            change?,
+        ) {
+            (Some(column), None, None) => table
+                .positive(row, column)
+                .map(Effect::MedianFactor)
+                .map(Some),
             (None, Some(column), None) => {
                 curves_of(&table, row, column, &curve_id(&name, &choice), &mut files).map(|found| {
                     named.push(found.clone());
@@ -467,10 +640,18 @@ fn read_options(
             }
             (None, None, Some(change)) => {
                 let curve_id = curve_id(&name, &choice);
-                changed(ChangedObject { id: name.clone(), curve_id, change, file: path.to_path_buf(), line: row.line })
+                changed(ChangedObject {
+                    id: name.clone(),
+                    curve_id,
+                    change,
+                    file: path.to_path_buf(),
+                    line: row.line,
+                })
             }
             (factor, curves, change) => {
-                let given = [factor.is_some(), curves.is_some(), change.is_some()].iter().any(|is_given| *is_given);
+                let given = [factor.is_some(), curves.is_some(), change.is_some()]
+                    .iter()
+                    .any(|is_given| *is_given);
                 let message = format!(
                     "the option \"{}\" of {} has {} effect",
                     shorten(&choice),
@@ -482,10 +663,21 @@ fn read_options(
         };
         let effect = problems.keep(effect)?;
         let (cost, life_years) = (cost?, life_years?);
-        Some(effect.map(|effect| OptionRow { id: name, line: row.line, option: choice, cost, life_years, effect }))
+        Some(effect.map(|effect| OptionRow {
+            id: name,
+            line: row.line,
+            option: choice,
+            cost,
+            life_years,
+            effect,
+        }))
     })?;
     let warnings = table.unused(&OPTION_COLUMNS).into_iter().collect();
-    Ok(ReadOptions { rows: rows.into_iter().flatten().collect(), curves: named, warnings })
+    Ok(ReadOptions {
+        rows: rows.into_iter().flatten().collect(),
+        curves: named,
+        warnings,
+    })
 }
 
 /// The object and the option of a row; `known` has the lines of the pairs above.
@@ -495,9 +687,22 @@ fn names_of(
     (id, option): (usize, usize),
     known: &mut HashMap<(String, String), usize>,
 ) -> Result<(String, String), Problem> {
-    let names = (table.filled(row, id)?.to_owned(), table.filled(row, option)?.to_owned());
-    let what = format!("the option \"{}\" of {}", shorten(&names.1), shorten(&names.0));
-    twice(table, row, option, known.insert(names.clone(), row.line), &what)?;
+    let names = (
+        table.filled(row, id)?.to_owned(),
+        table.filled(row, option)?.to_owned(),
+    );
+    let what = format!(
+        "the option \"{}\" of {}",
+        shorten(&names.1),
+        shorten(&names.0)
+    );
+    twice(
+        table,
+        row,
+        option,
+        known.insert(names.clone(), row.line),
+        &what,
+    )?;
     Ok(names)
 }
 
@@ -509,13 +714,22 @@ pub(crate) fn curve_id(id: &str, option: &str) -> String {
 /// What an option changes; `None`: nothing.
 fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
     let of = |name: &str, dimension: Dimension, example: &str| -> Result<Option<f64>, Problem> {
-        let Some(column) = table.given(row, name) else { return Ok(None) };
-        let Some(unit) = table.headings.get(column).and_then(|heading| heading.unit.as_deref()) else {
-            return Err(table.header_problem(format!("the column {name} states no unit, as in \"{name} [{example}]\"")));
+        let Some(column) = table.given(row, name) else {
+            return Ok(None);
+        };
+        let Some(unit) = table
+            .headings
+            .get(column)
+            .and_then(|heading| heading.unit.as_deref())
+        else {
+            return Err(table.header_problem(format!(
+                "the column {name} states no unit, as in \"{name} [{example}]\""
+            )));
         };
         let value = table.positive(row, column)?;
         let si = parse_positive(&format!("{value} {unit}"), dimension, name);
-        si.map(Some).map_err(|problem| table.cell_problem(row, column, &problem.to_string()))
+        si.map(Some)
+            .map_err(|problem| table.cell_problem(row, column, &problem.to_string()))
     };
     let change = Change {
         stiffness_n_m: of("stiffness", Dimension::Stiffness, "N/mm")?,
@@ -542,16 +756,29 @@ fn curves_of(
     let path = folder.join(table.text(row, column));
     let read = files.entry(path).or_insert_with_key(|path| {
         let (file, objects) = load_curves(path)?;
-        Ok((file, objects.into_iter().map(|object| (object.id.clone(), object)).collect()))
+        Ok((
+            file,
+            objects
+                .into_iter()
+                .map(|object| (object.id.clone(), object))
+                .collect(),
+        ))
     });
     let (file, objects) = read.as_ref().map_err(|problems| {
-        let first = problems.problems.first().map_or(String::new(), Problem::to_string);
+        let first = problems
+            .problems
+            .first()
+            .map_or(String::new(), Problem::to_string);
         let message = format!("the curves cannot be read: {first}");
-        table.cell_problem(row, column, &message).hint("correct that file, or name another one")
+        table
+            .cell_problem(row, column, &message)
+            .hint("correct that file, or name another one")
     })?;
     let found = objects.get(wanted).ok_or_else(|| {
         let message = format!("the file has no curves with the id \"{}\"", shorten(wanted));
-        table.cell_problem(row, column, &message).hint("name the curves of an option ID/option")
+        table
+            .cell_problem(row, column, &message)
+            .hint("name the curves of an option ID/option")
     })?;
     Ok((file.clone(), found.clone()))
 }
@@ -578,30 +805,54 @@ mod tests {
              a,rack,3,1000,5000,2,100\nb,cabinet,,,,2,\n",
         )
         .unwrap();
-        assert_eq!((read.currency.as_deref(), read.rows[0].overturned()), (Some("AUD"), 5200.0));
+        assert_eq!(
+            (read.currency.as_deref(), read.rows[0].overturned()),
+            (Some("AUD"), 5200.0)
+        );
         assert_eq!(read.rows[0].not_counted(), ["casualties"]);
-        assert_eq!((read.rows[1].quantity, read.rows[1].has_costs()), (1.0, false));
-        assert_eq!(read.rows[1].not_counted(), ["repair_cost", "replacement_cost", "downtime", "casualties"]);
+        assert_eq!(
+            (read.rows[1].quantity, read.rows[1].has_costs()),
+            (1.0, false)
+        );
+        assert_eq!(
+            read.rows[1].not_counted(),
+            ["repair_cost", "replacement_cost", "downtime", "casualties"]
+        );
     }
 
     #[test]
     fn what_counts_for_nothing_is_said() {
         let said = |text: &str| costs(text).unwrap().warnings.join("; ");
-        assert_eq!(said("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"), "");
-        assert_eq!(costs("id,Repair cost [AUD]\na,100\n").unwrap().rows[0].repair, Some(100.0));
+        assert_eq!(
+            said("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"),
+            ""
+        );
+        assert_eq!(
+            costs("id,Repair cost [AUD]\na,100\n").unwrap().rows[0].repair,
+            Some(100.0)
+        );
         assert_eq!(
             said("id,qty,repair_costs [AUD]\na,2,5\n"),
             "i.csv: these columns are not used: qty, repair_costs [AUD] (is it repair_cost?)"
         );
-        assert_eq!(said("id,quantity\na,\nb,3\n"), "i.csv: 1 row has no quantity: 1 is assumed");
+        assert_eq!(
+            said("id,quantity\na,\nb,3\n"),
+            "i.csv: 1 row has no quantity: 1 is assumed"
+        );
         let dear = said("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n");
-        assert!(dear.starts_with("i.csv:2: the repair of a costs more than its overturning"), "{dear}");
+        assert!(
+            dear.starts_with("i.csv:2: the repair of a costs more than its overturning"),
+            "{dear}"
+        );
     }
 
     #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
         let cases = [
-            ("id,repair_cost [AUD],replacement_cost [USD]\na,1,2\n", "is in USD, and other costs are in AUD"),
+            (
+                "id,repair_cost [AUD],replacement_cost [USD]\na,1,2\n",
+                "is in USD, and other costs are in AUD",
+            ),
             ("id,repair_cost\na,1\n", "states no currency"),
             ("id,downtime_cost [AUD]\na,1\n", "states no currency"),
             ("id,repair_cost [AUD]\na,-1\n", "i.csv:2: column 2"),
@@ -612,34 +863,74 @@ mod tests {
                 "i.csv:2: column 2 (\"casualty_probability\"): 1.5 is not a probability",
             ),
             ("id,accepted_annual_rate\na,1e-4\n", "is not in 1/yr"),
-            ("id,floor\na,1.5\n", "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor"),
+            (
+                "id,floor\na,1.5\n",
+                "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor",
+            ),
             ("id,longitude,latitude\na,151,-133\n", "i.csv:2: column 3"),
-            ("id,longitude,latitude\na,151,\n", "the row has a longitude but no latitude"),
+            (
+                "id,longitude,latitude\na,151,\n",
+                "the row has a longitude but no latitude",
+            ),
         ];
         for (text, said) in cases {
             let problem = only(costs(text));
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
-        let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
-        let fine =
-            options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap().rows;
-        assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
+        let options = |text: &str| {
+            read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| {
+                Ok(None)
+            })
+        };
+        let fine = options(
+            "id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n",
+        )
+        .unwrap()
+        .rows;
+        assert_eq!(
+            (fine.len(), fine[0].life_years, fine[1].life_years),
+            (2, Some(15.0), None)
+        );
         let cases = [
-            ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
-            ("id,option,cost [AUD],stiffness\na,pad,100,3\n", "states no unit"),
-            ("id,option,cost [AUD],stiffness [kg]\na,pad,100,3\n", "o.csv:2: column 4 (\"stiffness [kg]\")"),
-            ("id,option,cost [AUD],mass [kg]\na,pad,100,-3\n", "o.csv:2: column 4"),
-            ("id,option,cost [AUD],mass [kg],median_factor\na,pad,100,3,2\n", "\"pad\" of a has more than one effect"),
+            (
+                "id,option,cost [USD],median_factor\na,strap,100,3\n",
+                "is in USD",
+            ),
+            (
+                "id,option,cost [AUD],stiffness\na,pad,100,3\n",
+                "states no unit",
+            ),
+            (
+                "id,option,cost [AUD],stiffness [kg]\na,pad,100,3\n",
+                "o.csv:2: column 4 (\"stiffness [kg]\")",
+            ),
+            (
+                "id,option,cost [AUD],mass [kg]\na,pad,100,-3\n",
+                "o.csv:2: column 4",
+            ),
+            (
+                "id,option,cost [AUD],mass [kg],median_factor\na,pad,100,3,2\n",
+                "\"pad\" of a has more than one effect",
+            ),
             (
                 "id,option,cost [AUD],median_factor\na,strap,100,\n",
                 "o.csv:2: column 2 (\"option\"): the option \"strap\"",
             ),
-            ("id,option,cost [AUD],median_factor\na,strap,-100,3\n", "o.csv:2: column 3"),
+            (
+                "id,option,cost [AUD],median_factor\na,strap,-100,3\n",
+                "o.csv:2: column 3",
+            ),
             (
                 "id,option,cost [AUD],median_factor\na,strap,,3\n",
                 "o.csv:2: column 3 (\"cost [AUD]\"): the cell is empty",
             ),
-            ("id,option,cost [AUD],median_factor\na,strap,1,2\na,strap,2,3\n", "o.csv:3: column 2"),
+            (
+                "id,option,cost [AUD],median_factor\na,strap,1,2\na,strap,2,3\n",
+                "o.csv:3: column 2",
+            ),
             (
                 "id,option,cost [AUD],curves\na,strap,100,none.csv\n",
                 "o.csv:2: column 4 (\"curves\"): the curves cannot",
@@ -647,7 +938,10 @@ mod tests {
         ];
         for (text, said) in cases {
             let problem = only(options(text));
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{said}: {problem}"
+            );
         }
     }
 
@@ -655,15 +949,28 @@ mod tests {
     #[test]
     fn all_wrong_rows_are_told_at_once() {
         let lines = |problems: Problems| -> Vec<Option<usize>> {
-            problems.problems.iter().map(|problem| problem.line).collect()
+            problems
+                .problems
+                .iter()
+                .map(|problem| problem.line)
+                .collect()
         };
         let text = "id,quantity,repair_cost [AUD],floor\na,x,-1,0\nb,1,1,1\n,1,1,1.5\nb,1,1,\n";
-        assert_eq!(lines(costs(text).unwrap_err()), [Some(2), Some(2), Some(4), Some(4), Some(5)]);
+        assert_eq!(
+            lines(costs(text).unwrap_err()),
+            [Some(2), Some(2), Some(4), Some(4), Some(5)]
+        );
         let text = "id,downtime [h],repair_cost\na,1,1\n";
         assert_eq!(costs(text).unwrap_err().len(), 2, "both headings");
-        let text = "id,option,cost [AUD],median_factor,life [yr]\na,strap,-1,2,0\na,pad,1,0,\nb,,1,2,\n";
-        let read = read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
-        assert_eq!(lines(read.err().unwrap()), [Some(2), Some(2), Some(3), Some(4)]);
+        let text =
+            "id,option,cost [AUD],median_factor,life [yr]\na,strap,-1,2,0\na,pad,1,0,\nb,,1,2,\n";
+        let read = read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| {
+            Ok(None)
+        });
+        assert_eq!(
+            lines(read.err().unwrap()),
+            [Some(2), Some(2), Some(3), Some(4)]
+        );
     }
 
     #[test]
@@ -674,9 +981,22 @@ mod tests {
             seen.push(object);
             Ok(Some(Effect::MedianFactor(1.0)))
         });
-        let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
+        let change = Change {
+            stiffness_n_m: Some(3e5),
+            base_thickness_m: Some(0.6),
+            mass_kg: None,
+        };
         let (id, curve_id, file) = ("a".to_owned(), "a/pad".to_owned(), PathBuf::from("o.csv"));
-        assert_eq!(seen, [ChangedObject { id, curve_id, change, file, line: 2 }]);
+        assert_eq!(
+            seen,
+            [ChangedObject {
+                id,
+                curve_id,
+                change,
+                file,
+                line: 2
+            }]
+        );
         assert_eq!(rows.unwrap().rows.len(), 1);
     }
 }

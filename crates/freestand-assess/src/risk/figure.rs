@@ -31,10 +31,21 @@ pub(super) fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureE
     let mut legend = Vec::new();
     let mut sentences = Vec::new();
     let entry = |style: CurveStyle, words: &str| {
-        let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
-        Entry { sign, words: words.to_owned() }
+        let sign = Sign::Line {
+            colour: style.colour,
+            width_px: 2.0,
+            dash: style.dash,
+        };
+        Entry {
+            sign,
+            words: words.to_owned(),
+        }
     };
-    if let Some(portfolio) = report.portfolio.as_ref().filter(|portfolio| !portfolio.curve.is_empty()) {
+    if let Some(portfolio) = report
+        .portfolio
+        .as_ref()
+        .filter(|portfolio| !portfolio.curve.is_empty())
+    {
         panels.push(losses(portfolio, currency));
         legend.push(entry(curve_style(0), "all objects under the same motions"));
         legend.push(entry(curve_style(1), "if objects failed independently"));
@@ -43,11 +54,20 @@ pub(super) fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureE
              differ because all objects have the same motions, so they tend to fail together.",
         );
     }
-    if let Some(plan) = report.measures.as_ref().and_then(|measures| measures.plan.as_ref()) {
+    if let Some(plan) = report
+        .measures
+        .as_ref()
+        .and_then(|measures| measures.plan.as_ref())
+    {
         panels.push(frontier(plan, currency));
         legend.push(entry(curve_style(2), "best plan within a budget"));
-        let sign = Sign::Dot { colour: curve_style(3).colour };
-        legend.push(Entry { sign, words: "the plan".to_owned() });
+        let sign = Sign::Dot {
+            colour: curve_style(3).colour,
+        };
+        legend.push(Entry {
+            sign,
+            words: "the plan".to_owned(),
+        });
         sentences.push(if plan.is_at_least() {
             "What the best plan within each budget saves at least beyond its cost, in present value."
         } else {
@@ -99,14 +119,34 @@ fn stairs(curve: &[LossPoint], to: f64, factor: f64) -> Vec<(f64, f64)> {
 
 fn losses(portfolio: &Portfolio, currency: &str) -> Panel {
     let period = |point: Option<&LossPoint>| point.map(|point| 1.0 / point.annual_rate);
-    let first = period(portfolio.curve.first()).unwrap_or(PERIODS.0).min(PERIODS.0);
-    let last = period(portfolio.curve.last()).unwrap_or(PERIODS.1).clamp(PERIODS.1, RAREST);
-    let (from, to) = (10.0_f64.powf(first.log10().floor()), 10.0_f64.powf(last.log10().ceil()));
+    let first = period(portfolio.curve.first())
+        .unwrap_or(PERIODS.0)
+        .min(PERIODS.0);
+    let last = period(portfolio.curve.last())
+        .unwrap_or(PERIODS.1)
+        .clamp(PERIODS.1, RAREST);
+    let (from, to) = (
+        10.0_f64.powf(first.log10().floor()),
+        10.0_f64.powf(last.log10().ceil()),
+    );
     let within = |point: &&LossPoint| point.annual_rate * to >= 1.0;
-    let largest = portfolio.curve.iter().filter(within).map(|point| point.loss).fold(0.0, f64::max);
+    let largest = portfolio
+        .curve
+        .iter()
+        .filter(within)
+        .map(|point| point.loss)
+        .fold(0.0, f64::max);
     let (factor, word) = scale(largest);
-    let x = Axis { from, to, step: None, label: "Once in … years".to_owned() };
-    let y = Axis::from_zero(factor * largest, &plain(&format!("Loss ({word}{currency})")));
+    let x = Axis {
+        from,
+        to,
+        step: None,
+        label: "Once in … years".to_owned(),
+    };
+    let y = Axis::from_zero(
+        factor * largest,
+        &plain(&format!("Loss ({word}{currency})")),
+    );
     let top = y.to;
     let mut layout = axes(x, y).with_title("Losses").with_log_x();
     layout.x_tick_format = decades();
@@ -115,21 +155,37 @@ fn losses(portfolio: &Portfolio, currency: &str) -> Panel {
         let style = curve_style(i);
         line(&stairs(curve, to, factor), style.colour, 2.0, style.dash)
     };
-    Panel { plots: vec![of(&portfolio.independent, 1), of(&portfolio.curve, 0)], layout }
+    Panel {
+        plots: vec![of(&portfolio.independent, 1), of(&portfolio.curve, 0)],
+        layout,
+    }
 }
 
 fn frontier(plan: &Chosen, currency: &str) -> Panel {
-    let points = || plan.frontier.iter().map(|&(budget, _, value)| (budget, value));
+    let points = || {
+        plan.frontier
+            .iter()
+            .map(|&(budget, _, value)| (budget, value))
+    };
     let (budgets, budget_word) = scale(plan.budget);
     let (values, value_word) = scale(points().map(|point| point.1).fold(0.0, f64::max));
-    let x = Axis::from_zero(1.02 * budgets * plan.budget, &plain(&format!("Budget ({budget_word}{currency})")));
+    let x = Axis::from_zero(
+        1.02 * budgets * plan.budget,
+        &plain(&format!("Budget ({budget_word}{currency})")),
+    );
     let most = points().map(|point| point.1).fold(0.0, f64::max);
-    let y = Axis::from_zero(values * most, &plain(&format!("Net present value ({value_word}{currency})")));
+    let y = Axis::from_zero(
+        values * most,
+        &plain(&format!("Net present value ({value_word}{currency})")),
+    );
     let (right, top) = (x.to, y.to);
     // A plan is worth what it is from its budget on.
     let mut drawn = vec![(0.0, 0.0)];
     for (budget, value) in points() {
-        drawn.push((budgets * budget, drawn.last().map_or(0.0, |last: &(f64, f64)| last.1)));
+        drawn.push((
+            budgets * budget,
+            drawn.last().map_or(0.0, |last: &(f64, f64)| last.1),
+        ));
         drawn.push((budgets * budget, values * value));
     }
     let (style, own) = (curve_style(2), curve_style(3));
@@ -137,7 +193,10 @@ fn frontier(plan: &Chosen, currency: &str) -> Panel {
     let mut layout = axes(x, y).with_title("Budgets");
     layout.x_tick_format = plain_ticks(right);
     layout.y_tick_format = plain_ticks(top);
-    let plots = vec![line(&drawn, style.colour, 2.0, style.dash), markers(&here, own.colour, MarkerShape::Circle, 6.0)];
+    let plots = vec![
+        line(&drawn, style.colour, 2.0, style.dash),
+        markers(&here, own.colour, MarkerShape::Circle, 6.0),
+    ];
     Panel { plots, layout }
 }
 
@@ -150,7 +209,16 @@ mod tests {
         let point = |loss, annual_rate| LossPoint { loss, annual_rate };
         let curve = [point(1e3, 0.1), point(5e3, 0.01), point(9e3, 1e-6)];
         let drawn = stairs(&curve, 1000.0, 1e-3);
-        assert_eq!(drawn, [(10.0, 0.0), (10.0, 1.0), (100.0, 1.0), (100.0, 5.0), (1000.0, 5.0)]);
+        assert_eq!(
+            drawn,
+            [
+                (10.0, 0.0),
+                (10.0, 1.0),
+                (100.0, 1.0),
+                (100.0, 5.0),
+                (1000.0, 5.0)
+            ]
+        );
         assert_eq!((scale(999.0), scale(2e6)), ((1.0, ""), (1e-6, "million ")));
     }
 }

@@ -26,8 +26,9 @@ use freestand_study::run::Progress;
 
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardPlace, HazardSource, MeasuredHazard, ObjectCurves,
-    ObjectFragility, cautions, contradictions, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
+    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardPlace, HazardSource,
+    MeasuredHazard, ObjectCurves, ObjectFragility, cautions, contradictions, fragility_watched,
+    go_on, hazard_of, load_curves, number_and_unit,
 };
 use crate::inventory::CellsRequest;
 use crate::too_mild::TooMild;
@@ -52,13 +53,21 @@ pub const DEFAULT_YEARS: f64 = 50.0;
 /// # Errors
 /// Anything but two numbers, or a place that is not on the globe.
 pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
-    let parsed = text
-        .split_once(',')
-        .and_then(|(lon, lat)| Some((lon.trim().parse::<f64>().ok()?, lat.trim().parse::<f64>().ok()?)));
-    parsed.filter(|(lon, lat)| lon.abs() <= 360.0 && lat.abs() <= 90.0).ok_or_else(|| {
-        let message = format!("\"{}\" is not a longitude and a latitude", shorten(text));
-        Problem::value(message, "write degrees, longitude first, such as \"151.2,-33.9\"")
-    })
+    let parsed = text.split_once(',').and_then(|(lon, lat)| {
+        Some((
+            lon.trim().parse::<f64>().ok()?,
+            lat.trim().parse::<f64>().ok()?,
+        ))
+    });
+    parsed
+        .filter(|(lon, lat)| lon.abs() <= 360.0 && lat.abs() <= 90.0)
+        .ok_or_else(|| {
+            let message = format!("\"{}\" is not a longitude and a latitude", shorten(text));
+            Problem::value(
+                message,
+                "write degrees, longitude first, such as \"151.2,-33.9\"",
+            )
+        })
 }
 
 /// An amount of money with its currency, `20000 AUD`.
@@ -67,12 +76,16 @@ pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
 /// No number of 0 or more, or no currency.
 pub fn amount(text: &str) -> Result<(f64, String), Problem> {
     let parsed = number_and_unit(text).and_then(|(number, currency)| {
-        let is_currency = currency.starts_with(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c));
+        let is_currency =
+            currency.starts_with(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c));
         Some((number, currency.to_owned())).filter(|(number, _)| *number >= 0.0 && is_currency)
     });
     parsed.ok_or_else(|| {
         let message = format!("\"{}\" is not an amount of money", shorten(text));
-        Problem::value(message, "write a number and a currency, such as \"20000 AUD\"")
+        Problem::value(
+            message,
+            "write a number and a currency, such as \"20000 AUD\"",
+        )
     })
 }
 
@@ -81,7 +94,12 @@ pub fn amount(text: &str) -> Result<(f64, String), Problem> {
 /// # Errors
 /// No number above 0, or another unit.
 pub fn years(text: &str) -> Result<f64, Problem> {
-    number_with(text, &["", "yr", "years", "year"], "a number of years", "40 yr")
+    number_with(
+        text,
+        &["", "yr", "years", "year"],
+        "a number of years",
+        "40 yr",
+    )
 }
 
 /// A rate per year, `1e-4 /yr`.
@@ -89,14 +107,23 @@ pub fn years(text: &str) -> Result<f64, Problem> {
 /// # Errors
 /// No number above 0, or another unit.
 pub fn yearly_rate(text: &str) -> Result<f64, Problem> {
-    number_with(text, &["/yr", "1/yr", "/year", "1/year"], "a rate per year", "1e-4 /yr")
+    number_with(
+        text,
+        &["/yr", "1/yr", "/year", "1/year"],
+        "a rate per year",
+        "1e-4 /yr",
+    )
 }
 
 fn number_with(text: &str, units: &[&str], what: &str, example: &str) -> Result<f64, Problem> {
-    let found = number_and_unit(text).filter(|(number, unit)| *number > 0.0 && units.contains(unit));
-    found
-        .map(|(number, _)| number)
-        .ok_or_else(|| Problem::value(format!("\"{}\" is not {what}", shorten(text)), format!("write \"{example}\"")))
+    let found =
+        number_and_unit(text).filter(|(number, unit)| *number > 0.0 && units.contains(unit));
+    found.map(|(number, _)| number).ok_or_else(|| {
+        Problem::value(
+            format!("\"{}\" is not {what}", shorten(text)),
+            format!("write \"{example}\""),
+        )
+    })
 }
 
 /// Where the fragilities come from.
@@ -121,7 +148,10 @@ impl RiskCurves {
         match (file, outcomes) {
             (_, Some(outcomes)) => Ok(Self::Outcomes(of_outcomes(outcomes))),
             (Some(path), None) => Ok(Self::File(path)),
-            (None, None) => Err(Problem::value("no fragility is given", "give `fragility` or `outcomes`")),
+            (None, None) => Err(Problem::value(
+                "no fragility is given",
+                "give `fragility` or `outcomes`",
+            )),
         }
     }
 }
@@ -212,14 +242,25 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             let report = fragility_watched(outcomes.clone(), progress)?;
             warnings.extend(report.warnings.iter().cloned());
             inputs.push(report.table.file.clone());
-            let curves = report.objects.iter().map(|object| object.curves(report.table.measure, report.at)).collect();
+            let curves = report
+                .objects
+                .iter()
+                .map(|object| object.curves(report.table.measure, report.at))
+                .collect();
             fitted = Some(report);
             curves
         }
     };
     let measures = || curves.iter().map(|one| (one.measure, one.at));
-    let only = measures().next().filter(|first| measures().all(|other| other == *first));
-    let hazard = hazard_of(&request.hazard, HazardPlace::Stated(request.hazard_at), request.site_deg, only)?;
+    let only = measures()
+        .next()
+        .filter(|first| measures().all(|other| other == *first));
+    let hazard = hazard_of(
+        &request.hazard,
+        HazardPlace::Stated(request.hazard_at),
+        request.site_deg,
+        only,
+    )?;
     warnings.extend(hazard.warnings.iter().cloned());
     inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {
@@ -230,18 +271,32 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         let of_file = matches!(request.curves, RiskCurves::File(_));
         check_measure(&hazard, one, path, of_file.then_some(one.line))?;
     }
-    let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
+    let costs = request
+        .inventory
+        .as_deref()
+        .map(|path| load_costs(path, &request.list))
+        .transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     // Curves of another origin do not say it of themselves, but the list may.
-    let unsaid: HashSet<&str> = cautious(&curves).filter(|one| one.1.is_none()).map(|one| one.0).collect();
-    let mild = costs.iter().flat_map(|costs| &costs.too_mild).map(|(id, why)| (id.as_str(), Some(*why)));
+    let unsaid: HashSet<&str> = cautious(&curves)
+        .filter(|one| one.1.is_none())
+        .map(|one| one.0)
+        .collect();
+    let mild = costs
+        .iter()
+        .flat_map(|costs| &costs.too_mild)
+        .map(|(id, why)| (id.as_str(), Some(*why)));
     warnings.extend(cautions(mild.filter(|(id, _)| unsaid.contains(id))));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
-            let Options { file, rows: options, curves: named, warnings: said } =
-                load_options(path, currency.as_deref(), &curves)?;
+            let Options {
+                file,
+                rows: options,
+                curves: named,
+                warnings: said,
+            } = load_options(path, currency.as_deref(), &curves)?;
             inputs.push(file);
             warnings.extend(said);
             for (file, one) in named {
@@ -252,7 +307,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
                 }
             }
             // Changed objects are not there beside those that they replace.
-            let changed: HashSet<String> = options.iter().map(|option| curve_id(&option.id, &option.option)).collect();
+            let changed: HashSet<String> = options
+                .iter()
+                .map(|option| curve_id(&option.id, &option.option))
+                .collect();
             curves.retain(|one| !changed.contains(&one.id));
             Some(options)
         }
@@ -262,12 +320,23 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let rows = costs.iter().flat_map(|costs| &costs.rows);
     let rows: HashMap<&str, &CostRow> = rows.map(|row| (row.id.as_str(), row)).collect();
     let fits = fitted.iter().flat_map(|report| &report.objects);
-    let fits: HashMap<&str, &ObjectFragility> = fits.map(|object| (object.id.as_str(), object)).collect();
+    let fits: HashMap<&str, &ObjectFragility> =
+        fits.map(|object| (object.id.as_str(), object)).collect();
     let mut objects = Vec::new();
     for one in &curves {
         go_on(progress)?;
-        let (cost, fit) = (rows.get(one.id.as_str()).copied(), fits.get(one.id.as_str()).copied());
-        objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
+        let (cost, fit) = (
+            rows.get(one.id.as_str()).copied(),
+            fits.get(one.id.as_str()).copied(),
+        );
+        objects.push(ObjectRisk::new(
+            one,
+            fit,
+            cost,
+            &hazard.hazard,
+            years,
+            request.accepted_rate,
+        ));
     }
     check_finite(request, &hazard, &objects)?;
     warnings.extend(begins_too_high(&hazard, &objects));
@@ -277,22 +346,46 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     warnings.extend(unmatched(costs.as_ref(), &curves));
     warnings.extend(unjudged(&objects));
     let measures = match &options {
-        Some(options) => Some(plan::measures(request, options, &objects, &hazard, currency.as_deref(), progress)?),
+        Some(options) => Some(plan::measures(
+            request,
+            options,
+            &objects,
+            &hazard,
+            currency.as_deref(),
+            progress,
+        )?),
         None => {
             if request.budget.is_some() {
                 let hint = "give the options with `options = \"options.csv\"`";
-                return Err(Problem::value("a budget needs options to spend it on", hint).of(&["budget"]).into());
+                return Err(
+                    Problem::value("a budget needs options to spend it on", hint)
+                        .of(&["budget"])
+                        .into(),
+                );
             }
             None
         }
     };
     warnings.extend(measures.iter().flat_map(Measures::warnings));
     let portfolio = match (&fitted, &costs) {
-        (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
+        (Some(report), Some(costs)) => {
+            portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?
+        }
         _ => None,
     };
     let assumptions = assumed(request, &hazard, &objects, options.as_deref());
-    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, not_run, assumptions, inputs, warnings })
+    Ok(RiskReport {
+        years,
+        currency,
+        hazard,
+        objects,
+        portfolio,
+        measures,
+        not_run,
+        assumptions,
+        inputs,
+        warnings,
+    })
 }
 
 fn cautious(curves: &[ObjectCurves]) -> impl Iterator<Item = (&str, Option<TooMild>)> + Clone {
@@ -308,27 +401,41 @@ fn assumed(
 ) -> Vec<String> {
     let mut all = Vec::new();
     if request.years.is_none() {
-        all.push(format!("chances are those in {} years", number(DEFAULT_YEARS, 4)));
+        all.push(format!(
+            "chances are those in {} years",
+            number(DEFAULT_YEARS, 4)
+        ));
     }
     if let RiskCurves::Outcomes(fits) = &request.curves {
         if fits.fit == FitKind::Ordered {
             all.push("the limit states of an object are fitted with one dispersion".to_owned());
         }
         if fits.replicates.is_none() {
-            all.push(format!("intervals come from {DEFAULT_REPLICATES} samples of motions"));
+            all.push(format!(
+                "intervals come from {DEFAULT_REPLICATES} samples of motions"
+            ));
         }
     }
     if hazard.measure.place().is_none() && request.hazard_at.is_none() {
-        all.push(format!("{} is that of the {}", hazard.measure.name(), hazard.at.name()));
+        all.push(format!(
+            "{} is that of the {}",
+            hazard.measure.name(),
+            hazard.at.name()
+        ));
     }
     if matches!(hazard.hazard, Hazard::Points(_)) {
         all.push("above its last point the hazard goes on as between the last two".to_owned());
     }
-    if objects.iter().all(|one| one.accepted_rate.is_none() && one.accepted_exceed_rate.is_none()) {
+    if objects
+        .iter()
+        .all(|one| one.accepted_rate.is_none() && one.accepted_exceed_rate.is_none())
+    {
         all.push("no rate is accepted, so that there is no verdict".to_owned());
     }
-    let without_quantity =
-        objects.iter().filter(|one| one.cost.as_ref().is_some_and(|cost| !cost.has_quantity)).count();
+    let without_quantity = objects
+        .iter()
+        .filter(|one| one.cost.as_ref().is_some_and(|cost| !cost.has_quantity))
+        .count();
     if without_quantity > 0 {
         all.push(format!(
             "{} without a quantity {} counted once",
@@ -336,7 +443,9 @@ fn assumed(
             is_or_are(without_quantity)
         ));
     }
-    let without_life = options.map_or(0, |all| all.iter().filter(|row| row.life_years.is_none()).count());
+    let without_life = options.map_or(0, |all| {
+        all.iter().filter(|row| row.life_years.is_none()).count()
+    });
     if without_life > 0 {
         all.push(format!(
             "{} without a life {} paid for once",
@@ -344,7 +453,14 @@ fn assumed(
             is_or_are(without_life)
         ));
     }
-    if all.is_empty() { all } else { vec![format!("Assumed, because nobody stated it: {}.", all.join("; "))] }
+    if all.is_empty() {
+        all
+    } else {
+        vec![format!(
+            "Assumed, because nobody stated it: {}.",
+            all.join("; ")
+        )]
+    }
 }
 
 fn is_or_are(count: usize) -> &'static str {
@@ -362,7 +478,9 @@ fn check_measure(
     if curves.measure == hazard.measure && curves.at == hazard.at {
         return Ok(());
     }
-    let named = |measure: crate::fragility::Measure, at: At| format!("{} of the {}", measure.name(), at.name());
+    let named = |measure: crate::fragility::Measure, at: At| {
+        format!("{} of the {}", measure.name(), at.name())
+    };
     let message = format!(
         "the hazard is that of {}, and the fragility of {} is against {}",
         named(hazard.measure, hazard.at),
@@ -379,32 +497,50 @@ fn check_measure(
 const MAX_ANNUAL_RATE: f64 = 1e12;
 
 /// Refuses rates and losses that are implausibly large.
-fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Result<(), Problem> {
+fn check_finite(
+    request: &RiskRequest,
+    hazard: &MeasuredHazard,
+    objects: &[ObjectRisk],
+) -> Result<(), Problem> {
     let is_fine = |rate: Option<f64>| rate.is_none_or(|rate| rate < MAX_ANNUAL_RATE);
     for object in objects {
         let id = shorten(&object.id);
-        if !object.states.iter().all(|one| is_fine(one.rates.annual_rate) && is_fine(one.rates.annual_rate_upper)) {
+        if !object
+            .states
+            .iter()
+            .all(|one| is_fine(one.rates.annual_rate) && is_fine(one.rates.annual_rate_upper))
+        {
             let limit = shortest(MAX_ANNUAL_RATE);
             return Err(match &hazard.hazard {
                 Hazard::PowerLaw { rate, exponent, .. } => {
                     let (k0, k) = (shortest(*rate), shortest(*exponent));
-                    let message =
-                        format!("the annual rate of {id} is above {limit} a year, with k0 = {k0} /yr and k = {k}");
+                    let message = format!(
+                        "the annual rate of {id} is above {limit} a year, with k0 = {k0} /yr and k = {k}"
+                    );
                     let hint = "correct k0, k or the reference: k0 is how often a year motions reach the reference";
                     Problem::value(message, hint).of(&["hazard_power"])
                 }
                 Hazard::Points(_) => {
                     let message = format!("the annual rate of {id} is above {limit} a year");
                     let problem = Problem::value(message, "correct the rates of the hazard curve");
-                    hazard.file.iter().fold(problem, |problem, file| problem.in_file(&file.path))
+                    hazard
+                        .file
+                        .iter()
+                        .fold(problem, |problem, file| problem.in_file(&file.path))
                 }
             });
         }
         if !object.expected_annual_loss.is_none_or(f64::is_finite) {
             let message = format!("the loss a year of {id} is too large for a number");
             let problem = Problem::value(message, "correct its costs or its quantity");
-            let problem = object.cost.iter().fold(problem, |problem, cost| problem.at_line(cost.line));
-            return Err(request.inventory.iter().fold(problem, |problem, path| problem.in_file(path)));
+            let problem = object
+                .cost
+                .iter()
+                .fold(problem, |problem, cost| problem.at_line(cost.line));
+            return Err(request
+                .inventory
+                .iter()
+                .fold(problem, |problem, path| problem.in_file(path)));
         }
     }
     Ok(())
@@ -412,11 +548,17 @@ fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[Objec
 
 /// A warning if the hazard curve begins above intensities at which objects reach limit states.
 fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
-    let Hazard::Points(points) = &hazard.hazard else { return None };
+    let Hazard::Points(points) = &hazard.hazard else {
+        return None;
+    };
     let is_cut = |object: &&ObjectRisk| object.states.iter().any(|one| one.rates.begins_too_high());
     let cut: Vec<&ObjectRisk> = objects.iter().filter(is_cut).collect();
     let (first, one) = (points.first()?, cut.first()?);
-    let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
+    let rest = if cut.len() > 1 {
+        format!(" and {} more", cut.len() - 1)
+    } else {
+        String::new()
+    };
     Some(format!(
         "the hazard curve begins at {}, but weaker motions also reach limit states of {}{rest}: their rates are at \
          least those stated; give a hazard curve that begins at a lower intensity",
@@ -431,7 +573,9 @@ const BEYOND: f64 = 0.1;
 /// A warning if much of a rate is above the last point of the hazard curve, where its last segment goes
 /// on.
 fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
-    let Hazard::Points(points) = &hazard.hazard else { return None };
+    let Hazard::Points(points) = &hazard.hazard else {
+        return None;
+    };
     let share = |one: &objects::StateRisk| {
         let rates = one.rates;
         rates
@@ -441,9 +585,16 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
             .map_or(0.0, |all| 1.0 - all.1 / all.0)
     };
     let largest = |object: &ObjectRisk| object.states.iter().map(share).fold(0.0, f64::max);
-    let cut: Vec<&ObjectRisk> = objects.iter().filter(|object| largest(object) > BEYOND).collect();
+    let cut: Vec<&ObjectRisk> = objects
+        .iter()
+        .filter(|object| largest(object) > BEYOND)
+        .collect();
     let (last, one) = (points.last()?, cut.first()?);
-    let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
+    let rest = if cut.len() > 1 {
+        format!(" and {} more", cut.len() - 1)
+    } else {
+        String::new()
+    };
     Some(format!(
         "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}{rest}: the slope of the last \
          two points was continued, and the upper bound of the rate is that of motions which are all as strong as any; \
@@ -464,7 +615,13 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
         |gap| matches!(gap, Gap::Between(..)),
         |gap| matches!(gap, Gap::Above(_)),
     ];
-    let open = |object: &'_ ObjectRisk| object.states.iter().filter_map(|one| one.open).collect::<Vec<Open>>();
+    let open = |object: &'_ ObjectRisk| {
+        object
+            .states
+            .iter()
+            .filter_map(|one| one.open)
+            .collect::<Vec<Open>>()
+    };
     let said = kinds.into_iter().filter_map(|is_kind| {
         let gap = |object: &ObjectRisk| open(object).into_iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
         let open: Vec<(&str, Gap)> =
@@ -490,7 +647,11 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
     });
     let mut said: Vec<String> = said.collect();
     // Also those that tell the other rates, so that none is lost.
-    let levels = objects.iter().flat_map(open).filter_map(|one| one.levels).reduce(Levels::with);
+    let levels = objects
+        .iter()
+        .flat_map(open)
+        .filter_map(|one| one.levels)
+        .reduce(Levels::with);
     if let Some(levels) = levels.filter(|_| !said.is_empty()) {
         // A little outwards, so that rounding leaves out none.
         let (from, to) = (words(0.999 * levels.from), words(1.001 * levels.to));
@@ -513,20 +674,38 @@ fn not_run(
     path: &Path,
     inputs: &mut Vec<InputFile>,
 ) -> Result<Vec<NotRun>, Problems> {
-    let Some(costs) = costs else { return Ok(Vec::new()) };
+    let Some(costs) = costs else {
+        return Ok(Vec::new());
+    };
     let beside = path.with_file_name(LEFT_OUT);
     let mut reasons: HashMap<String, String> = HashMap::new();
     if beside.is_file() {
         let bytes = load(&beside)?;
         let mut problems = RowProblems::default();
-        let table = fragility_table::Table::read(&bytes, &beside, "the columns are id, why", &mut problems)?;
+        let table = fragility_table::Table::read(
+            &bytes,
+            &beside,
+            "the columns are id, why",
+            &mut problems,
+        )?;
         let (id, why) = (table.needed("id")?, table.needed("why")?);
-        let read = |row| Some((table.text(row, id).to_owned(), table.text(row, why).to_owned()));
-        reasons = table.each_row(problems, |row, _| read(row))?.into_iter().collect();
+        let read = |row| {
+            Some((
+                table.text(row, id).to_owned(),
+                table.text(row, why).to_owned(),
+            ))
+        };
+        reasons = table
+            .each_row(problems, |row, _| read(row))?
+            .into_iter()
+            .collect();
         inputs.push(InputFile::new(&beside, &bytes));
     }
     let curved: HashSet<&str> = curves.iter().map(|one| one.id.as_str()).collect();
-    let without = costs.rows.iter().filter(|row| !curved.contains(row.id.as_str()));
+    let without = costs
+        .rows
+        .iter()
+        .filter(|row| !curved.contains(row.id.as_str()));
     let of = |row: &CostRow| NotRun {
         id: row.id.clone(),
         item: row.item.clone(),
@@ -541,19 +720,39 @@ fn not_run(
 
 /// Objects of one list that the other does not have.
 fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
-    let Some(costs) = costs else { return Vec::new() };
+    let Some(costs) = costs else {
+        return Vec::new();
+    };
     let listed = |ids: Vec<&str>, what: &str| {
         let first = ids.first()?;
-        let rest = if ids.len() > 1 { format!(" and {} more", ids.len() - 1) } else { String::new() };
-        Some(format!("{} {what}: {first}{rest}", counted(ids.len(), "object")))
+        let rest = if ids.len() > 1 {
+            format!(" and {} more", ids.len() - 1)
+        } else {
+            String::new()
+        };
+        Some(format!(
+            "{} {what}: {first}{rest}",
+            counted(ids.len(), "object")
+        ))
     };
     let priced: HashSet<&str> = costs.rows.iter().map(|row| row.id.as_str()).collect();
     let curved: HashSet<&str> = curves.iter().map(|one| one.id.as_str()).collect();
-    let without_costs = curves.iter().filter(|one| !priced.contains(one.id.as_str()));
-    let without_curves = costs.rows.iter().filter(|row| !curved.contains(row.id.as_str()));
+    let without_costs = curves
+        .iter()
+        .filter(|one| !priced.contains(one.id.as_str()));
+    let without_curves = costs
+        .rows
+        .iter()
+        .filter(|row| !curved.contains(row.id.as_str()));
     [
-        listed(without_costs.map(|one| one.id.as_str()).collect(), "without a row in the inventory"),
-        listed(without_curves.map(|row| row.id.as_str()).collect(), "of the inventory without a fragility"),
+        listed(
+            without_costs.map(|one| one.id.as_str()).collect(),
+            "without a row in the inventory",
+        ),
+        listed(
+            without_curves.map(|row| row.id.as_str()).collect(),
+            "of the inventory without a fragility",
+        ),
     ]
     .into_iter()
     .flatten()
@@ -562,10 +761,20 @@ fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
 
 /// Objects whose accepted rates could not all be compared, with the first reason.
 fn unjudged(objects: &[ObjectRisk]) -> Option<String> {
-    let open: Vec<(&str, &str)> = objects.iter().filter_map(|one| Some((one.id.as_str(), one.why?))).collect();
+    let open: Vec<(&str, &str)> = objects
+        .iter()
+        .filter_map(|one| Some((one.id.as_str(), one.why?)))
+        .collect();
     let (id, why) = open.first()?;
-    let rest = if open.len() > 1 { format!(" and {} more", open.len() - 1) } else { String::new() };
-    Some(format!("{}{rest}: an accepted rate was not compared with anything: {why}", shorten(id)))
+    let rest = if open.len() > 1 {
+        format!(" and {} more", open.len() - 1)
+    } else {
+        String::new()
+    };
+    Some(format!(
+        "{}{rest}: an accepted rate was not compared with anything: {why}",
+        shorten(id)
+    ))
 }
 
 impl NotRun {
@@ -581,35 +790,54 @@ impl NotRun {
 impl RiskReport {
     /// Whether every accepted rate is kept, as far as it is known.
     pub fn is_accepted(&self) -> bool {
-        self.objects.iter().all(|object| object.verdict != Some(objects::RiskVerdict::Exceeds))
+        self.objects
+            .iter()
+            .all(|object| object.verdict != Some(objects::RiskVerdict::Exceeds))
     }
 
     /// Expected annual loss of all objects with costs.
     fn expected_annual_loss(&self) -> Option<f64> {
-        let losses: Vec<f64> = self.objects.iter().filter_map(|object| object.expected_annual_loss).collect();
+        let losses: Vec<f64> = self
+            .objects
+            .iter()
+            .filter_map(|object| object.expected_annual_loss)
+            .collect();
         (!losses.is_empty()).then(|| losses.iter().sum())
     }
 
     /// The least and the most that the losses of all objects with costs can be together.
     fn loss_bounds(&self) -> Option<(f64, Option<f64>)> {
         let losses = self.objects.iter().filter_map(|object| object.loss);
-        losses.map(|loss| (loss.least, loss.most)).reduce(|a, b| (a.0 + b.0, a.1.zip(b.1).map(|(a, b)| a + b)))
+        losses
+            .map(|loss| (loss.least, loss.most))
+            .reduce(|a, b| (a.0 + b.0, a.1.zip(b.1).map(|(a, b)| a + b)))
     }
 
     /// The loss of all objects that is stated: *at least* the least, where one of them has no most.
     fn stated_loss(&self) -> Option<f64> {
         let losses = self.objects.iter().filter_map(|object| object.loss);
-        losses.map(|loss| loss.stated(self.is_at_least())).reduce(|a, b| a + b)
+        losses
+            .map(|loss| loss.stated(self.is_at_least()))
+            .reduce(|a, b| a + b)
     }
 
     /// Whether only bounds of the losses of all objects together are known.
     fn is_bound(&self) -> bool {
-        self.loss_bounds().is_some_and(|(least, most)| LossBounds { least, best: least, most }.is_bound())
+        self.loss_bounds().is_some_and(|(least, most)| {
+            LossBounds {
+                least,
+                best: least,
+                most,
+            }
+            .is_bound()
+        })
     }
 
     /// Whether the losses may be larger than stated, because a rate of an object with costs may be.
     fn is_at_least(&self) -> bool {
-        self.objects.iter().any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
+        self.objects
+            .iter()
+            .any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
     }
 
     /// The document.
@@ -618,7 +846,9 @@ impl RiskReport {
             .inputs
             .iter()
             .map(|file| {
-                Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
+                Facts::default()
+                    .key("path", file.path.display().to_string())
+                    .key("sha256", file.sha256.clone())
             })
             .collect();
         Facts::default()
@@ -628,16 +858,46 @@ impl RiskReport {
             .key("currency", self.currency.clone())
             .key("hazard", self.hazard.facts())
             .key("assumptions", self.assumptions.clone())
-            .key("objects", self.objects.iter().map(ObjectRisk::facts).collect::<Vec<_>>())
+            .key(
+                "objects",
+                self.objects
+                    .iter()
+                    .map(ObjectRisk::facts)
+                    .collect::<Vec<_>>(),
+            )
             .key("expected_annual_loss", self.expected_annual_loss())
-            .key("expected_annual_loss_lower", self.loss_bounds().map(|loss| loss.0))
-            .key("expected_annual_loss_upper", self.loss_bounds().and_then(|loss| loss.1))
+            .key(
+                "expected_annual_loss_lower",
+                self.loss_bounds().map(|loss| loss.0),
+            )
+            .key(
+                "expected_annual_loss_upper",
+                self.loss_bounds().and_then(|loss| loss.1),
+            )
             .key("is_bound", self.is_bound())
             .key("is_at_least", self.is_at_least())
-            .key("not_run", self.not_run.iter().map(NotRun::facts).collect::<Vec<_>>())
-            .key("portfolio", self.portfolio.as_ref().map(|portfolio| portfolio.facts(self.currency.as_deref())))
-            .key("ranking", self.measures.as_ref().map(|measures| measures.ranking_facts()))
-            .key("plan", self.measures.as_ref().and_then(|measures| measures.plan_facts()))
+            .key(
+                "not_run",
+                self.not_run.iter().map(NotRun::facts).collect::<Vec<_>>(),
+            )
+            .key(
+                "portfolio",
+                self.portfolio
+                    .as_ref()
+                    .map(|portfolio| portfolio.facts(self.currency.as_deref())),
+            )
+            .key(
+                "ranking",
+                self.measures
+                    .as_ref()
+                    .map(|measures| measures.ranking_facts()),
+            )
+            .key(
+                "plan",
+                self.measures
+                    .as_ref()
+                    .and_then(|measures| measures.plan_facts()),
+            )
     }
 
     /// `risk.csv`: one row for each object and limit state.
@@ -645,7 +905,11 @@ impl RiskReport {
     /// # Errors
     /// None in practice: see [`table`].
     pub fn table(&self) -> Result<Table, Problem> {
-        table(self.objects.iter().flat_map(|object| object.rows(self.years)))
+        table(
+            self.objects
+                .iter()
+                .flat_map(|object| object.rows(self.years)),
+        )
     }
 
     /// Losses of all objects against their return periods, and what a budget is worth; `None` without
@@ -666,8 +930,14 @@ impl RiskReport {
     pub fn text(&self) -> String {
         let mut text = String::new();
         let currency = self.currency.as_deref().unwrap_or("");
-        let plan = self.measures.as_ref().and_then(|measures| measures.plan.as_ref());
-        text.extend(plan.and_then(|plan| plan.unfunded_words(currency)).map(|words| format!("{words}\n")));
+        let plan = self
+            .measures
+            .as_ref()
+            .and_then(|measures| measures.plan.as_ref());
+        text.extend(
+            plan.and_then(|plan| plan.unfunded_words(currency))
+                .map(|words| format!("{words}\n")),
+        );
         let years = number(self.years, 4);
         for object in &self.objects {
             text += &format!("{}\n", object.id);
@@ -677,7 +947,11 @@ impl RiskReport {
             if let Some(verdict) = object.verdict {
                 let limits = object.named_limits();
                 let limits = limits.iter().map(|limit| {
-                    let of = if limit.limit_state == LimitState::Overturns { "overturning" } else { "exceeding" };
+                    let of = if limit.limit_state == LimitState::Overturns {
+                        "overturning"
+                    } else {
+                        "exceeding"
+                    };
                     format!("accepted for {of}: {} a year", number(limit.accepted, 3))
                 });
                 let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
@@ -688,11 +962,17 @@ impl RiskReport {
             }
             if let (Some(loss), Some(currency)) = (object.loss, &self.currency) {
                 let bounds = loss.words(&format!("{currency} a year"));
-                let (least, stated) = (least(object.is_at_least), number(loss.stated(object.is_at_least), 4));
+                let (least, stated) = (
+                    least(object.is_at_least),
+                    number(loss.stated(object.is_at_least), 4),
+                );
                 text += &format!("  loss        {least}{stated} {currency} a year{bounds}\n");
             }
             if let Some(why) = object.curves.caution {
-                text += &format!("  caution     {}; it may fail more often than its curves say\n", why.words());
+                text += &format!(
+                    "  caution     {}; it may fail more often than its curves say\n",
+                    why.words()
+                );
             }
             if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));
@@ -701,12 +981,19 @@ impl RiskReport {
         if let Some(loss) = self.stated_loss().filter(|_| self.objects.len() > 1) {
             let bounds = match self.loss_bounds() {
                 Some((from, Some(to))) if self.is_bound() => {
-                    format!("; between {} and {} {currency} a year", number(from, 4), number(to, 4))
+                    format!(
+                        "; between {} and {} {currency} a year",
+                        number(from, 4),
+                        number(to, 4)
+                    )
                 }
                 _ => String::new(),
             };
             let least = least(self.is_at_least());
-            text += &format!("All objects: {least}{} {currency} a year{bounds}\n", number(loss, 4));
+            text += &format!(
+                "All objects: {least}{} {currency} a year{bounds}\n",
+                number(loss, 4)
+            );
         }
         if let Some(portfolio) = &self.portfolio {
             text += &portfolio.text(currency);
@@ -714,7 +1001,11 @@ impl RiskReport {
         if let Some(measures) = &self.measures {
             text += &measures.text(currency);
         }
-        text.extend(self.assumptions.iter().map(|assumed| format!("{assumed}\n")));
+        text.extend(
+            self.assumptions
+                .iter()
+                .map(|assumed| format!("{assumed}\n")),
+        );
         text
     }
 }
@@ -731,8 +1022,19 @@ pub(crate) fn least(is_at_least: bool) -> &'static str {
 
 /// A rate in words: how often, its 95 % interval if it has one, and the chance in a number of
 /// years.
-pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
-    let interval = |(low, high)| format!("; 95 % interval {} to {} a year", number(low, 3), number(high, 3));
+pub(crate) fn rate_words(
+    rate: f64,
+    ci95: Option<(f64, f64)>,
+    probability: f64,
+    years: &str,
+) -> String {
+    let interval = |(low, high)| {
+        format!(
+            "; 95 % interval {} to {} a year",
+            number(low, 3),
+            number(high, 3)
+        )
+    };
     format!(
         "{} a year ({}{}), {} in {years} years",
         number(rate, 3),

@@ -2,7 +2,8 @@
 
 use freestand::fragility::{CurveKind, LimitState, percentiles};
 use freestand::risk::{
-    AnnualRates, Bin, Hazard, annual_rate, deaggregation, expected_annual_loss, probability_in_years,
+    AnnualRates, Bin, Hazard, annual_rate, deaggregation, expected_annual_loss,
+    probability_in_years,
 };
 use freestand_input::words::{name_of, number};
 use freestand_output::facts::Facts;
@@ -54,21 +55,33 @@ pub(crate) struct StateRisk {
 
 impl StateRisk {
     pub(crate) fn words(&self, years: &str) -> String {
-        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
+        let AnnualRates {
+            annual_rate,
+            annual_rate_lower,
+            annual_rate_upper,
+            ..
+        } = self.rates;
         let at_most = |most: f64| annual_rate_upper.filter(|upper| *upper > most);
         let Some(rate) = annual_rate else {
-            let least =
-                (annual_rate_lower > 0.0).then(|| format!(", at least {} a year", number(annual_rate_lower, 3)));
+            let least = (annual_rate_lower > 0.0)
+                .then(|| format!(", at least {} a year", number(annual_rate_lower, 3)));
             let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
-            return format!("not known{}{}", least.unwrap_or_default(), most.unwrap_or_default());
+            return format!(
+                "not known{}{}",
+                least.unwrap_or_default(),
+                most.unwrap_or_default()
+            );
         };
         // Where motions below the runs have no bound, the stated rate may be too large as well as too small.
-        let is_least = self.rates.begins_too_high() || self.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
+        let is_least = self.rates.begins_too_high()
+            || self.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
         let least = if is_least { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
         // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
-        let is_said =
-            self.ci95.zip(at_most(0.0)).is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
+        let is_said = self
+            .ci95
+            .zip(at_most(0.0))
+            .is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
         let bounds = if is_said {
             None
         } else if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
@@ -86,20 +99,36 @@ impl StateRisk {
     /// Whether the rate is certainly below or certainly above the accepted one; `None` if its
     /// uncertainty is not known.
     fn is_certain(&self, accepted: f64) -> Option<bool> {
-        let AnnualRates { annual_rate, annual_rate_lower, .. } = self.rates;
+        let AnnualRates {
+            annual_rate,
+            annual_rate_lower,
+            ..
+        } = self.rates;
         annual_rate?;
-        let straddles = |low: f64, high: Option<f64>| low <= accepted && high.is_none_or(|high| accepted <= high);
+        let straddles = |low: f64, high: Option<f64>| {
+            low <= accepted && high.is_none_or(|high| accepted <= high)
+        };
         let most = self.rates.most();
         let is_open = straddles(annual_rate_lower, most)
-            || self.ci95.is_some_and(|(low, high)| straddles(low, Some(high)))
+            || self
+                .ci95
+                .is_some_and(|(low, high)| straddles(low, Some(high)))
             || self.lacks_interval;
-        if is_open { Some(false) } else { self.ci95.map(|_| true) }
+        if is_open {
+            Some(false)
+        } else {
+            self.ci95.map(|_| true)
+        }
     }
 
     /// The verdict: accepted only if the most that the rate can be is; `None` if neither the rate nor its
     /// bounds decide.
     fn verdict(&self, accepted: f64) -> Option<RiskVerdict> {
-        let AnnualRates { annual_rate, annual_rate_lower, .. } = self.rates;
+        let AnnualRates {
+            annual_rate,
+            annual_rate_lower,
+            ..
+        } = self.rates;
         let most = self.rates.most();
         match (annual_rate, most) {
             (Some(rate), _) if rate > accepted => Some(RiskVerdict::Exceeds),
@@ -112,7 +141,11 @@ impl StateRisk {
     /// The rate, or its lower bound if nothing bounds it above.
     pub(crate) fn known(&self) -> Option<f64> {
         let lower = self.rates.annual_rate_lower;
-        if self.is_at_least() { (lower > 0.0).then_some(lower) } else { self.rates.annual_rate }
+        if self.is_at_least() {
+            (lower > 0.0).then_some(lower)
+        } else {
+            self.rates.annual_rate
+        }
     }
 
     /// Whether the limit state may be reached more often than is counted.
@@ -186,39 +219,69 @@ impl ObjectRisk {
             .curves
             .iter()
             .zip(rates)
-            .map(|(curve, StateRates { limit_state, rates, by_runs, most, open })| {
-                let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
-                let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
-                let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(limit_state));
-                let is_known = is_lognormal && lacks.is_none();
-                let ci95 = samples.filter(|_| is_known).and_then(|samples| {
-                    let rate = |(median, beta)| annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate;
-                    percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
-                });
-                StateRisk {
-                    limit_state,
-                    rates,
-                    open,
-                    // An interval over the motions has an upper end, and the rate has none.
-                    ci95: ci95.filter(|_| curves.caution.is_none()).and_then(|ci95| joined(ci95, by_runs, most)),
-                    lacks_interval: lacks.is_some(),
-                    probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
-                    years,
-                }
-            })
+            .map(
+                |(
+                    curve,
+                    StateRates {
+                        limit_state,
+                        rates,
+                        by_runs,
+                        most,
+                        open,
+                    },
+                )| {
+                    let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
+                    let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
+                    let lacks = samples
+                        .filter(|_| is_lognormal)
+                        .and_then(|one| one.lacks_interval(limit_state));
+                    let is_known = is_lognormal && lacks.is_none();
+                    let ci95 = samples.filter(|_| is_known).and_then(|samples| {
+                        let rate = |(median, beta)| {
+                            annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate
+                        };
+                        percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
+                    });
+                    StateRisk {
+                        limit_state,
+                        rates,
+                        open,
+                        // An interval over the motions has an upper end, and the rate has none.
+                        ci95: ci95
+                            .filter(|_| curves.caution.is_none())
+                            .and_then(|ci95| joined(ci95, by_runs, most)),
+                        lacks_interval: lacks.is_some(),
+                        probability: rates
+                            .annual_rate
+                            .map(|rate| probability_in_years(rate, years)),
+                        years,
+                    }
+                },
+            )
             .collect();
         let accepted_rate = cost.and_then(|cost| cost.accepted_rate).or(accepted);
         let accepted_exceed_rate = cost.and_then(|cost| cost.accepted_exceed_rate);
-        let Judged { verdict, is_certain, why } = judged(&states, accepted_rate, accepted_exceed_rate);
+        let Judged {
+            verdict,
+            is_certain,
+            why,
+        } = judged(&states, accepted_rate, accepted_exceed_rate);
         let mut not_counted = cost.map_or(Vec::new(), CostRow::not_counted);
         let has_exceeds = curves.curve(LimitState::Exceeds).is_some();
         if cost.is_some_and(|cost| cost.repair.is_some()) && !has_exceeds {
             not_counted.push("repair_cost (there is no curve of exceeding)");
         }
-        let unknown =
-            |state: LimitState| states.iter().any(|one| one.limit_state == state && one.rates.annual_rate.is_none());
-        let loss = cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, cost, hazard));
-        let is_at_least = states.iter().any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least())
+        let unknown = |state: LimitState| {
+            states
+                .iter()
+                .any(|one| one.limit_state == state && one.rates.annual_rate.is_none())
+        };
+        let loss = cost
+            .filter(|cost| cost.has_costs())
+            .map(|cost| loss_of(curves, cost, hazard));
+        let is_at_least = states
+            .iter()
+            .any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least())
             || loss.is_some_and(|loss| loss.most.is_none());
         for (state, words) in [
             (LimitState::Exceeds, "exceeding (its rate is not known)"),
@@ -228,18 +291,28 @@ impl ObjectRisk {
                 not_counted.push(words);
             }
         }
-        if cost.is_some_and(|cost| cost.overturned() > 0.0) && curves.curve(LimitState::Overturns).is_none() {
+        if cost.is_some_and(|cost| cost.overturned() > 0.0)
+            && curves.curve(LimitState::Overturns).is_none()
+        {
             not_counted.push("overturning (there is no curve of it)");
         }
         let expected_annual_loss = loss.map(|loss| loss.best);
-        let overturns = states.iter().find(|one| one.limit_state == LimitState::Overturns);
-        let casualties = |rate: f64| cost.and_then(|cost| Some(cost.quantity * cost.casualty_probability? * rate));
-        let expected_annual_casualties = overturns.and_then(|one| casualties(one.rates.annual_rate?));
+        let overturns = states
+            .iter()
+            .find(|one| one.limit_state == LimitState::Overturns);
+        let casualties = |rate: f64| {
+            cost.and_then(|cost| Some(cost.quantity * cost.casualty_probability? * rate))
+        };
+        let expected_annual_casualties =
+            overturns.and_then(|one| casualties(one.rates.annual_rate?));
         let least_casualties = casualties(overturns.and_then(StateRisk::known).unwrap_or(0.0));
         let lower = casualties(overturns.map_or(0.0, |one| one.rates.annual_rate_lower));
         let upper = overturns.and_then(|one| casualties(one.rates.annual_rate_upper?));
         let casualty_bounds = lower.map(|lower| (lower, upper));
-        let deaggregation = curves.curves.last().map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
+        let deaggregation = curves
+            .curves
+            .last()
+            .map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
         Self {
             id: curves.id.clone(),
             curves: curves.clone(),
@@ -263,12 +336,15 @@ impl ObjectRisk {
 
     /// A limit state; `None` without its curve.
     pub(crate) fn state(&self, limit_state: LimitState) -> Option<&StateRisk> {
-        self.states.iter().find(|one| one.limit_state == limit_state)
+        self.states
+            .iter()
+            .find(|one| one.limit_state == limit_state)
     }
 
     /// Whether it may overturn more often than is counted, or nothing tells how often.
     pub(crate) fn may_overturn_more(&self) -> bool {
-        self.state(LimitState::Overturns).is_none_or(StateRisk::is_at_least)
+        self.state(LimitState::Overturns)
+            .is_none_or(StateRisk::is_at_least)
     }
 
     pub(crate) fn facts(&self) -> Facts<'static> {
@@ -305,7 +381,10 @@ impl ObjectRisk {
         Facts::default()
             .key("id", self.id.clone())
             .key("limit_states", states)
-            .key("caution", self.curves.caution.map(|why| name_of(TOO_MILD, why)))
+            .key(
+                "caution",
+                self.curves.caution.map(|why| name_of(TOO_MILD, why)),
+            )
             .key("deaggregation", bins)
             .key("accepted_annual_rate", self.accepted_rate)
             .key("accepted_exceed_annual_rate", self.accepted_exceed_rate)
@@ -313,13 +392,28 @@ impl ObjectRisk {
             .key("certain", self.is_certain)
             .key("why", self.why)
             .key("expected_annual_loss", self.expected_annual_loss)
-            .key("expected_annual_loss_lower", self.loss.map(|loss| loss.least))
-            .key("expected_annual_loss_upper", self.loss.and_then(|loss| loss.most))
+            .key(
+                "expected_annual_loss_lower",
+                self.loss.map(|loss| loss.least),
+            )
+            .key(
+                "expected_annual_loss_upper",
+                self.loss.and_then(|loss| loss.most),
+            )
             .key("is_bound", self.loss.is_some_and(|loss| loss.is_bound()))
             .key("is_at_least", self.is_at_least)
-            .key("expected_annual_casualties", self.expected_annual_casualties)
-            .key("expected_annual_casualties_lower", self.casualty_bounds.map(|bounds| bounds.0))
-            .key("expected_annual_casualties_upper", self.casualty_bounds.and_then(|bounds| bounds.1))
+            .key(
+                "expected_annual_casualties",
+                self.expected_annual_casualties,
+            )
+            .key(
+                "expected_annual_casualties_lower",
+                self.casualty_bounds.map(|bounds| bounds.0),
+            )
+            .key(
+                "expected_annual_casualties_upper",
+                self.casualty_bounds.and_then(|bounds| bounds.1),
+            )
             .key("not_counted", self.not_counted.clone())
     }
 
@@ -335,13 +429,23 @@ impl ObjectRisk {
     /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
     pub(crate) fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
-        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(limit_state, accepted)| {
-            let (found, accepted) = (self.state(limit_state), accepted?);
-            let known = found.and_then(StateRisk::known);
-            let most = found.and_then(|one| one.rates.most());
-            let most = most.filter(|most| *most > accepted && known.is_some_and(|known| known <= accepted));
-            Some(Limit { limit_state, accepted, annual_rate: most.or(known), is_most: most.is_some() })
-        });
+        let limits = LOSS_STATES
+            .into_iter()
+            .zip(accepted)
+            .filter_map(|(limit_state, accepted)| {
+                let (found, accepted) = (self.state(limit_state), accepted?);
+                let known = found.and_then(StateRisk::known);
+                let most = found.and_then(|one| one.rates.most());
+                let most = most.filter(|most| {
+                    *most > accepted && known.is_some_and(|known| known <= accepted)
+                });
+                Some(Limit {
+                    limit_state,
+                    accepted,
+                    annual_rate: most.or(known),
+                    is_most: most.is_some(),
+                })
+            });
         let (broken, kept): (Vec<Limit>, Vec<Limit>) = limits.partition(Limit::is_broken);
         if broken.is_empty() { kept } else { broken }
     }
@@ -364,8 +468,14 @@ impl ObjectRisk {
                 .key("years", years)
                 .key("verdict", self.verdict.map(RiskVerdict::name))
                 .key("expected_annual_loss", self.expected_annual_loss)
-                .key("expected_annual_loss_lower", self.loss.map(|loss| loss.least))
-                .key("expected_annual_loss_upper", self.loss.and_then(|loss| loss.most))
+                .key(
+                    "expected_annual_loss_lower",
+                    self.loss.map(|loss| loss.least),
+                )
+                .key(
+                    "expected_annual_loss_upper",
+                    self.loss.and_then(|loss| loss.most),
+                )
         });
         rows.collect()
     }
@@ -373,7 +483,11 @@ impl ObjectRisk {
 
 /// The interval over the motions together with the bounds that the runs leave, and not above the most that
 /// a milder limit state allows; `None` where there is no upper end.
-fn joined((low, high): (f64, f64), by_runs: Option<(f64, Option<f64>)>, most: Option<f64>) -> Option<(f64, f64)> {
+fn joined(
+    (low, high): (f64, f64),
+    by_runs: Option<(f64, Option<f64>)>,
+    most: Option<f64>,
+) -> Option<(f64, f64)> {
     let (low, high) = match by_runs {
         Some((least, upper)) => (low.min(least), high.max(upper?)),
         None => (low, high),
@@ -401,16 +515,20 @@ fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f
         match one.and_then(|one| Some((one.verdict(accepted)?, one.is_certain(accepted)))) {
             Some(here) => found.push(here),
             None => {
-                why = why.or(Some(match (state == LimitState::Overturns, one.is_some()) {
-                    (false, false) => "there is no curve of exceeding",
-                    (false, true) => "the rate of exceeding is not known",
-                    (true, false) => "there is no curve of overturning",
-                    (true, true) => "the rate of overturning is not known",
-                }));
+                why = why.or(Some(
+                    match (state == LimitState::Overturns, one.is_some()) {
+                        (false, false) => "there is no curve of exceeding",
+                        (false, true) => "the rate of exceeding is not known",
+                        (true, false) => "there is no curve of overturning",
+                        (true, true) => "the rate of overturning is not known",
+                    },
+                ));
             }
         }
     }
-    let exceeds = found.iter().any(|(verdict, _)| *verdict == RiskVerdict::Exceeds);
+    let exceeds = found
+        .iter()
+        .any(|(verdict, _)| *verdict == RiskVerdict::Exceeds);
     let verdict = match (exceeds, why) {
         (true, _) => Some(RiskVerdict::Exceeds),
         (false, None) if !found.is_empty() => Some(RiskVerdict::Accepted),
@@ -422,7 +540,11 @@ fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f
         _ => None,
     };
     let is_certain = verdict.and(found.iter().map(|one| one.1).reduce(both).flatten());
-    Judged { verdict, is_certain, why }
+    Judged {
+        verdict,
+        is_certain,
+        why,
+    }
 }
 
 /// How often a limit state is reached: the least that it can be, and the most; `None` where nothing
@@ -437,7 +559,11 @@ struct Interval {
 
 impl Interval {
     fn known(rate: f64) -> Self {
-        Self { least: rate, best: rate, most: Some(rate) }
+        Self {
+            least: rate,
+            best: rate,
+            most: Some(rate),
+        }
     }
 }
 
@@ -455,7 +581,8 @@ impl LossBounds {
     const BOUND_RATIO: f64 = 1.1;
 
     pub(crate) fn is_bound(&self) -> bool {
-        self.most.is_none_or(|most| most > Self::BOUND_RATIO * self.least)
+        self.most
+            .is_none_or(|most| most > Self::BOUND_RATIO * self.least)
     }
 
     /// The loss that is stated: what has no most is *at least* its least.
@@ -466,7 +593,11 @@ impl LossBounds {
     /// The words after a loss of which only bounds are known.
     pub(super) fn words(&self, unit: &str) -> String {
         match self.most.filter(|_| self.is_bound()) {
-            Some(most) => format!("; between {} and {} {unit}", number(self.least, 4), number(most, 4)),
+            Some(most) => format!(
+                "; between {} and {} {unit}",
+                number(self.least, 4),
+                number(most, 4)
+            ),
             None => String::new(),
         }
     }
@@ -490,17 +621,34 @@ pub(crate) struct Avoided {
 /// The rates of both states of losses, [`LOSS_STATES`]; `None` without a curve.
 fn loss_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> [Option<AnnualRates>; 2] {
     let all = object_rates(curves, factor, hazard);
-    LOSS_STATES.map(|state| all.iter().find(|one| one.limit_state == state).map(|one| one.rates))
+    LOSS_STATES.map(|state| {
+        all.iter()
+            .find(|one| one.limit_state == state)
+            .map(|one| one.rates)
+    })
 }
 
 /// The ends of a rate. Motions below the first point of the hazard count for nothing, and bound nothing.
 fn ends_of(rates: AnnualRates) -> Interval {
-    let AnnualRates { annual_rate, annual_rate_lower: least, annual_rate_upper, .. } = rates;
+    let AnnualRates {
+        annual_rate,
+        annual_rate_lower: least,
+        annual_rate_upper,
+        ..
+    } = rates;
     let most = annual_rate_upper.filter(|_| !rates.begins_too_high());
     match annual_rate {
-        Some(rate) if rates.is_bound() => Interval { least, best: rate, most },
+        Some(rate) if rates.is_bound() => Interval {
+            least,
+            best: rate,
+            most,
+        },
         Some(rate) => Interval::known(rate),
-        None => Interval { least, best: least, most },
+        None => Interval {
+            least,
+            best: least,
+            most,
+        },
     }
 }
 
@@ -509,21 +657,43 @@ fn ends_of(rates: AnnualRates) -> Interval {
 ///
 /// The loss q \[(λ_e − λ_o)⁺ C_e + λ_o C_o\] rises with λ_e, and as a function of λ_o it is convex with
 /// one corner, at λ_o = λ_e: it is largest at an end of λ_o, and least at an end or at the corner.
-fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, cost: &CostRow) -> LossBounds {
-    let unknown = Interval { least: 0.0, best: 0.0, most: None };
+fn loss_between(
+    [exceeds, overturns]: [Option<Interval>; 2],
+    has_exceeds: bool,
+    cost: &CostRow,
+) -> LossBounds {
+    let unknown = Interval {
+        least: 0.0,
+        best: 0.0,
+        most: None,
+    };
     let exceeds = has_exceeds.then(|| exceeds.unwrap_or(unknown));
     let mut overturns = overturns.unwrap_or(unknown);
     // What is known may contradict itself where curves were fitted separately; what is not, cannot.
     if overturns.most != Some(overturns.least) {
-        let bound = exceeds.and_then(|exceeds| exceeds.most).map(|most| most.max(overturns.least));
-        overturns.most = [overturns.most, bound].into_iter().flatten().reduce(f64::min);
+        let bound = exceeds
+            .and_then(|exceeds| exceeds.most)
+            .map(|most| most.max(overturns.least));
+        overturns.most = [overturns.most, bound]
+            .into_iter()
+            .flatten()
+            .reduce(f64::min);
     }
-    let repair = if has_exceeds { cost.repair.unwrap_or(0.0) } else { 0.0 };
+    let repair = if has_exceeds {
+        cost.repair.unwrap_or(0.0)
+    } else {
+        0.0
+    };
     let of = |exceeds: f64, overturns: f64| {
         expected_annual_loss(cost.quantity, exceeds, overturns, repair, cost.overturned())
     };
-    let exceeds = exceeds.filter(|_| repair > 0.0).unwrap_or(Interval::known(0.0));
-    let corner = exceeds.least.min(overturns.most.unwrap_or(f64::INFINITY)).max(overturns.least);
+    let exceeds = exceeds
+        .filter(|_| repair > 0.0)
+        .unwrap_or(Interval::known(0.0));
+    let corner = exceeds
+        .least
+        .min(overturns.most.unwrap_or(f64::INFINITY))
+        .max(overturns.least);
     let least = of(exceeds.least, overturns.least).min(of(exceeds.least, corner));
     let most = match (exceeds.most, overturns.most) {
         (Some(exceeds), Some(most)) => Some(of(exceeds, overturns.least).max(of(exceeds, most))),
@@ -531,14 +701,22 @@ fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, 
         (Some(exceeds), None) if cost.overturned() == 0.0 => Some(of(exceeds, overturns.least)),
         _ => None,
     };
-    LossBounds { least, best: of(exceeds.best, overturns.best), most }
+    LossBounds {
+        least,
+        best: of(exceeds.best, overturns.best),
+        most,
+    }
 }
 
 /// Expected annual loss of an object. A rate that is not known counts with the least and with the most
 /// that it can be.
 pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
     let rates = loss_rates(curves, 1.0, hazard);
-    loss_between(rates.map(|rates| rates.map(ends_of)), curves.curve(LimitState::Exceeds).is_some(), cost)
+    loss_between(
+        rates.map(|rates| rates.map(ends_of)),
+        curves.curve(LimitState::Exceeds).is_some(),
+        cost,
+    )
 }
 
 /// The loss that an option avoids: the least one, which is the least loss of the object without the
@@ -554,7 +732,12 @@ pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) ->
 /// Motions below the first point of the hazard count neither without the option nor with it, unless
 /// they would add more to the rate with it: the difference is then a loss that it causes. A step
 /// counts in the middle of its ends, as everywhere.
-pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> Avoided {
+pub(crate) fn avoided(
+    curves: &ObjectCurves,
+    effect: &Effect,
+    cost: &CostRow,
+    hazard: &Hazard,
+) -> Avoided {
     let before = loss_of(curves, cost, hazard);
     let without = loss_rates(curves, 1.0, hazard);
     let (changed, factor) = match effect {
@@ -562,11 +745,15 @@ pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
         Effect::Curves(other) => (other, 1.0),
     };
     let with = loss_rates(changed, factor, hazard);
-    let has_exceeds = [curves, changed].iter().any(|curves| curves.curve(LimitState::Exceeds).is_some());
+    let has_exceeds = [curves, changed]
+        .iter()
+        .any(|curves| curves.curve(LimitState::Exceeds).is_some());
     let after = loss_between(with.map(|rates| rates.map(ends_of)), has_exceeds, cost);
     let mut charged = with.map(|rates| rates.map(ends_of));
     for ((end, with), without) in charged.iter_mut().zip(with).zip(without) {
-        let (Some(end), Some(with)) = (end, with) else { continue };
+        let (Some(end), Some(with)) = (end, with) else {
+            continue;
+        };
         if with.begins_too_high() {
             let excess = with.below_first - without.map_or(0.0, |rates| rates.below_first);
             end.most = Some(end.least + excess.max(0.0));
@@ -591,19 +778,43 @@ pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
     }
     let [_, of_fall] = LOSS_STATES;
     let falls = match effect {
-        Effect::MedianFactor(factor) if *factor >= 1.0 => least_fall(curves, of_fall, *factor, hazard),
-        _ => without[1].zip(with[1]).and_then(|(without, with)| Some(ends_of(without).least - ends_of(with).most?)),
+        Effect::MedianFactor(factor) if *factor >= 1.0 => {
+            least_fall(curves, of_fall, *factor, hazard)
+        }
+        _ => without[1]
+            .zip(with[1])
+            .and_then(|(without, with)| Some(ends_of(without).least - ends_of(with).most?)),
     };
     let falls = falls.map(|falls| cost.quantity * falls);
-    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged), falls }
+    Avoided {
+        after,
+        least,
+        best,
+        is_at_least: !is_exact(&before) || !is_exact(&charged),
+        falls,
+    }
 }
 
 /// The least loss that is avoided where every median is multiplied by `factor` ≥ 1, and overturning costs
 /// no less than a repair: q \[C_e Δλ_e + (C_o − C_e) Δλ_o\] with the least fall of each rate.
-fn avoided_by_factor(curves: &ObjectCurves, factor: f64, cost: &CostRow, hazard: &Hazard) -> Option<f64> {
+fn avoided_by_factor(
+    curves: &ObjectCurves,
+    factor: f64,
+    cost: &CostRow,
+    hazard: &Hazard,
+) -> Option<f64> {
     let [exceeds, overturns] = LOSS_STATES;
-    let repair = cost.repair.filter(|_| curves.curve(exceeds).is_some()).unwrap_or(0.0);
-    let fall = |state, price: f64| if price == 0.0 { Some(0.0) } else { least_fall(curves, state, factor, hazard) };
+    let repair = cost
+        .repair
+        .filter(|_| curves.curve(exceeds).is_some())
+        .unwrap_or(0.0);
+    let fall = |state, price: f64| {
+        if price == 0.0 {
+            Some(0.0)
+        } else {
+            least_fall(curves, state, factor, hazard)
+        }
+    };
     let of_repair = repair * fall(exceeds, repair)?;
     let more = cost.overturned() - repair;
     Some(cost.quantity * (of_repair + more * fall(overturns, more)?))
@@ -651,35 +862,76 @@ mod tests {
         let judged = |states: &[StateRisk], accepted| of(states, accepted, None);
         let (accepted, exceeds) = (Some(RiskVerdict::Accepted), Some(RiskVerdict::Exceeds));
         let (same, narrow) = ((1e-4, 1e-4), Some((5e-5, 2e-4)));
-        assert_eq!(judged(&overturns(Some(1e-4), same, narrow), None), (None, None));
-        assert_eq!(judged(&overturns(Some(1e-4), same, narrow), Some(1e-3)), (accepted, Some(true)));
-        // Accepted only if the most that the rate can be is.
-        assert_eq!(judged(&overturns(Some(1e-4), (1e-4, 2e-3), narrow), Some(1e-3)), (exceeds, Some(false)));
-        assert_eq!(judged(&overturns(Some(1e-4), same, Some((1e-5, 2e-3))), Some(1e-3)), (accepted, Some(false)));
         assert_eq!(
-            judged(&overturns(Some(2e-3), (2e-3, 2e-3), Some((1.5e-3, 3e-3))), Some(1e-3)),
+            judged(&overturns(Some(1e-4), same, narrow), None),
+            (None, None)
+        );
+        assert_eq!(
+            judged(&overturns(Some(1e-4), same, narrow), Some(1e-3)),
+            (accepted, Some(true))
+        );
+        // Accepted only if the most that the rate can be is.
+        assert_eq!(
+            judged(&overturns(Some(1e-4), (1e-4, 2e-3), narrow), Some(1e-3)),
+            (exceeds, Some(false))
+        );
+        assert_eq!(
+            judged(&overturns(Some(1e-4), same, Some((1e-5, 2e-3))), Some(1e-3)),
+            (accepted, Some(false))
+        );
+        assert_eq!(
+            judged(
+                &overturns(Some(2e-3), (2e-3, 2e-3), Some((1.5e-3, 3e-3))),
+                Some(1e-3)
+            ),
             (exceeds, Some(true))
         );
         // The uncertainty of a rate without an interval is not known, unless its bounds state it.
-        assert_eq!(judged(&overturns(Some(1e-4), same, None), Some(1e-3)), (accepted, None));
-        assert_eq!(judged(&overturns(Some(2e-3), (5e-4, 3e-3), None), Some(1e-3)), (exceeds, Some(false)));
+        assert_eq!(
+            judged(&overturns(Some(1e-4), same, None), Some(1e-3)),
+            (accepted, None)
+        );
+        assert_eq!(
+            judged(&overturns(Some(2e-3), (5e-4, 3e-3), None), Some(1e-3)),
+            (exceeds, Some(false))
+        );
         // If a rate is not known, its bounds decide.
-        assert_eq!(judged(&overturns(None, (0.0, 5e-4), None), Some(1e-3)), (accepted, None));
-        assert_eq!(judged(&overturns(None, (5e-3, 1.0), None), Some(1e-3)), (exceeds, None));
-        assert_eq!(judged(&overturns(None, (0.0, 5e-3), None), Some(1e-3)), (None, None));
+        assert_eq!(
+            judged(&overturns(None, (0.0, 5e-4), None), Some(1e-3)),
+            (accepted, None)
+        );
+        assert_eq!(
+            judged(&overturns(None, (5e-3, 1.0), None), Some(1e-3)),
+            (exceeds, None)
+        );
+        assert_eq!(
+            judged(&overturns(None, (0.0, 5e-3), None), Some(1e-3)),
+            (None, None)
+        );
         // A hazard that begins too high gives only a lower bound.
         let mut cut = overturns(Some(1e-4), same, narrow);
         cut[0].rates.below_first = 2e-3;
         assert_eq!(judged(&cut, Some(1e-3)), (exceeds, Some(false)));
         let both = [
-            state(LimitState::Exceeds, Some(0.1), (0.1, 0.1), Some((0.05, 0.2))),
+            state(
+                LimitState::Exceeds,
+                Some(0.1),
+                (0.1, 0.1),
+                Some((0.05, 0.2)),
+            ),
             state(LimitState::Overturns, Some(1e-4), same, narrow),
         ];
         assert_eq!(of(&both, Some(1e-3), Some(1e-2)), (exceeds, Some(true)));
         let without = super::judged(&both[1..], Some(1e-3), Some(1e-2));
-        assert_eq!((without.verdict, without.why), (None, Some("there is no curve of exceeding")));
+        assert_eq!(
+            (without.verdict, without.why),
+            (None, Some("there is no curve of exceeding"))
+        );
         // One rate that is surely too large is enough.
-        assert_eq!(of(&both[1..], Some(1e-5), Some(1e-2)), (exceeds, Some(true)));
+        assert_eq!(
+            of(&both[1..], Some(1e-5), Some(1e-2)),
+            (exceeds, Some(true))
+        );
     }
 
     fn cost(repair: f64, replacement: f64) -> CostRow {
@@ -712,19 +964,38 @@ mod tests {
     fn losses_between_the_ends_of_rates_are_within_the_bounds() {
         for (repair, replacement) in [(100.0, 900.0), (900.0, 100.0), (0.0, 900.0), (900.0, 0.0)] {
             let cost = cost(repair, replacement);
-            for (e, o) in [((2.0, 6.0), (1.0, 3.0)), ((2.0, 2.0), (0.0, 4.0)), ((2.0, 6.0), (3.0, 3.0))] {
-                let of = |(least, most)| Some(Interval { least, best: least, most: Some(most) });
+            for (e, o) in [
+                ((2.0, 6.0), (1.0, 3.0)),
+                ((2.0, 2.0), (0.0, 4.0)),
+                ((2.0, 6.0), (3.0, 3.0)),
+            ] {
+                let of = |(least, most)| {
+                    Some(Interval {
+                        least,
+                        best: least,
+                        most: Some(most),
+                    })
+                };
                 let bounds = loss_between([of(e), of(o)], true, &cost);
-                let steps =
-                    |(least, most): (f64, f64)| (0..=60).map(move |i| least + (most - least) * f64::from(i) / 60.0);
-                let pairs = steps(e).flat_map(|e| steps(o).map(move |o| (e, o))).filter(|(e, o)| o <= e);
-                let losses: Vec<f64> =
-                    pairs.map(|(e, o)| expected_annual_loss(2.0, e, o, repair, replacement)).collect();
-                let (least, most) =
-                    (losses.iter().copied().fold(f64::INFINITY, f64::min), losses.iter().copied().fold(0.0, f64::max));
+                let steps = |(least, most): (f64, f64)| {
+                    (0..=60).map(move |i| least + (most - least) * f64::from(i) / 60.0)
+                };
+                let pairs = steps(e)
+                    .flat_map(|e| steps(o).map(move |o| (e, o)))
+                    .filter(|(e, o)| o <= e);
+                let losses: Vec<f64> = pairs
+                    .map(|(e, o)| expected_annual_loss(2.0, e, o, repair, replacement))
+                    .collect();
+                let (least, most) = (
+                    losses.iter().copied().fold(f64::INFINITY, f64::min),
+                    losses.iter().copied().fold(0.0, f64::max),
+                );
                 let stated = bounds.most.unwrap();
                 // Rounding; the ends are of the order of 1000.
-                assert!(bounds.least <= least + 1e-9 && stated >= most - 1e-9, "{bounds:?} {least} {most}");
+                assert!(
+                    bounds.least <= least + 1e-9 && stated >= most - 1e-9,
+                    "{bounds:?} {least} {most}"
+                );
                 // One step of the grid, 4/60 of a rate that costs at most 900 for each of two.
                 let tight = 4.0 / 60.0 * 900.0 * 2.0;
                 let known_above = o.0 == o.1 && o.0 > e.0;
@@ -739,36 +1010,72 @@ mod tests {
     /// What has no bound has none, unless it costs nothing or the milder state bounds it.
     #[test]
     fn a_loss_without_a_bound_is_told_so() {
-        let open = Some(Interval { least: 1.0, best: 1.0, most: None });
+        let open = Some(Interval {
+            least: 1.0,
+            best: 1.0,
+            most: None,
+        });
         let known = |rate| Some(Interval::known(rate));
         let most = |e, o, cost: &CostRow| loss_between([e, o], true, cost).most;
-        assert_eq!(most(known(2.0), open, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
-        assert_eq!(most(known(2.0), None, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
+        assert_eq!(
+            most(known(2.0), open, &cost(100.0, 900.0)),
+            Some(2.0 * 2.0 * 900.0)
+        );
+        assert_eq!(
+            most(known(2.0), None, &cost(100.0, 900.0)),
+            Some(2.0 * 2.0 * 900.0)
+        );
         assert_eq!(most(open, known(1.0), &cost(100.0, 900.0)), None);
         assert_eq!(most(open, known(1.0), &cost(0.0, 900.0)), Some(2.0 * 900.0));
         assert_eq!(most(open, open, &cost(0.0, 900.0)), None);
         let without = loss_between([None, open], false, &cost(100.0, 900.0));
-        assert_eq!(without, LossBounds { least: 2.0 * 900.0, best: 2.0 * 900.0, most: None });
+        assert_eq!(
+            without,
+            LossBounds {
+                least: 2.0 * 900.0,
+                best: 2.0 * 900.0,
+                most: None
+            }
+        );
     }
 
     /// An object that may fail more often than its curves say has no most, whatever its curves.
     #[test]
     fn a_caution_leaves_a_loss_without_a_bound() {
         let hazard = Hazard::power_law(1.0, 1.0, 1.0).unwrap();
-        for kind in [CurveKind::None { lower: 2.0 }, CurveKind::Lognormal { median: 2.0, beta: 0.3 }] {
+        for kind in [
+            CurveKind::None { lower: 2.0 },
+            CurveKind::Lognormal {
+                median: 2.0,
+                beta: 0.3,
+            },
+        ] {
             let of = |caution| {
-                let one = ObjectCurves { caution, ..curves(&[(LimitState::Overturns, kind)]) };
+                let one = ObjectCurves {
+                    caution,
+                    ..curves(&[(LimitState::Overturns, kind)])
+                };
                 ObjectRisk::new(&one, None, Some(&cost(0.0, 1.0)), &hazard, 50.0, Some(1.0))
             };
             let (without, with) = (of(None), of(Some(TooMild::Glides)));
-            assert!(without.loss.unwrap().most.is_some() && without.verdict == Some(RiskVerdict::Accepted));
-            assert_eq!((with.loss.unwrap().most, with.is_at_least, with.verdict), (None, true, None), "{kind:?}");
+            assert!(
+                without.loss.unwrap().most.is_some()
+                    && without.verdict == Some(RiskVerdict::Accepted)
+            );
+            assert_eq!(
+                (with.loss.unwrap().most, with.is_at_least, with.verdict),
+                (None, true, None),
+                "{kind:?}"
+            );
             assert_eq!(with.expected_annual_loss, without.expected_annual_loss);
         }
     }
 
     fn curves(rows: &[(LimitState, CurveKind)]) -> ObjectCurves {
-        let curves = rows.iter().map(|&(limit_state, kind)| Curve { limit_state, kind }).collect();
+        let curves = rows
+            .iter()
+            .map(|&(limit_state, kind)| Curve { limit_state, kind })
+            .collect();
         let capacities = Vec::new();
         ObjectCurves {
             id: "a".to_owned(),
@@ -787,7 +1094,10 @@ mod tests {
         let hazard = Hazard::power_law(1.0, 1.0, 1.0).unwrap();
         let (exceeds, overturns) = (LimitState::Exceeds, LimitState::Overturns);
         let step = |x| CurveKind::Step { lower: x, upper: x };
-        let (none, all) = (|lower| CurveKind::None { lower }, |upper| CurveKind::All { upper });
+        let (none, all) = (
+            |lower| CurveKind::None { lower },
+            |upper| CurveKind::All { upper },
+        );
         let cost = cost(0.0, 1.0);
         let of = |before, after| {
             let changed = Effect::Curves(curves(&[(overturns, after)]));
@@ -803,13 +1113,25 @@ mod tests {
         assert_eq!(of(step(0.5), all(2.0)), (None, true));
         // Curves without one of overturning, of an object that overturns: exceeding bounds it.
         let with = |rows: &[(LimitState, CurveKind)]| {
-            avoided(&curves(&[(overturns, step(0.5))]), &Effect::Curves(curves(rows)), &cost, &hazard)
+            avoided(
+                &curves(&[(overturns, step(0.5))]),
+                &Effect::Curves(curves(rows)),
+                &cost,
+                &hazard,
+            )
         };
         assert_eq!(with(&[]).least, None);
         assert_eq!(with(&[(exceeds, step(2.0))]).least, Some(3.0));
         // Twice the median never makes anything worse, and half of it may.
-        let factor =
-            |factor| avoided(&curves(&[(overturns, none(0.5))]), &Effect::MedianFactor(factor), &cost, &hazard).least;
+        let factor = |factor| {
+            avoided(
+                &curves(&[(overturns, none(0.5))]),
+                &Effect::MedianFactor(factor),
+                &cost,
+                &hazard,
+            )
+            .least
+        };
         assert_eq!((factor(2.0), factor(0.5)), (Some(0.0), Some(-8.0)));
     }
 
@@ -817,16 +1139,27 @@ mod tests {
     #[test]
     fn an_option_is_charged_with_weak_motions_that_it_adds() {
         let points = [(1.0, 1.0), (2.0, 0.5), (4.0, 0.25)];
-        let points = points.map(|(intensity, annual_rate)| HazardPoint { intensity, annual_rate });
+        let points = points.map(|(intensity, annual_rate)| HazardPoint {
+            intensity,
+            annual_rate,
+        });
         let hazard = Hazard::points(points.to_vec()).unwrap();
         let step = |x| CurveKind::Step { lower: x, upper: x };
         let of = |after| {
             let changed = Effect::Curves(curves(&[(LimitState::Overturns, step(after))]));
-            avoided(&curves(&[(LimitState::Overturns, step(2.0))]), &changed, &cost(0.0, 1.0), &hazard)
+            avoided(
+                &curves(&[(LimitState::Overturns, step(2.0))]),
+                &changed,
+                &cost(0.0, 1.0),
+                &hazard,
+            )
         };
         // λ(x) = 1/x goes on below 1: at 1/2 the rate is 2, of which 1 is below the first point.
         let worse = of(0.5);
-        assert!((worse.least.unwrap() + 2.0 * (2.0 - 0.5)).abs() < 1e-12, "{worse:?}");
+        assert!(
+            (worse.least.unwrap() + 2.0 * (2.0 - 0.5)).abs() < 1e-12,
+            "{worse:?}"
+        );
         assert_eq!((worse.after.most, worse.is_at_least), (None, true));
         assert!((of(4.0).least.unwrap() - 0.5).abs() < 1e-12);
     }

@@ -49,14 +49,31 @@ const MAX_NAMED: usize = 2;
 pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
     let years = number(report.years, 4);
     let hazard = measure_words(report.hazard.measure, report.hazard.at);
-    let file = report.hazard.file.as_ref().and_then(|file| file.path.file_name());
-    let source = file.map_or(hazard.clone(), |name| format!("{} ({hazard})", name.to_string_lossy()));
+    let file = report
+        .hazard
+        .file
+        .as_ref()
+        .and_then(|file| file.path.file_name());
+    let source = file.map_or(hazard.clone(), |name| {
+        format!("{} ({hazard})", name.to_string_lossy())
+    });
     let kinds = counted(report.objects.len(), "kind");
-    let subtitle = format!("{kinds} of object. Hazard: {source}. freestand {}.", env!("CARGO_PKG_VERSION"));
-    let mut html = opening("What earthquakes may cost", &subtitle, &format!("{ONE_PAGE_CSS}{CSS}"));
+    let subtitle = format!(
+        "{kinds} of object. Hazard: {source}. freestand {}.",
+        env!("CARGO_PKG_VERSION")
+    );
+    let mut html = opening(
+        "What earthquakes may cost",
+        &subtitle,
+        &format!("{ONE_PAGE_CSS}{CSS}"),
+    );
     html.push_str("<div class=\"boxes\">\n");
     for (value, what) in boxes(report, &years) {
-        html.push_str(&format!("<div><strong>{}</strong><small>{}</small></div>\n", escape(&value), escape(&what)));
+        html.push_str(&format!(
+            "<div><strong>{}</strong><small>{}</small></div>\n",
+            escape(&value),
+            escape(&what)
+        ));
     }
     html.push_str("</div>\n");
     html.push_str(&paragraph(&whose(report)));
@@ -72,7 +89,10 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     }
     html.push_str(&heading("What is not counted"));
     html.push_str(&list(&not_counted(report)));
-    report.assumptions.iter().for_each(|assumed| html.push_str(&paragraph(assumed)));
+    report
+        .assumptions
+        .iter()
+        .for_each(|assumed| html.push_str(&paragraph(assumed)));
     html.push_str(CLOSING);
     html
 }
@@ -80,14 +100,23 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
 /// Whose objects these are, with room for what nobody stated.
 fn whose(report: &RiskReport) -> String {
     let stated = |of: fn(&CostRow) -> &str| {
-        let rows = report.objects.iter().filter_map(|object| object.cost.as_ref());
+        let rows = report
+            .objects
+            .iter()
+            .filter_map(|object| object.cost.as_ref());
         let mut all: Vec<&str> = rows.map(of).filter(|text| !text.is_empty()).collect();
         all.sort_unstable();
         all.dedup();
-        if all.is_empty() { "______________".to_owned() } else { named(&all) }
+        if all.is_empty() {
+            "______________".to_owned()
+        } else {
+            named(&all)
+        }
     };
     let (building, place) = (stated(|row| &row.building), stated(|row| &row.location));
-    format!("Building: {building}. Place: {place}. Date: ______________. Prepared by: ______________.")
+    format!(
+        "Building: {building}. Place: {place}. Date: ______________. Prepared by: ______________."
+    )
 }
 
 /// A measure in words, for readers who do not know its abbreviation.
@@ -98,7 +127,11 @@ fn measure_words(measure: Measure, at: At) -> String {
         Measure::Pfa => "peak floor acceleration".to_owned(),
         Measure::Pfv => "peak floor velocity".to_owned(),
         Measure::Sa { .. } | Measure::SaAverage { .. } => {
-            format!("spectral acceleration {} of the {}", measure.name(), at.name())
+            format!(
+                "spectral acceleration {} of the {}",
+                measure.name(),
+                at.name()
+            )
         }
         Measure::VelocityRatio => "velocity ratio of the floor".to_owned(),
         Measure::AccelerationRatio => "acceleration ratio of the floor".to_owned(),
@@ -113,14 +146,19 @@ fn money(value: f64, currency: &str) -> String {
 /// Three significant digits, in groups.
 fn grouped(value: f64) -> String {
     let text = rounded(value, 3);
-    let (sign, digits) = text.strip_prefix(['-', '−']).map_or(("", text.as_str()), |digits| ("−", digits));
+    let (sign, digits) = text
+        .strip_prefix(['-', '−'])
+        .map_or(("", text.as_str()), |digits| ("−", digits));
     if digits.len() < 5 || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return text;
     }
     let groups: Vec<&str> = {
         let first = digits.len() % 3;
         let starts = (first..digits.len()).step_by(3).map(|i| &digits[i..i + 3]);
-        std::iter::once(&digits[..first]).filter(|group| !group.is_empty()).chain(starts).collect()
+        std::iter::once(&digits[..first])
+            .filter(|group| !group.is_empty())
+            .chain(starts)
+            .collect()
     };
     format!("{sign}{}", groups.join("\u{202f}"))
 }
@@ -142,18 +180,33 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     }
     match &report.portfolio {
         Some(portfolio) => {
-            let rate = portfolio.curve.first().map_or(0.0, |point| point.annual_rate);
+            let rate = portfolio
+                .curve
+                .first()
+                .map_or(0.0, |point| point.annual_rate);
             let chance = probability_in_years(rate, report.years);
             boxes.push((
-                format!("{}{}", least(portfolio.is_at_least), percent_significant(chance, 2)),
+                format!(
+                    "{}{}",
+                    least(portfolio.is_at_least),
+                    percent_significant(chance, 2)
+                ),
                 format!("Chance that an earthquake causes a loss within {years} years."),
             ));
         }
         None => boxes.extend(likeliest(report, years)),
     }
-    if let Some((measures, plan)) = report.measures.as_ref().and_then(|all| Some((all, all.plan.as_ref()?))) {
-        let saved: f64 =
-            plan.chosen.iter().filter_map(|worth| worth.benefit_present_value).sum::<f64>() / measures.years;
+    if let Some((measures, plan)) = report
+        .measures
+        .as_ref()
+        .and_then(|all| Some((all, all.plan.as_ref()?)))
+    {
+        let saved: f64 = plan
+            .chosen
+            .iter()
+            .filter_map(|worth| worth.benefit_present_value)
+            .sum::<f64>()
+            / measures.years;
         boxes.push((
             money(plan.plan.cost, currency),
             format!(
@@ -163,9 +216,17 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
                 money(saved, currency)
             ),
         ));
-        let left = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
+        let left = bounded(
+            report
+                .objects
+                .iter()
+                .filter_map(|object| left(object, plan)),
+        );
         let value = left.map_or_else(not_known, |left| format!("{left} {currency} a year"));
-        boxes.push((value, "Expected loss that remains with the plan.".to_owned()));
+        boxes.push((
+            value,
+            "Expected loss that remains with the plan.".to_owned(),
+        ));
     }
     boxes.extend(casualties(report));
     boxes
@@ -175,26 +236,46 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
 /// whose rate is not known, or only the least that it can be.
 fn likeliest(report: &RiskReport, years: &str) -> Option<(String, String)> {
     let known = |object: &ObjectRisk| object.state(LimitState::Overturns)?.known();
-    let rates = report.objects.iter().filter_map(|object| Some((object, known(object)?)));
+    let rates = report
+        .objects
+        .iter()
+        .filter_map(|object| Some((object, known(object)?)));
     let (object, rate) = rates.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let most = |other: &ObjectRisk| {
         let rates = other.state(LimitState::Overturns)?.rates;
         rates.most()
     };
     let is_open = |other: &&ObjectRisk| {
-        other.id != object.id && other.may_overturn_more() && most(other).is_none_or(|most| most > rate)
+        other.id != object.id
+            && other.may_overturn_more()
+            && most(other).is_none_or(|most| most > rate)
     };
-    let open: Vec<&str> = report.objects.iter().filter(is_open).map(|other| other.id.as_str()).collect();
+    let open: Vec<&str> = report
+        .objects
+        .iter()
+        .filter(is_open)
+        .map(|other| other.id.as_str())
+        .collect();
     let others = match open.len() {
         0 => "No other object is more likely to overturn.".to_owned(),
-        1 => format!("The object {} may be more likely to overturn: only bounds of its rate are known.", named(&open)),
+        1 => format!(
+            "The object {} may be more likely to overturn: only bounds of its rate are known.",
+            named(&open)
+        ),
         _ => {
-            format!("These may be more likely to overturn, as only bounds of their rates are known: {}.", named(&open))
+            format!(
+                "These may be more likely to overturn, as only bounds of their rates are known: {}.",
+                named(&open)
+            )
         }
     };
     let chance = probability_in_years(rate, report.years);
     Some((
-        format!("{}{}", least(object.may_overturn_more()), percent_significant(chance, 2)),
+        format!(
+            "{}{}",
+            least(object.may_overturn_more()),
+            percent_significant(chance, 2)
+        ),
         format!(
             "Chance that an earthquake overturns the object {} within {years} years. {others}",
             shorten(&object.id)
@@ -204,10 +285,20 @@ fn likeliest(report: &RiskReport, years: &str) -> Option<(String, String)> {
 
 /// Expected casualties of the objects whose probability of casualties is known.
 fn casualties(report: &RiskReport) -> Option<(String, String)> {
-    let counted: Vec<&ObjectRisk> = report.objects.iter().filter(|object| object.least_casualties.is_some()).collect();
-    let sum: f64 = counted.iter().filter_map(|object| object.least_casualties).sum();
+    let counted: Vec<&ObjectRisk> = report
+        .objects
+        .iter()
+        .filter(|object| object.least_casualties.is_some())
+        .collect();
+    let sum: f64 = counted
+        .iter()
+        .filter_map(|object| object.least_casualties)
+        .sum();
     let has_some = |object: &&&ObjectRisk| {
-        object.cost.as_ref().is_some_and(|cost| cost.quantity * cost.casualty_probability.unwrap_or(0.0) > 0.0)
+        object
+            .cost
+            .as_ref()
+            .is_some_and(|cost| cost.quantity * cost.casualty_probability.unwrap_or(0.0) > 0.0)
     };
     let open: Vec<&str> = counted
         .iter()
@@ -223,9 +314,15 @@ fn casualties(report: &RiskReport) -> Option<(String, String)> {
     let why = if open.is_empty() {
         String::new()
     } else {
-        format!(" These may overturn more often than is counted: {}.", named(&open))
+        format!(
+            " These may overturn more often than is counted: {}.",
+            named(&open)
+        )
     };
-    Some((value, format!("Expected casualties: the mean over very many years, without the plan.{why}")))
+    Some((
+        value,
+        format!("Expected casualties: the mean over very many years, without the plan.{why}"),
+    ))
 }
 
 /// The annual loss of an object that remains with a plan.
@@ -236,7 +333,11 @@ fn left(object: &ObjectRisk, plan: &Chosen) -> Option<LossBounds> {
 /// A sum of losses: itself where it is known, or its bounds; `None` where nothing is known but that it is
 /// 0 or more.
 fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<String> {
-    let zero = LossBounds { least: 0.0, best: 0.0, most: Some(0.0) };
+    let zero = LossBounds {
+        least: 0.0,
+        best: 0.0,
+        most: Some(0.0),
+    };
     let sum = losses.fold(zero, |sum, loss| LossBounds {
         least: sum.least + loss.least,
         best: sum.best + loss.best,
@@ -244,7 +345,9 @@ fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<String> {
     });
     match sum.most {
         Some(_) if !sum.is_bound() => Some(grouped(sum.best)),
-        Some(most) if sum.least > 0.0 => Some(format!("{} to {}", grouped(sum.least), grouped(most))),
+        Some(most) if sum.least > 0.0 => {
+            Some(format!("{} to {}", grouped(sum.least), grouped(most)))
+        }
         Some(most) => Some(format!("at most {}", grouped(most))),
         None => (sum.least > 0.0).then(|| format!("{}{}", least(true), grouped(sum.least))),
     }
@@ -256,24 +359,41 @@ fn not_known() -> String {
 
 fn plan(report: &RiskReport) -> String {
     let currency = report.currency.as_deref().unwrap_or("");
-    let Some((measures, plan)) = report.measures.as_ref().and_then(|all| Some((all, all.plan.as_ref()?))) else {
+    let Some((measures, plan)) = report
+        .measures
+        .as_ref()
+        .and_then(|all| Some((all, all.plan.as_ref()?)))
+    else {
         return String::new();
     };
     let mut html = heading("The plan");
     let unknown = match measures.unknown().len() {
         0 => String::new(),
         1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
-        many => format!(" What {many} options save is not known, so that they are not in the plan."),
+        many => {
+            format!(" What {many} options save is not known, so that they are not in the plan.")
+        }
     };
     if let Some(words) = plan.unfunded_words(currency) {
-        html.push_str(&paragraph(&format!("{words}: the budget does not reach what people need.")));
+        html.push_str(&paragraph(&format!(
+            "{words}: the budget does not reach what people need."
+        )));
     }
     if plan.chosen.is_empty() {
-        let known = if measures.is_at_least() { ", as far as is known" } else { "" };
-        html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.{unknown}")));
+        let known = if measures.is_at_least() {
+            ", as far as is known"
+        } else {
+            ""
+        };
+        html.push_str(&paragraph(&format!(
+            "Within the budget, no option saves more than it costs{known}.{unknown}"
+        )));
         return html;
     }
-    let is_rated = plan.chosen.iter().any(|worth| worth.life_safety > Some(Rating::Low));
+    let is_rated = plan
+        .chosen
+        .iter()
+        .any(|worth| worth.life_safety > Some(Rating::Low));
     let proven = match (plan.plan.is_optimal, measures.is_at_least()) {
         _ if is_rated => {
             "Life safety comes first: within the budget, most falls of objects rated high are avoided, then of those \
@@ -294,33 +414,47 @@ fn plan(report: &RiskReport) -> String {
         least(plan.is_at_least()),
         money(plan.plan.value, currency)
     )));
-    let of = |id: &str| report.objects.iter().find(|object| object.id == id).and_then(|object| object.cost.as_ref());
-    let rows: Vec<Vec<Cell>> =
-        plan.chosen
+    let of = |id: &str| {
+        report
+            .objects
             .iter()
-            .map(|worth| {
-                vec![
-                    words(&shorten(&worth.id)),
-                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
-                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
-                    words(worth.life_safety.map_or("–", Rating::name)),
-                    words(&shorten(&worth.option)),
-                    figure(grouped(worth.cost)),
-                    figure(worth.benefit_present_value.map_or("–".to_owned(), |benefit| {
-                        format!("{}{}", least(worth.is_at_least), grouped(benefit))
-                    })),
-                    figure(
-                        worth.ratio().map_or("–".to_owned(), |ratio| {
-                            format!("{}{}", least(worth.is_at_least), number(ratio, 2))
+            .find(|object| object.id == id)
+            .and_then(|object| object.cost.as_ref())
+    };
+    let rows: Vec<Vec<Cell>> = plan
+        .chosen
+        .iter()
+        .map(|worth| {
+            vec![
+                words(&shorten(&worth.id)),
+                words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
+                words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
+                words(worth.life_safety.map_or("–", Rating::name)),
+                words(&shorten(&worth.option)),
+                figure(grouped(worth.cost)),
+                figure(
+                    worth
+                        .benefit_present_value
+                        .map_or("–".to_owned(), |benefit| {
+                            format!("{}{}", least(worth.is_at_least), grouped(benefit))
                         }),
-                    ),
-                ]
-            })
-            .collect();
-    let heads = ["object", "item", "place", "life safety", "option"].map(words).into_iter();
+                ),
+                figure(worth.ratio().map_or("–".to_owned(), |ratio| {
+                    format!("{}{}", least(worth.is_at_least), number(ratio, 2))
+                })),
+            ]
+        })
+        .collect();
+    let heads = ["object", "item", "place", "life safety", "option"]
+        .map(words)
+        .into_iter();
     let heads = heads.chain(
-        [format!("cost ({currency})"), format!("saves, present value ({currency})"), "benefit/cost".to_owned()]
-            .map(figure),
+        [
+            format!("cost ({currency})"),
+            format!("saves, present value ({currency})"),
+            "benefit/cost".to_owned(),
+        ]
+        .map(figure),
     );
     html.push_str(&table("", &[heads.collect()], &rows));
     html
@@ -328,17 +462,28 @@ fn plan(report: &RiskReport) -> String {
 
 fn objects(report: &RiskReport, years: &str) -> String {
     let currency = report.currency.as_deref().unwrap_or("");
-    let chosen = report.measures.as_ref().and_then(|measures| measures.plan.as_ref());
+    let chosen = report
+        .measures
+        .as_ref()
+        .and_then(|measures| measures.plan.as_ref());
     let has_plan = chosen.is_some();
     let has_verdicts = report.objects.iter().any(|object| object.verdict.is_some());
     let has_losses = report.expected_annual_loss().is_some();
     let mut sorted: Vec<&ObjectRisk> = report.objects.iter().collect();
     let key = |object: &ObjectRisk| {
-        let rate = object.state(LimitState::Overturns).and_then(StateRisk::known).unwrap_or(0.0);
+        let rate = object
+            .state(LimitState::Overturns)
+            .and_then(StateRisk::known)
+            .unwrap_or(0.0);
         (object.expected_annual_loss.unwrap_or(-1.0), rate)
     };
     // The sort is stable: equal objects stay in the order of the file.
-    sorted.sort_by(|a, b| key(b).0.total_cmp(&key(a).0).then(key(b).1.total_cmp(&key(a).1)));
+    sorted.sort_by(|a, b| {
+        key(b)
+            .0
+            .total_cmp(&key(a).0)
+            .then(key(b).1.total_cmp(&key(a).1))
+    });
     let mut heads = vec![
         words("object"),
         figure("number"),
@@ -356,24 +501,47 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(words("compared with the accepted rate"));
     }
     let row = |object: &&ObjectRisk| {
-        let known = |limit_state: LimitState| object.state(limit_state).and_then(|one| Some((one, one.known()?)));
+        let known = |limit_state: LimitState| {
+            object
+                .state(limit_state)
+                .and_then(|one| Some((one, one.known()?)))
+        };
         let chance = |limit_state: LimitState| {
             let words = |(one, rate): (&StateRisk, f64)| {
                 let chance = probability_in_years(rate, report.years);
-                format!("{}{}", least(one.is_at_least()), percent_significant(chance, 2))
+                format!(
+                    "{}{}",
+                    least(one.is_at_least()),
+                    percent_significant(chance, 2)
+                )
             };
             figure(known(limit_state).map_or("–".to_owned(), words))
         };
         let is_at_least = object.is_at_least;
-        let loss = |loss: LossBounds| format!("{}{}", least(is_at_least), grouped(loss.stated(is_at_least)));
+        let loss = |loss: LossBounds| {
+            format!(
+                "{}{}",
+                least(is_at_least),
+                grouped(loss.stated(is_at_least))
+            )
+        };
         // More often is in fewer years.
         let every = |(one, rate): (&StateRisk, f64)| {
-            format!("{}{}", if one.is_at_least() { "at most " } else { "" }, grouped(1.0 / rate))
+            format!(
+                "{}{}",
+                if one.is_at_least() { "at most " } else { "" },
+                grouped(1.0 / rate)
+            )
         };
-        let every = known(LimitState::Overturns).filter(|one| one.1 > 0.0).map_or("–".to_owned(), every);
+        let every = known(LimitState::Overturns)
+            .filter(|one| one.1 > 0.0)
+            .map_or("–".to_owned(), every);
         let mut cells = vec![
             words(&shorten(&object.id)),
-            figure(number(object.cost.as_ref().map_or(1.0, |cost| cost.quantity), 4)),
+            figure(number(
+                object.cost.as_ref().map_or(1.0, |cost| cost.quantity),
+                4,
+            )),
             figure(every),
             chance(LimitState::Overturns),
             chance(LimitState::Exceeds),
@@ -382,8 +550,12 @@ fn objects(report: &RiskReport, years: &str) -> String {
             cells.push(figure(object.loss.map_or("–".to_owned(), loss)));
         }
         if has_plan {
-            let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));
-            cells.push(figure(left.map_or("–".to_owned(), |left| left.unwrap_or_else(not_known))));
+            let left = chosen
+                .and_then(|plan| left(object, plan))
+                .map(|left| bounded(std::iter::once(left)));
+            cells.push(figure(
+                left.map_or("–".to_owned(), |left| left.unwrap_or_else(not_known)),
+            ));
         }
         if has_verdicts {
             cells.push(words(&compared(object)));
@@ -398,9 +570,19 @@ fn objects(report: &RiskReport, years: &str) -> String {
     html.push_str(&table("", &[heads], &rows));
     let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
     if !rest.is_empty() {
-        let loss: f64 = rest.iter().filter_map(|object| object.expected_annual_loss).sum();
-        let of_losses = if has_losses { format!(", together {} a year", money(loss, currency)) } else { String::new() };
-        html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
+        let loss: f64 = rest
+            .iter()
+            .filter_map(|object| object.expected_annual_loss)
+            .sum();
+        let of_losses = if has_losses {
+            format!(", together {} a year", money(loss, currency))
+        } else {
+            String::new()
+        };
+        html.push_str(&paragraph(&format!(
+            "And {} more{of_losses}, in risk.csv.",
+            rest.len()
+        )));
     }
     html
 }
@@ -408,9 +590,16 @@ fn objects(report: &RiskReport, years: &str) -> String {
 /// How many kinds of object fail more often than accepted, and how much more often the worst of
 /// them do.
 fn verdicts(report: &RiskReport) -> String {
-    let compared = report.objects.iter().filter(|one| one.verdict.is_some()).count();
-    let broken: Vec<&ObjectRisk> =
-        report.objects.iter().filter(|one| one.verdict == Some(RiskVerdict::Exceeds)).collect();
+    let compared = report
+        .objects
+        .iter()
+        .filter(|one| one.verdict.is_some())
+        .count();
+    let broken: Vec<&ObjectRisk> = report
+        .objects
+        .iter()
+        .filter(|one| one.verdict == Some(RiskVerdict::Exceeds))
+        .collect();
     let kinds = format!("{} of object", counted(compared, "kind"));
     let mut sentences = vec![match broken.len() {
         0 => format!("Of {kinds} with an accepted rate, none fails more often than that."),
@@ -419,8 +608,15 @@ fn verdicts(report: &RiskReport) -> String {
             format!("Of {kinds} with an accepted rate, {many} {verb} more often than that.")
         }
     }];
-    let mut worst: Vec<(&ObjectRisk, Limit)> =
-        broken.iter().flat_map(|object| object.named_limits().into_iter().map(|limit| (*object, limit))).collect();
+    let mut worst: Vec<(&ObjectRisk, Limit)> = broken
+        .iter()
+        .flat_map(|object| {
+            object
+                .named_limits()
+                .into_iter()
+                .map(|limit| (*object, limit))
+        })
+        .collect();
     // The sort is stable: equal ratios stay in the order of the file.
     worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
     let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
@@ -439,20 +635,36 @@ fn verdicts(report: &RiskReport) -> String {
             None => " It is not known how certain this is.",
         };
         let id = shorten(&object.id);
-        format!("The object {id} {does} {more} {than} accepted: {found} instead of {accepted}.{sure}")
+        format!(
+            "The object {id} {does} {more} {than} accepted: {found} instead of {accepted}.{sure}"
+        )
     }));
     if worst.len() > MAX_SENTENCES {
-        sentences.push(format!("risk.json has {} more.", worst.len() - MAX_SENTENCES));
+        sentences.push(format!(
+            "risk.json has {} more.",
+            worst.len() - MAX_SENTENCES
+        ));
     }
     sentences.join(" ")
 }
 
 /// How the rates of an object compare with those that its owner accepts, in a few words.
 fn compared(object: &ObjectRisk) -> String {
-    let Some(verdict) = object.verdict else { return "–".to_owned() };
+    let Some(verdict) = object.verdict else {
+        return "–".to_owned();
+    };
     let words = match verdict {
         RiskVerdict::Accepted => "not more often".to_owned(),
-        RiskVerdict::Exceeds => more_often(object.named_limits().iter().map(Limit::ratio).fold(1.0, f64::max)).0,
+        RiskVerdict::Exceeds => {
+            more_often(
+                object
+                    .named_limits()
+                    .iter()
+                    .map(Limit::ratio)
+                    .fold(1.0, f64::max),
+            )
+            .0
+        }
     };
     format!("{words}{}", object.uncertainty_words())
 }
@@ -462,7 +674,10 @@ fn more_often(ratio: f64) -> (String, &'static str) {
     if ratio < 1.01 {
         ("slightly more often".to_owned(), "than")
     } else if ratio < 1.5 {
-        (format!("{} more often", percent_significant(ratio - 1.0, 1)), "than")
+        (
+            format!("{} more often", percent_significant(ratio - 1.0, 1)),
+            "than",
+        )
     } else {
         (format!("{} times as often", rounded(ratio, 2)), "as")
     }
@@ -471,7 +686,11 @@ fn more_often(ratio: f64) -> (String, &'static str) {
 /// What the numbers leave out: first what this report misses, then what every one does.
 fn not_counted(report: &RiskReport) -> Vec<String> {
     let mut missing: Vec<(&str, Vec<&str>)> = Vec::new();
-    for object in report.objects.iter().filter(|object| object.expected_annual_loss.is_some()) {
+    for object in report
+        .objects
+        .iter()
+        .filter(|object| object.expected_annual_loss.is_some())
+    {
         for what in &object.not_counted {
             match missing.iter_mut().find(|(known, _)| known == what) {
                 Some((_, ids)) => ids.push(&object.id),
@@ -479,12 +698,30 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
             }
         }
     }
-    let curves = report.objects.iter().map(|one| (one.id.as_str(), one.curves.caution));
-    let mut lines: Vec<String> = cautions(curves).into_iter().map(|said| said + ".").collect();
+    let curves = report
+        .objects
+        .iter()
+        .map(|one| (one.id.as_str(), one.curves.caution));
+    let mut lines: Vec<String> = cautions(curves)
+        .into_iter()
+        .map(|said| said + ".")
+        .collect();
     for one in &report.not_run {
-        let item = if one.item.is_empty() { String::new() } else { format!(" ({})", shorten(&one.item)) };
-        let why = one.why.as_ref().map_or("no reason is known".to_owned(), |why| why.trim_end_matches('.').to_owned());
-        lines.push(format!("The object {}{item}, which was not run: {why}.", shorten(&one.id)));
+        let item = if one.item.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", shorten(&one.item))
+        };
+        let why = one
+            .why
+            .as_ref()
+            .map_or("no reason is known".to_owned(), |why| {
+                why.trim_end_matches('.').to_owned()
+            });
+        lines.push(format!(
+            "The object {}{item}, which was not run: {why}.",
+            shorten(&one.id)
+        ));
     }
     let bounded: Vec<&str> = report
         .objects
@@ -497,7 +734,11 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
     }
     let missing = missing.into_iter().map(|(what, ids)| {
         // What is missing for another reason than its amount says so between brackets.
-        let why = if what.contains('(') { "" } else { ", for which no amount was given" };
+        let why = if what.contains('(') {
+            ""
+        } else {
+            ", for which no amount was given"
+        };
         format!("{}{why}: {}.", sentence(what), named(&ids))
     });
     lines.extend(missing);
@@ -508,21 +749,40 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         .map(|object| object.id.as_str())
         .collect();
     if !unpriced.is_empty() {
-        lines.push(format!("Any loss of these objects, for which no cost was given: {}.", named(&unpriced)));
+        lines.push(format!(
+            "Any loss of these objects, for which no cost was given: {}.",
+            named(&unpriced)
+        ));
     }
-    let unjudged: Vec<&str> =
-        report.objects.iter().filter(|object| object.why.is_some()).map(|object| object.id.as_str()).collect();
+    let unjudged: Vec<&str> = report
+        .objects
+        .iter()
+        .filter(|object| object.why.is_some())
+        .map(|object| object.id.as_str())
+        .collect();
     if !unjudged.is_empty() {
-        lines.push(format!("An accepted rate of these objects, whose own rate is not known: {}.", named(&unjudged)));
+        lines.push(format!(
+            "An accepted rate of these objects, whose own rate is not known: {}.",
+            named(&unjudged)
+        ));
     }
-    if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.fails_at_lowest) {
+    if report
+        .portfolio
+        .as_ref()
+        .is_some_and(|portfolio| portfolio.fails_at_lowest)
+    {
         lines.push(
             "Earthquakes weaker than the weakest that was calculated. They cause losses too, so the losses of all \
              objects together are at least as large as stated."
                 .to_owned(),
         );
     }
-    if report.objects.iter().flat_map(|object| &object.states).any(|one| one.ci95.is_some()) {
+    if report
+        .objects
+        .iter()
+        .flat_map(|object| &object.states)
+        .any(|one| one.ci95.is_some())
+    {
         lines.push(
             "The uncertainty of the hazard: the intervals of the rates (risk.json) include that of the fragilities alone."
                 .to_owned(),
@@ -530,7 +790,9 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
     } else {
         lines.push("The uncertainty of the hazard and of the fragilities.".to_owned());
     }
-    lines.push("Damage to the building, and whatever falls on the objects or out of them.".to_owned());
+    lines.push(
+        "Damage to the building, and whatever falls on the objects or out of them.".to_owned(),
+    );
     lines
 }
 
@@ -538,11 +800,16 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
 fn sentence(what: &str) -> String {
     let words = what.replace('_', " ");
     let mut characters = words.chars();
-    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
+    characters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(characters).collect()
+    })
 }
 
 fn named(ids: &[&str]) -> String {
-    some(&ids.iter().map(|id| shorten(id)).collect::<Vec<_>>(), MAX_NAMED)
+    some(
+        &ids.iter().map(|id| shorten(id)).collect::<Vec<_>>(),
+        MAX_NAMED,
+    )
 }
 
 #[cfg(test)]
@@ -551,7 +818,13 @@ mod tests {
 
     #[test]
     fn amounts_are_grouped() {
-        let cases = [(392.1, "392"), (9000.0, "9000"), (259_200.0, "259 000"), (1_234_567.0, "1 230 000"), (0.0, "0")];
+        let cases = [
+            (392.1, "392"),
+            (9000.0, "9000"),
+            (259_200.0, "259 000"),
+            (1_234_567.0, "1 230 000"),
+            (0.0, "0"),
+        ];
         for (value, expected) in cases {
             assert_eq!(grouped(value), expected.replace(' ', "\u{202f}"), "{value}");
         }

@@ -80,7 +80,10 @@ impl Worth {
             .key("cost", self.cost)
             .key("cost_present_value", self.cost_present_value)
             .key("benefit_present_value", self.benefit_present_value)
-            .key("benefit_present_value_estimate", self.benefit_present_value.map(|_| self.estimate))
+            .key(
+                "benefit_present_value_estimate",
+                self.benefit_present_value.map(|_| self.estimate),
+            )
             .key("benefit_cost_ratio", self.ratio())
             .key("net_present_value", self.net())
             .key("is_at_least", self.is_at_least)
@@ -121,49 +124,89 @@ pub(crate) fn measures(
     progress: Progress,
 ) -> Result<Measures, Problems> {
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
-        let message = "options pay off over years, but the horizon or the discount rate is not given";
+        let message =
+            "options pay off over years, but the horizon or the discount rate is not given";
         let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
-        return Err(Problem::value(message, hint).of(&["horizon", "discount"]).into());
+        return Err(Problem::value(message, hint)
+            .of(&["horizon", "discount"])
+            .into());
     };
     let Some(currency) = currency else {
         let hint = "give an inventory with replacement_cost [AUD], or other costs";
-        return Err(Problem::value("the benefit of an option cannot be calculated without the cost of failures", hint)
-            .of(&["inventory"])
-            .into());
+        return Err(Problem::value(
+            "the benefit of an option cannot be calculated without the cost of failures",
+            hint,
+        )
+        .of(&["inventory"])
+        .into());
     };
-    if let Some((_, other)) = request.budget.as_ref().filter(|(_, other)| other != currency) {
-        let message = format!("the budget is in {}, and the costs are in {currency}", shorten(other));
-        return Err(Problem::value(message, format!("give the budget in {currency}")).of(&["budget"]).into());
+    if let Some((_, other)) = request
+        .budget
+        .as_ref()
+        .filter(|(_, other)| other != currency)
+    {
+        let message = format!(
+            "the budget is in {}, and the costs are in {currency}",
+            shorten(other)
+        );
+        return Err(
+            Problem::value(message, format!("give the budget in {currency}"))
+                .of(&["budget"])
+                .into(),
+        );
     }
     let years = present_value_factor_years(discount, horizon)
         .map_err(|error| Problem::value(error.to_string(), "correct `horizon` or `discount`"))?;
-    let places: HashMap<&str, usize> = objects.iter().enumerate().map(|(i, object)| (object.id.as_str(), i)).collect();
+    let places: HashMap<&str, usize> = objects
+        .iter()
+        .enumerate()
+        .map(|(i, object)| (object.id.as_str(), i))
+        .collect();
     let mut ranking = Vec::new();
     let mut problems = Problems::default();
     for option in options {
-        let named = format!("the option \"{}\" is for {}", shorten(&option.option), shorten(&option.id));
+        let named = format!(
+            "the option \"{}\" is for {}",
+            shorten(&option.option),
+            shorten(&option.id)
+        );
         let wrong = |message: String, hint: &str| {
             let problem = Problem::value(message, hint);
-            let problem = request.options.iter().fold(problem, |problem, path| problem.in_file(path));
+            let problem = request
+                .options
+                .iter()
+                .fold(problem, |problem, path| problem.in_file(path));
             problem.at_line(option.line)
         };
-        let Some((place, object)) =
-            places.get(option.id.as_str()).and_then(|&place| Some((place, objects.get(place)?)))
+        let Some((place, object)) = places
+            .get(option.id.as_str())
+            .and_then(|&place| Some((place, objects.get(place)?)))
         else {
             let hint = "correct the id, leave out the row, or add the curves of the object";
             problems.push(wrong(format!("{named}, which has no fragility"), hint));
             continue;
         };
-        let Some(cost) = object.cost.as_ref().filter(|_| object.expected_annual_loss.is_some()) else {
+        let Some(cost) = object
+            .cost
+            .as_ref()
+            .filter(|_| object.expected_annual_loss.is_some())
+        else {
             let hint = "give the costs of its failures in the inventory, or leave out the row";
             problems.push(wrong(format!("{named}, which has no costs"), hint));
             continue;
         };
         let renewed = renewed_cost(option.cost, option.life_years, discount, horizon)
             .map_err(|error| wrong(error.to_string(), "correct the life, or the horizon"));
-        let Some(cost_present_value) = problems.keep(renewed) else { continue };
-        let Avoided { after, least, best, is_at_least, falls } =
-            avoided(&object.curves, &option.effect, cost, &hazard.hazard);
+        let Some(cost_present_value) = problems.keep(renewed) else {
+            continue;
+        };
+        let Avoided {
+            after,
+            least,
+            best,
+            is_at_least,
+            falls,
+        } = avoided(&object.curves, &option.effect, cost, &hazard.hazard);
         ranking.push(Worth {
             id: option.id.clone(),
             option: option.option.clone(),
@@ -181,9 +224,18 @@ pub(crate) fn measures(
     let mut ranking = problems.finish(Some(ranking))?;
     // Stable, so that equal ratios stay in the order of the file.
     ranking.sort_by(|a, b| b.rank().total_cmp(&a.rank()));
-    let plan = request.budget.as_ref().map(|(budget, _)| chosen(&ranking, objects.len(), *budget, progress));
+    let plan = request
+        .budget
+        .as_ref()
+        .map(|(budget, _)| chosen(&ranking, objects.len(), *budget, progress));
     go_on(progress)?;
-    Ok(Measures { ranking, plan, horizon_years: horizon, discount_ratio: discount, years })
+    Ok(Measures {
+        ranking,
+        plan,
+        horizon_years: horizon,
+        discount_ratio: discount,
+        years,
+    })
 }
 
 /// Whether a search that begins now may go on.
@@ -210,7 +262,8 @@ pub(super) struct Totals {
 }
 
 /// What to do where a rate has no upper bound.
-const REMEDY: &str = "run it under more and weaker motions, or give a hazard curve that begins at a lower intensity";
+const REMEDY: &str =
+    "run it under more and weaker motions, or give a hazard curve that begins at a lower intensity";
 
 /// The options of a budget: those that avoid most falls of objects rated high for life safety, with what is
 /// left those of objects rated medium, and with what is left then those that are worth most.
@@ -221,18 +274,33 @@ struct Spent<'a> {
     unfunded: Vec<&'a Worth>,
 }
 
-fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn FnMut() -> bool) -> Spent<'a> {
+fn spent<'a>(
+    ranking: &'a [Worth],
+    objects: usize,
+    budget: f64,
+    go_on: &mut dyn FnMut() -> bool,
+) -> Spent<'a> {
     let mut chosen: Vec<Option<&Worth>> = vec![None; objects];
     let mut unfunded = Vec::new();
     let (mut left, mut is_optimal) = (budget, true);
     for rating in [Rating::High, Rating::Medium] {
-        let saves = |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > Some(FEWEST_FALLS);
+        let saves =
+            |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > Some(FEWEST_FALLS);
         let worths = of_objects(ranking, objects, saves);
-        let choices = worths.iter().map(|worths| undominated(worths)).collect::<Vec<_>>();
+        let choices = worths
+            .iter()
+            .map(|worths| undominated(worths))
+            .collect::<Vec<_>>();
         let priced: Vec<Vec<Choice>> = choices
             .iter()
             .map(|worths| {
-                worths.iter().map(|worth| Choice { cost: worth.cost, value: worth.falls.unwrap_or(0.0) }).collect()
+                worths
+                    .iter()
+                    .map(|worth| Choice {
+                        cost: worth.cost,
+                        value: worth.falls.unwrap_or(0.0),
+                    })
+                    .collect()
             })
             .collect();
         let plan = best_plan(&priced, left, &mut *go_on);
@@ -249,12 +317,20 @@ fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn 
     // What has no known worth is not bought.
     let is_open = |worth: &&Worth| chosen[worth.object].is_none() && worth.net().is_some();
     let worths = of_objects(ranking, objects, is_open);
-    let choice = |worth: &&Worth| Choice { cost: worth.cost, value: worth.net().unwrap_or(0.0) };
-    let priced: Vec<Vec<Choice>> = worths.iter().map(|worths| worths.iter().map(choice).collect()).collect();
+    let choice = |worth: &&Worth| Choice {
+        cost: worth.cost,
+        value: worth.net().unwrap_or(0.0),
+    };
+    let priced: Vec<Vec<Choice>> = worths
+        .iter()
+        .map(|worths| worths.iter().map(choice).collect())
+        .collect();
     let first: (f64, f64) = chosen
         .iter()
         .flatten()
-        .fold((0.0, 0.0), |(cost, value), worth| (cost + worth.cost, value + worth.net().unwrap_or(0.0)));
+        .fold((0.0, 0.0), |(cost, value), worth| {
+            (cost + worth.cost, value + worth.net().unwrap_or(0.0))
+        });
     let money = best_plan(&priced, left, &mut *go_on);
     for ((known, worths), number) in chosen.iter_mut().zip(&worths).zip(&money.chosen) {
         *known = known.or_else(|| worths.get((*number)?).copied());
@@ -266,11 +342,19 @@ fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn 
         bound: first.1 + money.bound,
         is_optimal: is_optimal && money.is_optimal,
     };
-    Spent { plan, chosen, unfunded }
+    Spent {
+        plan,
+        chosen,
+        unfunded,
+    }
 }
 
 /// For each object those of its options that are wanted.
-fn of_objects<'a>(ranking: &'a [Worth], objects: usize, is_wanted: impl Fn(&&'a Worth) -> bool) -> Vec<Vec<&'a Worth>> {
+fn of_objects<'a>(
+    ranking: &'a [Worth],
+    objects: usize,
+    is_wanted: impl Fn(&&'a Worth) -> bool,
+) -> Vec<Vec<&'a Worth>> {
     let mut found: Vec<Vec<&Worth>> = vec![Vec::new(); objects];
     for worth in ranking.iter().filter(is_wanted) {
         found[worth.object].push(worth);
@@ -282,7 +366,11 @@ fn of_objects<'a>(ranking: &'a [Worth], objects: usize, is_wanted: impl Fn(&&'a 
 fn undominated<'a>(worths: &[&'a Worth]) -> Vec<&'a Worth> {
     let mut sorted = worths.to_vec();
     let falls = |worth: &Worth| worth.falls.unwrap_or(0.0);
-    sorted.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(falls(b).total_cmp(&falls(a))));
+    sorted.sort_by(|a, b| {
+        a.cost
+            .total_cmp(&b.cost)
+            .then(falls(b).total_cmp(&falls(a)))
+    });
     let mut most = 0.0;
     sorted.retain(|worth| {
         let is_more = falls(worth) > most;
@@ -293,19 +381,39 @@ fn undominated<'a>(worths: &[&'a Worth]) -> Vec<&'a Worth> {
 }
 
 fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) -> Chosen {
-    let Spent { plan, chosen, unfunded } = spent(ranking, objects, budget, &mut within(PLAN_TIME, progress));
+    let Spent {
+        plan,
+        chosen,
+        unfunded,
+    } = spent(ranking, objects, budget, &mut within(PLAN_TIME, progress));
     let mut chosen: Vec<Worth> = chosen.into_iter().flatten().cloned().collect();
     // Both sorts are stable: equal ones stay in the order of the objects.
     let ratio = |worth: &Worth| worth.ratio().unwrap_or(f64::INFINITY);
-    chosen.sort_by(|a, b| b.life_safety.cmp(&a.life_safety).then(ratio(b).total_cmp(&ratio(a))));
+    chosen.sort_by(|a, b| {
+        b.life_safety
+            .cmp(&a.life_safety)
+            .then(ratio(b).total_cmp(&ratio(a)))
+    });
     let unfunded = unfunded.into_iter().cloned().collect();
     let frontier = (1..=FRONTIER).map(|i| {
         let part = budget * f64::from(i) / f64::from(FRONTIER);
-        let plan = spent(ranking, objects, part, &mut within(PLAN_TIME / FRONTIER, progress)).plan;
+        let plan = spent(
+            ranking,
+            objects,
+            part,
+            &mut within(PLAN_TIME / FRONTIER, progress),
+        )
+        .plan;
         (part, plan.cost, plan.value)
     });
     let frontier = frontier.collect();
-    Chosen { budget, plan, chosen, unfunded, frontier }
+    Chosen {
+        budget,
+        plan,
+        chosen,
+        unfunded,
+        frontier,
+    }
 }
 
 impl Chosen {
@@ -319,8 +427,17 @@ impl Chosen {
         let cost: f64 = self.unfunded.iter().map(|worth| worth.cost).sum();
         let objects = counted(self.unfunded.len(), "object");
         let amount = number(cost, 4);
-        let ids: Vec<String> = self.unfunded.iter().map(|worth| shorten(&worth.id)).collect();
-        let words = || format!("Unfunded life safety: {objects}, {amount} {currency} ({})", ids.join(", "));
+        let ids: Vec<String> = self
+            .unfunded
+            .iter()
+            .map(|worth| shorten(&worth.id))
+            .collect();
+        let words = || {
+            format!(
+                "Unfunded life safety: {objects}, {amount} {currency} ({})",
+                ids.join(", ")
+            )
+        };
         (!ids.is_empty()).then(words)
     }
 
@@ -338,17 +455,29 @@ impl Measures {
 
     /// The options without a known benefit.
     pub(super) fn unknown(&self) -> Vec<&Worth> {
-        self.ranking.iter().filter(|worth| worth.benefit_present_value.is_none()).collect()
+        self.ranking
+            .iter()
+            .filter(|worth| worth.benefit_present_value.is_none())
+            .collect()
     }
 
     /// What to know about options of which something is not known.
     pub(crate) fn warnings(&self) -> Vec<String> {
-        let is_life = |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
+        let is_life =
+            |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
         let lives: Vec<&Worth> = self.ranking.iter().filter(is_life).collect();
         let named = |unknown: &[&Worth]| {
             let first = unknown.first()?;
-            let rest = if unknown.len() > 1 { format!(" and {} more", unknown.len() - 1) } else { String::new() };
-            Some(format!("\"{}\" for {}{rest}", shorten(&first.option), shorten(&first.id)))
+            let rest = if unknown.len() > 1 {
+                format!(" and {} more", unknown.len() - 1)
+            } else {
+                String::new()
+            };
+            Some(format!(
+                "\"{}\" for {}{rest}",
+                shorten(&first.option),
+                shorten(&first.id)
+            ))
         };
         let worth = named(&self.unknown()).map(|named| {
             format!(
@@ -370,11 +499,20 @@ impl Measures {
 
     pub(crate) fn plan_facts(&self) -> Option<Facts<'static>> {
         let found = self.plan.as_ref()?;
-        let Chosen { budget, plan, chosen, unfunded, frontier } = found;
+        let Chosen {
+            budget,
+            plan,
+            chosen,
+            unfunded,
+            frontier,
+        } = found;
         let frontier: Vec<Facts> = frontier
             .iter()
             .map(|&(budget, cost, value)| {
-                Facts::default().key("budget", budget).key("cost", cost).key("net_present_value", value)
+                Facts::default()
+                    .key("budget", budget)
+                    .key("cost", cost)
+                    .key("net_present_value", value)
             })
             .collect();
         Some(
@@ -383,9 +521,18 @@ impl Measures {
                 .key("cost", plan.cost)
                 .key("net_present_value", plan.value)
                 .key("is_at_least", found.is_at_least())
-                .key("chosen", chosen.iter().map(Worth::facts).collect::<Vec<_>>())
-                .key("unfunded_life_safety", unfunded.iter().map(Worth::facts).collect::<Vec<_>>())
-                .key("unfunded_life_safety_cost", unfunded.iter().map(|worth| worth.cost).sum::<f64>())
+                .key(
+                    "chosen",
+                    chosen.iter().map(Worth::facts).collect::<Vec<_>>(),
+                )
+                .key(
+                    "unfunded_life_safety",
+                    unfunded.iter().map(Worth::facts).collect::<Vec<_>>(),
+                )
+                .key(
+                    "unfunded_life_safety_cost",
+                    unfunded.iter().map(|worth| worth.cost).sum::<f64>(),
+                )
                 .key("method", "dynamic programming with bounds")
                 .key("bound", plan.bound)
                 .key("optimal", plan.is_optimal)
@@ -396,17 +543,32 @@ impl Measures {
     pub(crate) fn text(&self, currency: &str) -> String {
         let line = |worth: &Worth| {
             let least = least(worth.is_at_least);
-            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| format!("{least}{}", number(ratio, 3)));
+            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| {
+                format!("{least}{}", number(ratio, 3))
+            });
             let benefit = match worth.benefit_present_value {
-                Some(benefit) => format!("worth {least}{} {currency}, benefit/cost {ratio}", number(benefit, 4)),
+                Some(benefit) => format!(
+                    "worth {least}{} {currency}, benefit/cost {ratio}",
+                    number(benefit, 4)
+                ),
                 None => "worth not known: a rate with it has no upper bound".to_owned(),
             };
-            format!("  {}: {}, cost {} {currency}, {benefit}\n", worth.id, worth.option, number(worth.cost, 4))
+            format!(
+                "  {}: {}, cost {} {currency}, {benefit}\n",
+                worth.id,
+                worth.option,
+                number(worth.cost, 4)
+            )
         };
         let mut text = "Options by benefit over cost:\n".to_owned();
         text.extend(self.ranking.iter().map(line));
         if let Some(found) = &self.plan {
-            let Chosen { budget, plan, chosen, .. } = found;
+            let Chosen {
+                budget,
+                plan,
+                chosen,
+                ..
+            } = found;
             let proven = match (plan.is_optimal, self.is_at_least()) {
                 (true, false) => "the best",
                 (true, true) => "the best by the least that options are worth",

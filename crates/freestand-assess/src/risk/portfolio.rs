@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use freestand::decision::strip_rates;
 use freestand::fragility::{CurveKind, LimitState, OutcomeClass};
 use freestand::risk::{
-    LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
-    loss_exceedance,
+    LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance,
+    loss_at_return_period, loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
@@ -56,13 +56,22 @@ struct Priced<'a> {
     risk: Option<&'a ObjectRisk>,
 }
 
-fn priced<'a>(table: &OutcomeTable, costs: &'a Costs, objects: &'a [ObjectRisk]) -> Vec<Priced<'a>> {
+fn priced<'a>(
+    table: &OutcomeTable,
+    costs: &'a Costs,
+    objects: &'a [ObjectRisk],
+) -> Vec<Priced<'a>> {
     let rows = costs.rows.iter().filter(|row| row.has_costs());
     let rows: HashMap<&str, &CostRow> = rows.map(|row| (row.id.as_str(), row)).collect();
-    let risks: HashMap<&str, &ObjectRisk> = objects.iter().map(|one| (one.id.as_str(), one)).collect();
+    let risks: HashMap<&str, &ObjectRisk> =
+        objects.iter().map(|one| (one.id.as_str(), one)).collect();
     let of = |(object, id): (usize, &String)| {
         let cost = *rows.get(id.as_str())?;
-        Some(Priced { object, cost, risk: risks.get(id.as_str()).copied() })
+        Some(Priced {
+            object,
+            cost,
+            risk: risks.get(id.as_str()).copied(),
+        })
     };
     table.objects.iter().enumerate().filter_map(of).collect()
 }
@@ -96,7 +105,9 @@ pub(crate) fn portfolio(
     if priced.is_empty() {
         return Ok(None);
     }
-    let Some(worlds) = shared_worlds(table, &priced, hazard, warnings)? else { return Ok(None) };
+    let Some(worlds) = shared_worlds(table, &priced, hazard, warnings)? else {
+        return Ok(None);
+    };
     let one = |(class, priced): (&OutcomeClass, &Priced)| match class {
         OutcomeClass::Overturned => priced.cost.quantity * priced.cost.overturned(),
         OutcomeClass::Exceeded => priced.cost.quantity * priced.cost.repair.unwrap_or(0.0),
@@ -112,7 +123,10 @@ pub(crate) fn portfolio(
         .collect();
     let fails_at = fails_at_lowest(&worlds, table.measure);
     let fails_at_lowest = fails_at.is_some();
-    let is_cautious = priced.iter().filter_map(|one| one.risk).any(|one| one.curves.caution.is_some());
+    let is_cautious = priced
+        .iter()
+        .filter_map(|one| one.risk)
+        .any(|one| one.curves.caution.is_some());
     let is_at_least = fails_at_lowest || is_cautious;
     warnings.extend(fails_at);
     let curve = loss_exceedance(&all);
@@ -147,9 +161,14 @@ struct Ends<'w> {
 
 impl<'w> Ends<'w> {
     fn new(worlds: &'w Worlds, all: &[World], priced: &[Priced], hazard: &MeasuredHazard) -> Self {
-        let most = |cost: &CostRow| cost.quantity * cost.overturned().max(cost.repair.unwrap_or(0.0));
-        let rates: Vec<f64> =
-            worlds.levels.iter().map(|level| hazard.hazard.annual_rate(*level)).chain([0.0]).collect();
+        let most =
+            |cost: &CostRow| cost.quantity * cost.overturned().max(cost.repair.unwrap_or(0.0));
+        let rates: Vec<f64> = worlds
+            .levels
+            .iter()
+            .map(|level| hazard.hazard.annual_rate(*level))
+            .chain([0.0])
+            .collect();
         Self {
             worlds,
             losses: all.iter().map(|world| world.loss).collect(),
@@ -166,19 +185,33 @@ impl<'w> Ends<'w> {
             means[*level] += something(*loss) / self.worlds.counts[*level] as f64;
         }
         let mut falling = means.clone();
-        (1..means.len()).rev().for_each(|i| falling[i - 1] = falling[i - 1].min(falling[i]));
+        (1..means.len())
+            .rev()
+            .for_each(|i| falling[i - 1] = falling[i - 1].min(falling[i]));
         (1..means.len()).for_each(|i| means[i] = means[i].max(means[i - 1]));
-        let sum = |ends: &mut dyn Iterator<Item = f64>| ends.zip(&self.strips).map(|(end, strip)| end * strip).sum();
+        let sum = |ends: &mut dyn Iterator<Item = f64>| {
+            ends.zip(&self.strips).map(|(end, strip)| end * strip).sum()
+        };
         let above = something(self.everything);
-        (sum(&mut falling.into_iter()), sum(&mut means.into_iter().skip(1).chain([above])))
+        (
+            sum(&mut falling.into_iter()),
+            sum(&mut means.into_iter().skip(1).chain([above])),
+        )
     }
 
     /// How often each loss is reached, at the least and at the most.
     fn curves(&self, losses: &[f64]) -> (Vec<LossPoint>, Vec<LossPoint>) {
-        let all = losses.iter().copied().filter(|loss| *loss < self.everything).chain([self.everything]);
+        let all = losses
+            .iter()
+            .copied()
+            .filter(|loss| *loss < self.everything)
+            .chain([self.everything]);
         let point = |least: f64| {
             let ends = self.of(|loss| if loss >= least { 1.0 } else { 0.0 });
-            let at = |annual_rate| LossPoint { loss: least, annual_rate };
+            let at = |annual_rate| LossPoint {
+                loss: least,
+                annual_rate,
+            };
             (at(ends.0), at(ends.1))
         };
         all.map(point).unzip()
@@ -197,7 +230,9 @@ fn shared_worlds(
     warnings: &mut Vec<String>,
 ) -> Result<Option<Worlds>, Problem> {
     let mut without = |why: &str| {
-        warnings.push(format!("{why}: the losses of all objects together were not calculated"));
+        warnings.push(format!(
+            "{why}: the losses of all objects together were not calculated"
+        ));
         Ok(None)
     };
     if hazard.at != At::Ground {
@@ -207,18 +242,27 @@ fn shared_worlds(
     }
     let motions = table.motions.len();
     if motions == 0 {
-        return without("the outcomes are counts, which do not say which objects fail under the same motion");
+        return without(
+            "the outcomes are counts, which do not say which objects fail under the same motion",
+        );
     }
     let mut places: Vec<Option<usize>> = vec![None; table.objects.len()];
     for (place, one) in priced.iter().enumerate() {
         places[one.object] = Some(place);
     }
-    let runs = || table.runs.iter().filter_map(|run| Some((places.get(run.object).copied().flatten()?, &run.run)));
+    let runs = || {
+        table
+            .runs
+            .iter()
+            .filter_map(|run| Some((places.get(run.object).copied().flatten()?, &run.run)))
+    };
     let mut levels: Vec<f64> = runs().map(|(_, run)| run.intensity).collect();
     levels.sort_by(f64::total_cmp);
     levels.dedup();
     if levels.len() < 2 {
-        return without("the outcomes have a single intensity, and motions of others would cause losses too");
+        return without(
+            "the outcomes have a single intensity, and motions of others would cause losses too",
+        );
     }
     let mut classes: Vec<Option<OutcomeClass>> = vec![None; motions * levels.len() * priced.len()];
     let wanted = classes.len();
@@ -236,20 +280,37 @@ fn shared_worlds(
     }
     check_missing(table, priced, &levels, &classes)?;
     let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("give intensities that the hazard curve covers")
+        Problem::new(ProblemKind::Value, error.to_string())
+            .hint("give intensities that the hazard curve covers")
     })?;
-    let complete = classes.chunks(priced.len()).enumerate().filter_map(|(world, classes)| {
-        Some((world % levels.len(), classes.iter().copied().collect::<Option<Vec<OutcomeClass>>>()?))
-    });
+    let complete = classes
+        .chunks(priced.len())
+        .enumerate()
+        .filter_map(|(world, classes)| {
+            Some((
+                world % levels.len(),
+                classes
+                    .iter()
+                    .copied()
+                    .collect::<Option<Vec<OutcomeClass>>>()?,
+            ))
+        });
     let all: Vec<(usize, Vec<OutcomeClass>)> = complete.collect();
     let mut counts = vec![0_usize; levels.len()];
     for (level, _) in &all {
         counts[*level] += 1;
     }
     let left_out = motions * levels.len() - all.len();
-    if let Some(level) = levels.iter().zip(&counts).find(|(_, count)| **count == 0).map(|(level, _)| *level) {
+    if let Some(level) = levels
+        .iter()
+        .zip(&counts)
+        .find(|(_, count)| **count == 0)
+        .map(|(level, _)| *level)
+    {
         let at = table.measure.value_words(level);
-        return without(&format!("at {at} every motion has a run that could not be calculated"));
+        return without(&format!(
+            "at {at} every motion has a run that could not be calculated"
+        ));
     }
     if left_out > 0 {
         warnings.push(format!(
@@ -261,7 +322,12 @@ fn shared_worlds(
             if left_out == 1 { "it" } else { "them" },
         ));
     }
-    Ok(Some(Worlds { levels, strips, counts, all }))
+    Ok(Some(Worlds {
+        levels,
+        strips,
+        counts,
+        all,
+    }))
 }
 
 /// Refuses an object with fewer outcomes than there are worlds, unless its runs that could not be
@@ -274,17 +340,26 @@ fn check_missing(
 ) -> Result<(), Problem> {
     let missing = |place: usize| {
         let of_object = classes.iter().skip(place).step_by(priced.len()).enumerate();
-        of_object.filter(|(_, class)| class.is_none()).map(|(world, _)| world)
+        of_object
+            .filter(|(_, class)| class.is_none())
+            .map(|(world, _)| world)
     };
     for (place, one) in priced.iter().enumerate() {
         let unresolved = table.unresolved.get(one.object).copied().unwrap_or(0);
-        let Some(first) = missing(place).next().filter(|_| missing(place).count() > unresolved) else { continue };
+        let Some(first) = missing(place)
+            .next()
+            .filter(|_| missing(place).count() > unresolved)
+        else {
+            continue;
+        };
         let name = |names: &[String], i: usize| names.get(i).cloned().unwrap_or_default();
         let message = format!(
             "object {} has no outcome under motion {} at {}",
             name(&table.objects, one.object),
             name(&table.motions, first / levels.len()),
-            levels.get(first % levels.len()).map_or(String::new(), |level| table.measure.value_words(*level))
+            levels
+                .get(first % levels.len())
+                .map_or(String::new(), |level| table.measure.value_words(*level))
         );
         let hint = "add this run: the losses of all objects need each object under each motion at each intensity";
         return Err(Problem::value(message, hint).in_file(&table.file.path));
@@ -295,11 +370,18 @@ fn check_missing(
 /// What to say where something fails at the lowest intensity that counts: intensities below
 /// it, and below the first point of the hazard curve, are not counted.
 fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
-    let lowest = worlds.strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
+    let lowest = worlds
+        .strips
+        .iter()
+        .position(|strip| *strip > 0.0)
+        .unwrap_or(0);
     let fails = |(level, classes): &&(usize, Vec<OutcomeClass>)| {
         *level == lowest && classes.iter().any(|class| *class > OutcomeClass::Rocked)
     };
-    let (failing, all) = (worlds.all.iter().filter(fails).count(), worlds.counts.get(lowest).copied().unwrap_or(0));
+    let (failing, all) = (
+        worlds.all.iter().filter(fails).count(),
+        worlds.counts.get(lowest).copied().unwrap_or(0),
+    );
     (failing as f64 > SMALL * all as f64).then(|| {
         format!(
             "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
@@ -315,20 +397,41 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
 /// How often each loss is reached if, given the intensity, objects fail independently of each
 /// other, by their curves; an object without a curve counts with the least that its outcomes allow,
 /// with a warning.
-fn independent(worlds: &Worlds, priced: &[Priced], losses: &[f64], warnings: &mut Vec<String>) -> Vec<LossPoint> {
+fn independent(
+    worlds: &Worlds,
+    priced: &[Priced],
+    losses: &[f64],
+    warnings: &mut Vec<String>,
+) -> Vec<LossPoint> {
     let shares_at = |level: f64| -> Vec<LossShares> {
-        priced.iter().filter_map(|one| Some(shares(one.risk?, one.cost, level))).collect()
+        priced
+            .iter()
+            .filter_map(|one| Some(shares(one.risk?, one.cost, level)))
+            .collect()
     };
-    let levels: Vec<(f64, Vec<LossShares>)> =
-        worlds.levels.iter().zip(&worlds.strips).map(|(level, strip)| (*strip, shares_at(*level))).collect();
+    let levels: Vec<(f64, Vec<LossShares>)> = worlds
+        .levels
+        .iter()
+        .zip(&worlds.strips)
+        .map(|(level, strip)| (*strip, shares_at(*level)))
+        .collect();
     let unknown: Vec<&str> = priced
         .iter()
         .filter_map(|one| one.risk)
-        .filter(|one| LOSS_STATES.into_iter().filter_map(|state| one.curves.curve(state)).any(is_unknown))
+        .filter(|one| {
+            LOSS_STATES
+                .into_iter()
+                .filter_map(|state| one.curves.curve(state))
+                .any(is_unknown)
+        })
         .map(|one| one.id.as_str())
         .collect();
     if let Some((first, rest)) = unknown.split_first() {
-        let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+        let more = if rest.is_empty() {
+            String::new()
+        } else {
+            format!(" and {} more", rest.len())
+        };
         warnings.push(format!(
             "{}{more}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \
              \"not-increasing\"), so the losses of objects that fail independently count the least that they can be; \
@@ -345,18 +448,29 @@ fn is_unknown(kind: CurveKind) -> bool {
         CurveKind::Bounds { .. } | CurveKind::NotIncreasing { .. } => true,
         // From its lowest intensity on, which is that of the runs, every run failed; of `None` none
         // did.
-        CurveKind::Lognormal { .. } | CurveKind::Step { .. } | CurveKind::All { .. } | CurveKind::None { .. } => false,
+        CurveKind::Lognormal { .. }
+        | CurveKind::Step { .. }
+        | CurveKind::All { .. }
+        | CurveKind::None { .. } => false,
     }
 }
 
 /// The losses of one object at a level, by its curves.
 fn shares(object: &ObjectRisk, cost: &CostRow, level: f64) -> LossShares {
-    let p = |state: LimitState| object.curves.curve(state).map(|kind| kind.least_probability(level));
+    let p = |state: LimitState| {
+        object
+            .curves
+            .curve(state)
+            .map(|kind| kind.least_probability(level))
+    };
     let overturns = p(LimitState::Overturns).unwrap_or(0.0);
     let exceeds = p(LimitState::Exceeds).unwrap_or(overturns).max(overturns);
     vec![
         (0.0, 1.0 - exceeds),
-        (cost.quantity * cost.repair.unwrap_or(0.0), exceeds - overturns),
+        (
+            cost.quantity * cost.repair.unwrap_or(0.0),
+            exceeds - overturns,
+        ),
         (cost.quantity * cost.overturned(), overturns),
     ]
 }
@@ -364,13 +478,20 @@ fn shares(object: &ObjectRisk, cost: &CostRow, level: f64) -> LossShares {
 impl Portfolio {
     pub(crate) fn facts(&self, currency: Option<&str>) -> Facts<'static> {
         let points = |curve: &[LossPoint]| -> Vec<Facts<'static>> {
-            let point =
-                |point: &LossPoint| Facts::default().key("loss", point.loss).key("annual_rate", point.annual_rate);
+            let point = |point: &LossPoint| {
+                Facts::default()
+                    .key("loss", point.loss)
+                    .key("annual_rate", point.annual_rate)
+            };
             curve.iter().map(point).collect()
         };
         let period = |&years: &f64| {
             let LossBounds { least, best, most } = self.at_return_period(years);
-            Facts::default().key("years", years).key("loss", best).key("loss_lower", least).key("loss_upper", most)
+            Facts::default()
+                .key("years", years)
+                .key("loss", best)
+                .key("loss_lower", least)
+                .key("loss_upper", most)
         };
         let periods: Vec<Facts> = RETURN_PERIODS.iter().map(period).collect();
         Facts::default()
@@ -389,16 +510,29 @@ impl Portfolio {
     /// The loss that is reached once in so many years.
     fn at_return_period(&self, years: f64) -> LossBounds {
         let of = |curve: &[LossPoint]| loss_at_return_period(curve, years);
-        LossBounds { least: of(&self.least), best: of(&self.curve), most: self.most.as_deref().map(of) }
+        LossBounds {
+            least: of(&self.least),
+            best: of(&self.curve),
+            most: self.most.as_deref().map(of),
+        }
     }
 
     fn is_bound(&self) -> bool {
-        LossBounds { least: self.bounds.0, best: self.expected_annual_loss, most: self.bounds.1 }.is_bound()
+        LossBounds {
+            least: self.bounds.0,
+            best: self.expected_annual_loss,
+            most: self.bounds.1,
+        }
+        .is_bound()
     }
 
     pub(crate) fn text(&self, currency: &str) -> String {
         let least = least(self.is_at_least);
-        let bounds = LossBounds { least: self.bounds.0, best: self.expected_annual_loss, most: self.bounds.1 };
+        let bounds = LossBounds {
+            least: self.bounds.0,
+            best: self.expected_annual_loss,
+            most: self.bounds.1,
+        };
         let mut text = format!(
             "All objects under common motions ({}): {least}{} {currency} a year{}\n",
             counted(self.worlds, "world"),
@@ -408,7 +542,10 @@ impl Portfolio {
         for years in RETURN_PERIODS {
             let loss = self.at_return_period(years);
             let bounds = loss.words(currency);
-            text += &format!("  once in {years} years: {least}{} {currency}{bounds}\n", number(loss.best, 4));
+            text += &format!(
+                "  once in {years} years: {least}{} {currency}{bounds}\n",
+                number(loss.best, 4)
+            );
         }
         text
     }
@@ -432,7 +569,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = |name: &str| folder.path().join(name);
         fs::write(path("o.csv"), outcomes).unwrap();
-        fs::write(path("c.csv"), "id,repair_cost [AUD],replacement_cost [AUD]\na,10,1000\nb,10,1000\n").unwrap();
+        fs::write(
+            path("c.csv"),
+            "id,repair_cost [AUD],replacement_cost [AUD]\na,10,1000\nb,10,1000\n",
+        )
+        .unwrap();
         let request = RiskRequest {
             curves: RiskCurves::Outcomes(FragilityRequest {
                 outcomes: path("o.csv"),
@@ -477,7 +618,11 @@ mod tests {
         text
     }
 
-    const MIXED: [[&str; 2]; 3] = [["rocked", "overturned"], ["overturned", "rocked"], ["overturned", "overturned"]];
+    const MIXED: [[&str; 2]; 3] = [
+        ["rocked", "overturned"],
+        ["overturned", "rocked"],
+        ["overturned", "overturned"],
+    ];
 
     /// What overturns in every run costs as often under common motions as independently.
     #[test]
@@ -488,9 +633,19 @@ mod tests {
         for curve in [&found.curve, &found.independent] {
             assert_eq!((curve[0].loss, curve.len()), (1000.0, 2));
             // Sums of three strips.
-            assert!((curve[0].annual_rate / all - 1.0).abs() < 1e-12, "{curve:?}");
+            assert!(
+                (curve[0].annual_rate / all - 1.0).abs() < 1e-12,
+                "{curve:?}"
+            );
         }
-        assert!(report.warnings.iter().all(|warning| !warning.contains("independently")), "{:?}", report.warnings);
+        assert!(
+            report
+                .warnings
+                .iter()
+                .all(|warning| !warning.contains("independently")),
+            "{:?}",
+            report.warnings
+        );
     }
 
     /// Without a curve an object counts with the least that is known, and that is said.
@@ -500,10 +655,18 @@ mod tests {
         let bounded = [["rocked"; 2], ["rocked", "overturned"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", bounded), ("b", falling)])).unwrap();
         let said = "a and 1 more: the outcomes give no curve";
-        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        assert!(
+            report.warnings.iter().any(|warning| warning.contains(said)),
+            "{:?}",
+            report.warnings
+        );
         let found = report.portfolio.unwrap();
         // Only the strongest motions surely overturn a.
-        assert!((found.independent[0].annual_rate / STRIPS[2] - 1.0).abs() < 1e-12, "{:?}", found.independent);
+        assert!(
+            (found.independent[0].annual_rate / STRIPS[2] - 1.0).abs() < 1e-12,
+            "{:?}",
+            found.independent
+        );
     }
 
     /// A run that could not be calculated takes its world from all objects, and the other motion at
@@ -515,21 +678,38 @@ mod tests {
         let known = [["rocked"; 2], ["overturned", "rocked"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
         let said = "1 of 6 worlds has a run that could not be calculated and was left out";
-        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        assert!(
+            report.warnings.iter().any(|warning| warning.contains(said)),
+            "{:?}",
+            report.warnings
+        );
         let found = report.portfolio.unwrap();
         assert_eq!(found.worlds, 5);
         // At 0.2 m/s nothing overturns in the motion that is left.
         let expected = 1000.0 * (0.5 * STRIPS[0] + 2.0 * STRIPS[2]);
-        assert!((found.expected_annual_loss / expected - 1.0).abs() < 1e-12, "{}", found.expected_annual_loss);
+        assert!(
+            (found.expected_annual_loss / expected - 1.0).abs() < 1e-12,
+            "{}",
+            found.expected_annual_loss
+        );
 
         unknown[1][1] = "unresolved";
         let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
         let said = "at 0.2 m/s every motion has a run that could not be calculated: the losses of all objects";
         assert!(report.portfolio.is_none());
-        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        assert!(
+            report.warnings.iter().any(|warning| warning.contains(said)),
+            "{:?}",
+            report.warnings
+        );
         // A row that is not there at all is a mistake.
         let missing = table(&[("a", MIXED), ("b", known)]).replace("b,m1,0.2,rocked\n", "");
-        assert!(risk_of(&missing).unwrap_err().to_string().contains("object b has no outcome under motion m1 at 0.2"));
+        assert!(
+            risk_of(&missing)
+                .unwrap_err()
+                .to_string()
+                .contains("object b has no outcome under motion m1 at 0.2")
+        );
     }
 
     /// λ is 1/100, 1/400 and 1/1600 a year at the three intensities, of which only the highest overturns one
@@ -537,16 +717,26 @@ mod tests {
     #[test]
     fn losses_at_return_periods_have_ends() {
         let falls = [["rocked"; 2], ["rocked"; 2], ["overturned"; 2]];
-        let found = risk_of(&table(&[("a", falls), ("b", [["rocked"; 2]; 3])])).unwrap().portfolio.unwrap();
+        let found = risk_of(&table(&[("a", falls), ("b", [["rocked"; 2]; 3])]))
+            .unwrap()
+            .portfolio
+            .unwrap();
         let ends = |years| found.at_return_period(years);
-        let loss = |least, best, most| LossBounds { least, best, most: Some(most) };
+        let loss = |least, best, most| LossBounds {
+            least,
+            best,
+            most: Some(most),
+        };
         // The strip of the highest intensity begins where λ is 1/800.
         assert_eq!(ends(390.0), loss(0.0, 0.0, 0.0));
         assert_eq!(ends(410.0), loss(0.0, 0.0, 1000.0));
         assert_eq!(ends(810.0), loss(0.0, 1000.0, 1000.0));
         assert_eq!(ends(1610.0), loss(1000.0, 1000.0, 2000.0));
         let text = found.text("AUD");
-        assert!(text.contains("once in 500 years: 0 AUD; between 0 and 1000 AUD\n"), "{text}");
+        assert!(
+            text.contains("once in 500 years: 0 AUD; between 0 and 1000 AUD\n"),
+            "{text}"
+        );
         // Where one fails at the lowest intensity, weaker motions may cost anything.
         let report = risk_of(&table(&[("a", [["overturned"; 2]; 3]), ("b", falls)])).unwrap();
         assert_eq!(report.portfolio.unwrap().at_return_period(250.0).most, None);
@@ -556,10 +746,20 @@ mod tests {
     fn outcomes_without_common_worlds_say_why() {
         let counts = "object,pgv [m/s],rocked,overturned\na,0.1,4,1\na,0.2,2,3\na,0.4,1,4\n";
         let one = "object,motion,pgv [m/s],outcome\na,m,0.1,rocked\na,n,0.1,overturned\n";
-        for (text, said) in [(counts, "the outcomes are counts"), (one, "the outcomes have a single intensity")] {
+        for (text, said) in [
+            (counts, "the outcomes are counts"),
+            (one, "the outcomes have a single intensity"),
+        ] {
             let report = risk_of(text).unwrap();
             assert!(report.portfolio.is_none());
-            assert!(report.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", report.warnings);
+            assert!(
+                report
+                    .warnings
+                    .iter()
+                    .any(|warning| warning.starts_with(said)),
+                "{:?}",
+                report.warnings
+            );
         }
     }
 }

@@ -10,10 +10,22 @@ fn a_space_before_the_unit_is_not_needed() {
     assert_eq!(aud("3e3 EUR"), Ok((3000.0, "EUR".to_owned())));
     assert_eq!(aud("3e3EUR"), Ok((3000.0, "EUR".to_owned())));
     assert_eq!(aud("0 AUD"), Ok((0.0, "AUD".to_owned())));
-    for wrong in ["3000", "-1 AUD", "AUD", "1,000 AUD", "", "1 000 AUD", "inf AUD", "é AUD"] {
+    for wrong in [
+        "3000",
+        "-1 AUD",
+        "AUD",
+        "1,000 AUD",
+        "",
+        "1 000 AUD",
+        "inf AUD",
+        "é AUD",
+    ] {
         assert!(amount(wrong).is_err(), "{wrong}");
     }
-    assert_eq!([years("50yr"), years("40 years"), years("40")].map(Result::ok), [Some(50.0), Some(40.0), Some(40.0)]);
+    assert_eq!(
+        [years("50yr"), years("40 years"), years("40")].map(Result::ok),
+        [Some(50.0), Some(40.0), Some(40.0)]
+    );
     assert!(years("0 yr").is_err() && years("5 days").is_err());
     assert_eq!(yearly_rate("1e-4/yr").ok(), Some(1e-4));
 }

@@ -10,9 +10,10 @@ use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision, FallsAnswer,
-    FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Slipped, Softening, Stacked, TooMild, Unstated,
+    Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
+    FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked,
+    Response, Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
+    TooMild, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -25,8 +26,8 @@ use super::decision::{Case, decide, deciding, percent};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
 use super::respond::{Outcome, Travelled};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts, options, overturned,
-    pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts,
+    options, overturned, pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -54,24 +55,40 @@ pub(super) fn quantile(values: impl Iterator<Item = f64>, q: f64) -> f64 {
 }
 
 fn share(values: impl Iterator<Item = bool>) -> f64 {
-    let (holds, count) = values.fold((0usize, 0usize), |(holds, count), one| (holds + usize::from(one), count + 1));
+    let (holds, count) = values.fold((0usize, 0usize), |(holds, count), one| {
+        (holds + usize::from(one), count + 1)
+    });
     holds as f64 / count.max(1) as f64
 }
 
 /// The worlds whose histories on a rigid base are complete, with their numbers.
 fn followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (usize, &'a [AxisMotion])> {
-    trial.lived.iter().enumerate().filter_map(|(i, one)| Some((i, one.on_rigid()?)))
+    trial
+        .lived
+        .iter()
+        .enumerate()
+        .filter_map(|(i, one)| Some((i, one.on_rigid()?)))
 }
 
 /// The worlds whose histories on pads are complete.
 fn on_pads_followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (&'a Lived, &'a [PadMotion])> {
-    trial.lived.iter().filter_map(|one| Some((one, one.on_pads()?)))
+    trial
+        .lived
+        .iter()
+        .filter_map(|one| Some((one, one.on_pads()?)))
 }
 
 /// What a world is ranked by on a rigid base: demand/capacity where it is known, else the shock, else
 /// the rise.
 fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
-    match (trial.subject.capacity.as_ref().and_then(|_| demand_capacity(axes)), &trial.subject.body) {
+    match (
+        trial
+            .subject
+            .capacity
+            .as_ref()
+            .and_then(|_| demand_capacity(axes)),
+        &trial.subject.body,
+    ) {
         (Some(ratio), _) => ratio,
         (None, Some(_)) => ranked(axes, larger_g),
         (None, None) => ranked(axes, |one| one.rocking.cg_rise_m),
@@ -83,17 +100,25 @@ fn severity_on_pads(trial: &Trial, axes: &[PadMotion]) -> f64 {
     if axes.iter().any(|one| one.has_overturned) {
         return f64::INFINITY;
     }
-    let ratio = trial.subject.capacity.as_ref().and_then(|_| pads_demand_capacity(axes));
+    let ratio = trial
+        .subject
+        .capacity
+        .as_ref()
+        .and_then(|_| pads_demand_capacity(axes));
     ratio.unwrap_or_else(|| axes.iter().map(|one| one.edge_m_s2).fold(0.0, f64::max))
 }
 
 /// The worlds from the mildest to the hardest: on a rigid base where that is asked, else on pads.
 fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
     let mut order: Vec<(f64, usize)> = if trial.asks(context, Model::Rigid) {
-        followed(trial).map(|(i, axes)| (severity(trial, axes), i)).collect()
+        followed(trial)
+            .map(|(i, axes)| (severity(trial, axes), i))
+            .collect()
     } else {
         let lived = trial.lived.iter().enumerate();
-        lived.filter_map(|(i, one)| Some((severity_on_pads(trial, one.on_pads()?), i))).collect()
+        lived
+            .filter_map(|(i, one)| Some((severity_on_pads(trial, one.on_pads()?), i)))
+            .collect()
     };
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     order.into_iter().map(|(_, i)| i).collect()
@@ -113,7 +138,10 @@ pub(super) fn assessment(
     let answers = answers(context, trial);
     // The hardest world after the accepted share of them is left out.
     let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
-    let world = order.len().checked_sub(1 + beyond).map(|place| order[place]);
+    let world = order
+        .len()
+        .checked_sub(1 + beyond)
+        .map(|place| order[place]);
     let governs = world.and_then(|world| governing_criterion(trial, world));
     let missing = missing(trial);
     let lifts_at_all = followed(trial).any(|(_, axes)| lifts(axes))
@@ -122,20 +150,35 @@ pub(super) fn assessment(
         accepted_ratio: member.accepted_ratio,
         answers: &answers,
         lifts: lifts_at_all,
-        decides: trial.subject.capacity.as_ref().is_some_and(|capacity| capacity.decides),
+        decides: trial
+            .subject
+            .capacity
+            .as_ref()
+            .is_some_and(|capacity| capacity.decides),
         governing: governs,
         missing: &missing,
-        softer: softening.as_ref().map(|one| (one.admissible, one.note.as_str())),
+        softer: softening
+            .as_ref()
+            .map(|one| (one.admissible, one.note.as_str())),
         beyond_pads: beyond_pads(trial),
-        tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
+        tolerance_source: member
+            .item
+            .tolerance
+            .as_ref()
+            .map_or("", |tolerance| &tolerance.source),
     });
     (assessed.decision, assessed.why) = (decision, why);
-    if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
-        assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
+    if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some()
+    {
+        assessed
+            .why
+            .push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
     assessed.at_wall = at_wall(trial);
     if let Some(at_wall) = &assessed.at_wall {
-        assessed.why.push_str(&beside_words(context, trial, at_wall));
+        assessed
+            .why
+            .push_str(&beside_words(context, trial, at_wall));
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
     }
     note_failures(trial, &mut assessed.notes);
@@ -144,10 +187,18 @@ pub(super) fn assessment(
     if let Some(rolled) = &assessed.rolled {
         let around = &member.item.surroundings;
         let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
-        let verb = if matches!(trial.subject.way, Way::Slides(_)) { "slides" } else { "rolls" };
+        let verb = if matches!(trial.subject.way, Way::Slides(_)) {
+            "slides"
+        } else {
+            "rolls"
+        };
         assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
-        if let Some(braked) = assessed.braked.filter(|_| [Decision::Leave, Decision::NoVerdict].contains(&decision)) {
-            let (loose, why) = super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio);
+        if let Some(braked) = assessed
+            .braked
+            .filter(|_| [Decision::Leave, Decision::NoVerdict].contains(&decision))
+        {
+            let (loose, why) =
+                super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio);
             assessed.why.push_str(&format!(" {why}"));
             assessed.decision = loose;
         }
@@ -163,7 +214,9 @@ pub(super) fn assessment(
         if slipped.on_pads {
             assessed.why.push_str(&slip_words(trial, slipped));
         } else {
-            assessed.notes.push(band_words(trial, slipped, answers.rigid));
+            assessed
+                .notes
+                .push(band_words(trial, slipped, answers.rigid));
         }
     }
     assessed.model = Some(match trial.subject.way {
@@ -183,7 +236,9 @@ pub(super) fn assessment(
     if let Some(stacked) = &assessed.stacked {
         assessed.why.push_str(&stack_words(trial, stacked));
     }
-    assessed.notes.extend(trial.subject.flat.as_ref().map(Flat::words));
+    assessed
+        .notes
+        .extend(trial.subject.flat.as_ref().map(Flat::words));
     assessed.notes.extend(space_notes(context, trial)?);
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
@@ -200,18 +255,30 @@ pub(super) fn assessment(
     assessed.chain = world.and_then(|world| chain(context, trial, world));
     assessed.shock = shock(trial);
     let hardest = order.iter().rev().copied();
-    let rocks = |world: &usize| trial.lived[*world].on_rigid().is_some_and(|axes| lifts(axes) && !overturned(axes));
+    let rocks = |world: &usize| {
+        trial.lived[*world]
+            .on_rigid()
+            .is_some_and(|axes| lifts(axes) && !overturned(axes))
+    };
     if let Some(world) = hardest.clone().find(rocks) {
-        let at = context.worlds.floor(world as u32, trial.subject.level_ratio)?;
+        let at = context
+            .worlds
+            .floor(world as u32, trial.subject.level_ratio)?;
         let impacts = impacts_above(trial, world, &at);
-        assessed.shock = assessed.shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
+        assessed.shock = assessed.shock.map(|shock| Shock {
+            impacts_above_tolerance: impacts,
+            ..shock
+        });
         assessed.sliding = sliding(context, trial, world, &at);
     } else if trial.asks(context, Model::Rigid) {
         assessed.sliding = Some(slides(context, trial, floor.pfa_g_max));
     }
     if assessed.decision == Decision::Restrain {
         assessed.restraint = context.restraint(trial);
-        if let Some(p) = assessed.p_overturn.filter(|_| answers.falls != FallsAnswer::Stays) {
+        if let Some(p) = assessed
+            .p_overturn
+            .filter(|_| answers.falls != FallsAnswer::Stays)
+        {
             let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
             let words = beyond_code_words(&assessed.restraint, overturned, answers.worlds as usize);
             assessed.why.extend(words.map(|words| format!(" {words}")));
@@ -227,17 +294,27 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
     let beside = trial.subject.way.walls()?;
     followed(trial).next()?;
     let strikes = |number: fn(&Strike) -> f64| {
-        let most =
-            |axes: &[AxisMotion]| axes.iter().filter_map(|one| one.strike.as_ref().map(number)).fold(0.0, f64::max);
+        let most = |axes: &[AxisMotion]| {
+            axes.iter()
+                .filter_map(|one| one.strike.as_ref().map(number))
+                .fold(0.0, f64::max)
+        };
         quantile(followed(trial).map(|(_, axes)| most(axes)), 0.5)
     };
     let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
     Some(AtWall {
         lean_share: share(followed(trial).map(|(_, axes)| leans(axes))),
-        strike_share: share(followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some()))),
+        strike_share: share(
+            followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some())),
+        ),
         speed_m_s_median: strikes(|strike| strike.speed_m_s),
-        acceleration_g_median: is_known
-            .then(|| strikes(|strike| strike.acceleration_m_s2.map_or(0.0, |shock| shock / G0_M_S2))),
+        acceleration_g_median: is_known.then(|| {
+            strikes(|strike| {
+                strike
+                    .acceleration_m_s2
+                    .map_or(0.0, |shock| shock / G0_M_S2)
+            })
+        }),
     })
 }
 
@@ -245,11 +322,18 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
-    let ways = || followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled());
+    let ways = || {
+        followed(trial)
+            .filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled())
+    };
     let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
     let travel = |way: &Travelled| way.travel_m;
     let stop_speed = |way: &Travelled| way.stop_speed_m_s.unwrap_or(0.0);
-    let trip_speeds = trial.subject.axes.iter().map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
+    let trip_speeds = trial
+        .subject
+        .axes
+        .iter()
+        .map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
     Some(Rolled {
         travel_m_median: of(travel, QUANTILES[1]),
         travel_m_p84: of(travel, QUANTILES[2]),
@@ -271,13 +355,21 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
     let of = |number: fn(&Space) -> f64| {
         let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.has_overturned) {
             true => f64::INFINITY,
-            false => axes.iter().filter_map(|one| one.space.as_ref().map(number)).fold(0.0, f64::max),
+            false => axes
+                .iter()
+                .filter_map(|one| one.space.as_ref().map(number))
+                .fold(0.0, f64::max),
         };
         quantiles(on_pads_followed(trial).map(|(_, axes)| of_world(axes)))
     };
     let ([_, tilt_rad_median, tilt_rad_p84], [_, walk_m_median, walk_m_p84]) =
         (of(|space| space.tilt_rad), of(|space| space.walk_m));
-    Some(InSpace { tilt_rad_median, tilt_rad_p84, walk_m_median, walk_m_p84 })
+    Some(InSpace {
+        tilt_rad_median,
+        tilt_rad_p84,
+        walk_m_median,
+        walk_m_p84,
+    })
 }
 
 /// How far it tilts and walks.
@@ -294,10 +386,14 @@ fn space_words(in_space: &InSpace) -> String {
 
 /// What falls of a stack; `None`: it is none, or every history failed.
 fn stacked(trial: &Trial) -> Option<Stacked> {
-    let Way::Stack(upper) = &trial.subject.way else { return None };
+    let Way::Stack(upper) = &trial.subject.way else {
+        return None;
+    };
     let (first, _) = on_pads_followed(trial).next()?;
     let falls = |part: StackPart| {
-        on_pads_followed(trial).filter(|(_, axes)| axes.iter().any(|one| one.fallen == Some(part))).count() as u32
+        on_pads_followed(trial)
+            .filter(|(_, axes)| axes.iter().any(|one| one.fallen == Some(part)))
+            .count() as u32
     };
     // Of the sizes in the list.
     let listed = super::space::stack(&trial.subject, upper, &first.draw.without_factors())?;
@@ -318,13 +414,23 @@ fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
         counted(stacked.worlds as usize, "world"),
         stacked.upper_falls
     );
-    let [alone, together] = [stacked.threshold_upper_g, stacked.threshold_together_g].map(|g| number(g, 3));
+    let [alone, together] =
+        [stacked.threshold_upper_g, stacked.threshold_together_g].map(|g| number(g, 3));
     let begins = if stacked.threshold_upper_g < stacked.threshold_together_g {
-        format!(" What stands on it begins to rock alone at {alone} g, both together at {together} g.")
+        format!(
+            " What stands on it begins to rock alone at {alone} g, both together at {together} g."
+        )
     } else {
-        format!(" Both begin to rock together at {together} g, what stands on it alone at {alone} g.")
+        format!(
+            " Both begin to rock together at {together} g, what stands on it alone at {alone} g."
+        )
     };
-    let wall = trial.member.item.surroundings.wall_gap_m.map_or("", |_| " Its wall does not count.");
+    let wall = trial
+        .member
+        .item
+        .surroundings
+        .wall_gap_m
+        .map_or("", |_| " Its wall does not count.");
     falls + &begins + wall
 }
 
@@ -372,18 +478,26 @@ fn unstated_words(unstated: Unstated) -> String {
 
 /// How far it rolls or slides, and what a stop does.
 fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel =
-        format!("It {verb}: up to {} in 84 % of worlds, farther in the rest", rolled.reach_words(UnitSystem::Si));
+    let travel = format!(
+        "It {verb}: up to {} in 84 % of worlds, farther in the rest",
+        rolled.reach_words(UnitSystem::Si)
+    );
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {
-            return format!("{travel}; it may run into what stands beside it, which is not calculated.");
+            return format!(
+                "{travel}; it may run into what stands beside it, which is not calculated."
+            );
         }
-        return format!("{travel}; nothing in the list stops it, and nothing overturns it without a stop.");
+        return format!(
+            "{travel}; nothing in the list stops it, and nothing overturns it without a stop."
+        );
     };
     let trip = number(rolled.trip_speed_m_s, 3);
     let speed = rolled
         .stop_speed_m_s_p84
-        .map_or_else(String::new, |speed_m_s| format!(" (up to {} m/s there in 84 %)", number(speed_m_s, 3)));
+        .map_or_else(String::new, |speed_m_s| {
+            format!(" (up to {} m/s there in 84 %)", number(speed_m_s, 3))
+        });
     format!(
         "{travel}. It reaches its clearance of {} mm in {} of them{speed}; a stop there overturns it from {trip} m/s.",
         number(1e3 * clearance_m, 6),
@@ -395,13 +509,20 @@ fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
 fn slipped(trial: &Trial) -> Option<Slipped> {
     let slips = || trial.lived.iter().filter(|one| one.slips);
     let worlds = u32::try_from(slips().count()).unwrap_or(u32::MAX);
-    (worlds > 0).then(|| Slipped { worlds, on_pads: slips().all(Lived::is_for_pads) })
+    (worlds > 0).then(|| Slipped {
+        worlds,
+        on_pads: slips().all(Lived::is_for_pads),
+    })
 }
 
 /// Why the friction does not suffice.
 fn too_little_friction(trial: &Trial, slipped: &Slipped) -> String {
     let (low, high) = trial.subject.friction_ratio.unwrap_or_default();
-    let range = if low == high { number(low, 3) } else { format!("{} to {}", number(low, 3), number(high, 3)) };
+    let range = if low == high {
+        number(low, 3)
+    } else {
+        format!("{} to {}", number(low, 3), number(high, 3))
+    };
     format!(
         "In {} of {} its friction ({range}) is less than rocking needs",
         slipped.worlds,
@@ -410,7 +531,10 @@ fn too_little_friction(trial: &Trial, slipped: &Slipped) -> String {
 }
 
 fn slip_words(trial: &Trial, slipped: &Slipped) -> String {
-    format!(" {}: there it slides as well, and its pads answer for both models.", too_little_friction(trial, slipped))
+    format!(
+        " {}: there it slides as well, and its pads answer for both models.",
+        too_little_friction(trial, slipped)
+    )
 }
 
 /// What sliding changes where no pads can answer.
@@ -422,7 +546,10 @@ fn band_words(trial: &Trial, slipped: &Slipped, rigid: Option<ModelAnswers>) -> 
     };
     let p = rigid.map_or(0.0, |rigid| rigid.overturn.value);
     let [low, high] = FALLS_WITH_FRICTION.map(|(friction_ratio, factor)| {
-        format!("{factor} times the one without, {}, at a friction of {friction_ratio}", percent((factor * p).min(1.0)))
+        format!(
+            "{factor} times the one without, {}, at a friction of {friction_ratio}",
+            percent((factor * p).min(1.0))
+        )
     });
     format!(
         "{}: there it slides as well. That is not calculated, because {why}; in an audit of one object the probability \
@@ -455,9 +582,18 @@ fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
 }
 
 fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
-    let rigid = trial.lived.iter().filter_map(|one| Some(one.failure()?.why()));
-    let pads = trial.lived.iter().filter_map(|one| one.pads.as_ref()?.as_ref().err().map(String::as_str));
-    for (model, errors) in [("a rigid base", rigid.collect::<Vec<_>>()), ("its pads", pads.collect())] {
+    let rigid = trial
+        .lived
+        .iter()
+        .filter_map(|one| Some(one.failure()?.why()));
+    let pads = trial
+        .lived
+        .iter()
+        .filter_map(|one| one.pads.as_ref()?.as_ref().err().map(String::as_str));
+    for (model, errors) in [
+        ("a rigid base", rigid.collect::<Vec<_>>()),
+        ("its pads", pads.collect()),
+    ] {
         if let Some(first) = errors.first() {
             notes.push(format!(
                 "The histories on {model} failed in {} of {} worlds ({first}); they count as exceeded in the upper \
@@ -468,7 +604,11 @@ fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
         }
     }
     let is_flight = |one: &&Lived| matches!(one.rigid, Some(Err(Lost::Flight(_))));
-    let answered = trial.lived.iter().filter(|one| is_flight(one) && one.is_for_pads()).count();
+    let answered = trial
+        .lived
+        .iter()
+        .filter(|one| is_flight(one) && one.is_for_pads())
+        .count();
     if answered > 0 {
         notes.push(format!(
             "In {answered} of {} worlds its floor falls away (g + vertical acceleration ≤ 0), and it flies: there its \
@@ -476,9 +616,15 @@ fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
             trial.lived.len()
         ));
     }
-    let unknown = trial.lived.iter().filter(|one| is_flight(one) && !one.is_for_pads()).count();
+    let unknown = trial
+        .lived
+        .iter()
+        .filter(|one| is_flight(one) && !one.is_for_pads())
+        .count();
     if unknown > 0 && trial.subject.way == Way::Planar && trial.subject.body.is_none() {
-        notes.push("Its pads could follow it through the air: give its mass and its pads.".to_owned());
+        notes.push(
+            "Its pads could follow it through the air: give its mass and its pads.".to_owned(),
+        );
     }
 }
 
@@ -494,17 +640,27 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 
 pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
-    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
-        Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
-        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
-            trial.subject.body.is_some() || !capacity.needs_shock()
-        }
-    });
+    let is_known =
+        trial
+            .subject
+            .capacity
+            .as_ref()
+            .is_some_and(|capacity| match trial.subject.way {
+                Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
+                Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
+                    trial.subject.body.is_some() || !capacity.needs_shock()
+                }
+            });
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
-        exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
+        exceed: trial
+            .subject
+            .capacity
+            .as_ref()
+            .map(|_| trial.probability(context, Question::Shock, model)),
     };
-    let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
+    let [rigid, compliant] =
+        [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
     let too_mild = trial.subject.too_mild;
     let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
         FallsAnswer::Stays if too_mild.is_some() => FallsAnswer::Close,
@@ -529,12 +685,17 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let restitutions = || trial.lived.iter().map(|one| one.draw.restitution[0]);
     Answers {
         falls,
-        shock: if is_known || shock == ShockAnswer::Exceeded { shock } else { ShockAnswer::Unknown },
+        shock: if is_known || shock == ShockAnswer::Exceeded {
+            shock
+        } else {
+            ShockAnswer::Unknown
+        },
         asks_shock: trial.member.asks_shock,
         models_agree,
         worlds: trial.worlds(),
         worlds_cap: trial.cap(),
-        worlds_compliant: compliant.and_then(|_| (asked_on_pads < trial.worlds()).then_some(asked_on_pads)),
+        worlds_compliant: compliant
+            .and_then(|_| (asked_on_pads < trial.worlds()).then_some(asked_on_pads)),
         confidence: context.study.assessment.worlds.looks.confidence(),
         rigid,
         compliant,
@@ -543,7 +704,10 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         worlds_needed: context
             .fewest_worlds(accepted)
             .filter(|needed| context.worlds.records().is_none() && trial.cap() < *needed),
-        few_motions: context.worlds.records().and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
+        few_motions: context
+            .worlds
+            .records()
+            .and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
 }
 
@@ -554,10 +718,16 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
     }
     let body = trial.subject.body.as_ref()?;
     let worlds = || on_pads_followed(trial);
-    let most = |axes: &[PadMotion], number: fn(&PadMotion) -> f64| axes.iter().map(number).fold(0.0, f64::max);
+    let most = |axes: &[PadMotion], number: fn(&PadMotion) -> f64| {
+        axes.iter().map(number).fold(0.0, f64::max)
+    };
     let rank = |number: fn(&PadMotion) -> f64| {
         quantiles(worlds().map(|(_, axes)| {
-            if axes.iter().any(|one| one.has_overturned) { f64::INFINITY } else { most(axes, number) }
+            if axes.iter().any(|one| one.has_overturned) {
+                f64::INFINITY
+            } else {
+                most(axes, number)
+            }
         }))[1]
     };
     // A stack has other frequencies than the object alone.
@@ -565,31 +735,52 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
     let stiffness = body.cushion.linear_stiffness_n_m().filter(|_| is_alone);
     let blocks = || trial.subject.axes.iter().map(|axis| &axis.block);
     let frequency = stiffness.and_then(|k| {
-        blocks().filter_map(|block| rocking_frequency_hz(block, body.mass_kg, k, G0_M_S2)).reduce(f64::min)
+        blocks()
+            .filter_map(|block| rocking_frequency_hz(block, body.mass_kg, k, G0_M_S2))
+            .reduce(f64::min)
     });
     let threshold = stiffness.and_then(|k| {
-        blocks().map(|block| pad_uplift_threshold_m_s2(block, body.mass_kg, k, G0_M_S2) / G0_M_S2).reduce(f64::min)
+        blocks()
+            .map(|block| pad_uplift_threshold_m_s2(block, body.mass_kg, k, G0_M_S2) / G0_M_S2)
+            .reduce(f64::min)
     });
     let ratios: Vec<f64> = worlds()
-        .filter_map(|(_, axes)| axes.iter().map(|one| one.pad_uplift_ratio).try_fold(0.0f64, |a, b| Some(a.max(b?))))
+        .filter_map(|(_, axes)| {
+            axes.iter()
+                .map(|one| one.pad_uplift_ratio)
+                .try_fold(0.0f64, |a, b| Some(a.max(b?)))
+        })
         .collect();
     Some(OnPads {
         rocking_frequency_hz: frequency,
         pad_uplift_threshold_g: threshold,
-        pad_uplift_ratio_p84: (!ratios.is_empty()).then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
+        pad_uplift_ratio_p84: (!ratios.is_empty())
+            .then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
         let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.has_let_go))),
-        rebound_restitution: quantile(trial.lived.iter().map(|one| one.draw.rebound_restitution()), 0.5),
+        rebound_restitution: quantile(
+            trial.lived.iter().map(|one| one.draw.rebound_restitution()),
+            0.5,
+        ),
         edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
         demand_capacity_median: ratios_on_pads(trial),
         lift_m_median: rank(|one| one.lift_m),
-        failed: trial.lived.iter().filter(|one| matches!(one.pads, Some(Err(_)))).count(),
-        compression_m_p95: quantile(worlds().map(|(_, axes)| most(axes, |one| one.compression_m)), 0.95),
+        failed: trial
+            .lived
+            .iter()
+            .filter(|one| matches!(one.pads, Some(Err(_))))
+            .count(),
+        compression_m_p95: quantile(
+            worlds().map(|(_, axes)| most(axes, |one| one.compression_m)),
+            0.95,
+        ),
     })
 }
 
 /// Demand/capacity on pads of the median world; no data where that of a world is not known.
 fn ratios_on_pads(trial: &Trial) -> Ranked {
-    let ratios: Option<Vec<f64>> = on_pads_followed(trial).map(|(_, axes)| pads_demand_capacity(axes)).collect();
+    let ratios: Option<Vec<f64>> = on_pads_followed(trial)
+        .map(|(_, axes)| pads_demand_capacity(axes))
+        .collect();
     ratios.map_or(Ranked::NoData, |ratios| quantiles(ratios.into_iter())[1])
 }
 
@@ -598,17 +789,30 @@ fn response(trial: &Trial) -> Option<Response> {
     if worlds == 0 {
         return None;
     }
-    let over = |number: &dyn Fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
+    let over = |number: &dyn Fn(&AxisMotion) -> f64| {
+        quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)))
+    };
     Some(Response {
         motions: worlds,
-        failed: trial.lived.iter().filter(|one| one.failure().is_some()).count(),
-        failure: trial.lived.iter().find_map(|one| Some(one.failure()?.why().to_owned())),
+        failed: trial
+            .lived
+            .iter()
+            .filter(|one| one.failure().is_some())
+            .count(),
+        failure: trial
+            .lived
+            .iter()
+            .find_map(|one| Some(one.failure()?.why().to_owned())),
         uplift_share: share(followed(trial).map(|(_, axes)| lifts(axes))),
         overturn_share: share(followed(trial).map(|(_, axes)| overturned(axes))),
         uplift_m: over(&|one| one.rocking.uplift_m),
         rotation_ratio: quantiles(followed(trial).map(|(_, axes)| rotation_ratio(trial, axes))),
-        impacts_max: followed(trial).flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count)).max()?,
-        axes: (0..trial.subject.axes.len()).map(|axis| axis_response(trial, axis)).collect(),
+        impacts_max: followed(trial)
+            .flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count))
+            .max()?,
+        axes: (0..trial.subject.axes.len())
+            .map(|axis| axis_response(trial, axis))
+            .collect(),
     })
 }
 
@@ -618,7 +822,10 @@ fn rotation_ratio(trial: &Trial, axes: &[AxisMotion]) -> f64 {
         return f64::INFINITY;
     }
     let alpha = |axis: usize| trial.subject.axes[axis].block.pivot().slenderness_angle_rad;
-    axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
+    axes.iter()
+        .enumerate()
+        .map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i))
+        .fold(0.0, f64::max)
 }
 
 fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
@@ -633,8 +840,16 @@ fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
         uplift_share: share(worlds().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
         overturn_share: share(worlds().map(|one| one.rocking.outcome.has_fallen())),
-        edge_acceleration_g: trial.subject.body.as_ref().map(|_| quantiles(worlds().map(shock))),
-        ceiling_g: trial.subject.body.as_ref().map(|body| ceiling_g(trial, axis, body)),
+        edge_acceleration_g: trial
+            .subject
+            .body
+            .as_ref()
+            .map(|_| quantiles(worlds().map(shock))),
+        ceiling_g: trial
+            .subject
+            .body
+            .as_ref()
+            .map(|body| ceiling_g(trial, axis, body)),
     }
 }
 
@@ -649,21 +864,34 @@ fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
 
 fn shock(trial: &Trial) -> Option<Shock> {
     // What rolls does not land.
-    let body = trial.subject.body.as_ref().filter(|_| trial.subject.way.rocks())?;
+    let body = trial
+        .subject
+        .body
+        .as_ref()
+        .filter(|_| trial.subject.way.rocks())?;
     followed(trial).next()?;
-    let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
+    let of = |number: fn(&AxisMotion) -> f64| {
+        quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)))
+    };
     let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
-    let survived: Vec<(usize, f64)> =
-        survived.filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, larger_g(one)))).collect();
-    let hardest = survived.iter().copied().reduce(|most, next| if next.1 > most.1 { next } else { most });
+    let survived: Vec<(usize, f64)> = survived
+        .filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, larger_g(one))))
+        .collect();
+    let hardest = survived
+        .iter()
+        .copied()
+        .reduce(|most, next| if next.1 > most.1 { next } else { most });
     let axes = 0..trial.subject.axes.len();
     Some(Shock {
         edge_acceleration_g: of(larger_g),
         edge_acceleration_uplift_g: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.uplift_g)),
         edge_acceleration_max_g: hardest.map(|(_, shock_g)| shock_g),
         pulse_duration_s: pulse_duration_s(trial, hardest.map_or(0, |(axis, _)| axis), body),
-        velocity_change_m_s: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.velocity_change_m_s))[1],
-        ceiling_g: axes.map(|axis| ceiling_g(trial, axis, body)).fold(0.0, f64::max),
+        velocity_change_m_s: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.velocity_change_m_s))
+            [1],
+        ceiling_g: axes
+            .map(|axis| ceiling_g(trial, axis, body))
+            .fold(0.0, f64::max),
         stiffness_n_m: body.cushion.linear_stiffness_n_m(),
         impacts_above_tolerance: None,
     })
@@ -674,7 +902,9 @@ fn shock(trial: &Trial) -> Option<Shock> {
 fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
     let landing = Landing::rocking(&trial.subject.axes[axis].block, ImpactModel::Paper);
     let rise_m = 0.01 * landing.pivot.balance_rise_m();
-    landing.impact(body.mass_kg, &body.cushion, rise_m, G0_M_S2).pulse_duration_s
+    landing
+        .impact(body.mass_kg, &body.cushion, rise_m, G0_M_S2)
+        .pulse_duration_s
 }
 
 /// Whether the demand of every world is known: that of a stop needs its stiffness and the mass.
@@ -690,25 +920,53 @@ fn missing(trial: &Trial) -> Vec<&'static str> {
         let known = [
             (has_tolerance, "tolerance"),
             (is_known || item.mass_kg.is_some(), "mass"),
-            (is_known || item.surroundings.wall_stiffness_n_m.is_some(), "wall_stiffness"),
+            (
+                is_known || item.surroundings.wall_stiffness_n_m.is_some(),
+                "wall_stiffness",
+            ),
         ];
-        return known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect();
+        return known
+            .into_iter()
+            .filter(|(is_known, _)| !is_known)
+            .map(|(_, name)| name)
+            .collect();
     }
     let known = [
-        (item.tolerance.is_some() && trial.subject.capacity.is_some(), "tolerance"),
+        (
+            item.tolerance.is_some() && trial.subject.capacity.is_some(),
+            "tolerance",
+        ),
         (item.mass_kg.is_some(), "mass"),
         (item.cushion.is_some(), "cushion"),
     ];
-    known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect()
+    known
+        .into_iter()
+        .filter(|(is_known, _)| !is_known)
+        .map(|(_, name)| name)
+        .collect()
 }
 
 /// What governs in a world, by the model with the larger demand.
 fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let capacity = trial.subject.capacity.as_ref()?;
     let lived = trial.lived.get(world)?;
-    let rigid = lived.on_rigid().into_iter().flatten().filter_map(|one| one.terms);
-    let pads = lived.on_pads().into_iter().flatten().filter_map(|one| one.terms);
-    let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
+    let rigid = lived
+        .on_rigid()
+        .into_iter()
+        .flatten()
+        .filter_map(|one| one.terms);
+    let pads = lived
+        .on_pads()
+        .into_iter()
+        .flatten()
+        .filter_map(|one| one.terms);
+    let worst = rigid.chain(pads).reduce(|most, next| {
+        if next.ratio() > most.ratio() {
+            next
+        } else {
+            most
+        }
+    });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
         // Casters, and a base that slides, keep most of it from the object.
@@ -717,13 +975,25 @@ fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     }
 }
 
-fn capacity_check(trial: &Trial, floor: &FloorFacts, governing: Option<Criterion>) -> Option<CapacityCheck> {
-    let (capacity, tolerance) = (trial.subject.capacity.as_ref()?, trial.member.item.tolerance.as_ref()?);
+fn capacity_check(
+    trial: &Trial,
+    floor: &FloorFacts,
+    governing: Option<Criterion>,
+) -> Option<CapacityCheck> {
+    let (capacity, tolerance) = (
+        trial.subject.capacity.as_ref()?,
+        trial.member.item.tolerance.as_ref()?,
+    );
     let ratios: Option<Vec<f64>> = match trial.subject.way.asks(Model::Rigid) {
-        true => followed(trial).map(|(_, axes)| demand_capacity(axes)).collect(),
-        false => on_pads_followed(trial).map(|(_, axes)| pads_demand_capacity(axes)).collect(),
+        true => followed(trial)
+            .map(|(_, axes)| demand_capacity(axes))
+            .collect(),
+        false => on_pads_followed(trial)
+            .map(|(_, axes)| pads_demand_capacity(axes))
+            .collect(),
     };
-    let [_, median, p84] = ratios.map_or([Ranked::NoData; 3], |ratios| quantiles(ratios.into_iter()));
+    let [_, median, p84] =
+        ratios.map_or([Ranked::NoData; 3], |ratios| quantiles(ratios.into_iter()));
     Some(CapacityCheck {
         demand_capacity: median,
         demand_capacity_p84: p84,
@@ -731,7 +1001,9 @@ fn capacity_check(trial: &Trial, floor: &FloorFacts, governing: Option<Criterion
         tolerance: capacity.words(),
         source: tolerance.source.clone(),
         decides: capacity.decides,
-        floor_ratio: capacity.peak_m_s2.map(|peak| floor.pfa_g_median * G0_M_S2 / peak),
+        floor_ratio: capacity
+            .peak_m_s2
+            .map(|peak| floor.pfa_g_median * G0_M_S2 / peak),
     })
 }
 
@@ -751,7 +1023,13 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
     let base = at.base(lived.draw.is_along_x(axis));
     let walls = lived.draw.walls(&trial.subject, axis);
     let history = rock(&block, base, &options(restitution, walls)).ok()?;
-    Some(history.impacts.iter().filter(|impact| above(impact)).count())
+    Some(
+        history
+            .impacts
+            .iter()
+            .filter(|impact| above(impact))
+            .count(),
+    )
 }
 
 /// Whether it slides, by the friction that rocking and its impacts need in the hardest world;
@@ -763,17 +1041,26 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
     let options = options(restitution, lived.draw.walls(&trial.subject, axis));
     let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), &options)?;
     let ratio = restitution.ratios(&block).ok()?[0];
-    Some(slides(context, trial, most.max(impact_friction_needed_ratio(&block, ratio))))
+    Some(slides(
+        context,
+        trial,
+        most.max(impact_friction_needed_ratio(&block, ratio)),
+    ))
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
     if let Some(gliding) = trial.subject.way.glides() {
         let (friction_ratio, is_stated) = (gliding.resistance_ratio, gliding.is_stated);
-        return Sliding { verdict: SlidingVerdict::Yes, friction_ratio, is_stated };
+        return Sliding {
+            verdict: SlidingVerdict::Yes,
+            friction_ratio,
+            is_stated,
+        };
     }
     let stated = trial.subject.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
-    let slips = trial.lived.iter().any(Lived::is_for_pads) && trial.lived.iter().any(|one| one.slips);
+    let slips =
+        trial.lived.iter().any(Lived::is_for_pads) && trial.lived.iter().any(|one| one.slips);
     let verdict = if low >= needed_ratio && !slips {
         SlidingVerdict::No
     } else if high < needed_ratio || slips {
@@ -781,7 +1068,11 @@ fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
     } else {
         SlidingVerdict::Possible
     };
-    Sliding { verdict, friction_ratio: (low, high), is_stated: stated.is_some() }
+    Sliding {
+        verdict,
+        friction_ratio: (low, high),
+        is_stated: stated.is_some(),
+    }
 }
 
 /// Eqs. (5)–(7) about the governing axis, with the values of a world; `None` where it overturns or
@@ -816,7 +1107,9 @@ fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
         effective_mass_kg: landing.effective_mass_ratio * mass_kg,
         edge_acceleration_g: both.uplift_g,
         edge_acceleration_impact_velocity_g: both.impact_velocity_g,
-        velocity_change_m_s: 0.5 * (1.0 + lived.draw.rebound_restitution()) * shock.velocity_change_m_s,
+        velocity_change_m_s: 0.5
+            * (1.0 + lived.draw.rebound_restitution())
+            * shock.velocity_change_m_s,
         pulse_duration_s: shock.pulse_duration_s,
         uplift_m: one.rocking.uplift_m,
         demand_capacity_ratio: one.terms.map(|terms| terms.ratio()),
@@ -829,8 +1122,14 @@ fn clearance(trial: &Trial) -> Option<f64> {
         let geometry = &trial.subject.axes[i];
         match one.rocking.outcome {
             RockingOutcome::Overturned => geometry.height_m,
-            _ => crate::restraint::clearance_m(geometry.height_m, geometry.side_m, one.rocking.peak_rotation_rad),
+            _ => crate::restraint::clearance_m(
+                geometry.height_m,
+                geometry.side_m,
+                one.rocking.peak_rotation_rad,
+            ),
         }
     };
-    followed(trial).flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>()).reduce(f64::max)
+    followed(trial)
+        .flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>())
+        .reduce(f64::max)
 }

@@ -23,25 +23,42 @@ pub(super) fn before_walls(
     assessed: &[Assessment],
 ) -> Result<Vec<Option<BeforeWall>>, Problems> {
     let mut found: Vec<Option<BeforeWall>> = trials.iter().map(|_| None).collect();
-    let wanting =
-        trials.iter().zip(assessed).enumerate().filter(|(_, (trial, found))| is_wanted(context, trial, found));
+    let wanting = trials
+        .iter()
+        .zip(assessed)
+        .enumerate()
+        .filter(|(_, (trial, found))| is_wanted(context, trial, found));
     let wanting = wanting.map(|(place, (trial, _))| (trial.worlds(), place));
     for (worlds, places) in grouped(wanting) {
-        let tried: Vec<Trial> = places.iter().flat_map(|&place| before(context, &trials[place])).collect();
-        let lived = lived_in(context, 0..worlds, &tried.iter().collect::<Vec<_>>(), Change::None)?;
+        let tried: Vec<Trial> = places
+            .iter()
+            .flat_map(|&place| before(context, &trials[place]))
+            .collect();
+        let lived = lived_in(
+            context,
+            0..worlds,
+            &tried.iter().collect::<Vec<_>>(),
+            Change::None,
+        )?;
         let mut falls = tried.into_iter().zip(lived).map(|(mut tried, lived)| {
             tried.lived = lived;
             tried.probability(context, Question::Falls, Model::Rigid)
         });
         for place in places {
-            found[place] = falls.next().zip(falls.next()).map(|(touching, at_50_mm)| BeforeWall { touching, at_50_mm });
+            found[place] = falls
+                .next()
+                .zip(falls.next())
+                .map(|(touching, at_50_mm)| BeforeWall { touching, at_50_mm });
         }
     }
     Ok(found)
 }
 
 fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
-    let falls = found.answers.as_ref().is_some_and(|answers| answers.falls != FallsAnswer::Stays);
+    let falls = found
+        .answers
+        .as_ref()
+        .is_some_and(|answers| answers.falls != FallsAnswer::Stays);
     let has_wall = trial.member.item.surroundings.wall_gap_m.is_some();
     found.decision == Decision::Restrain
         && falls
@@ -55,7 +72,13 @@ fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
 
 fn before<'a>(context: &'a Context, trial: &Trial<'a>) -> [Trial<'a>; 2] {
     let around = &trial.member.item.surroundings;
-    GAPS_M.map(|gap_m| Trial::new(context, trial.member, trial.subject.before_wall(around, gap_m)))
+    GAPS_M.map(|gap_m| {
+        Trial::new(
+            context,
+            trial.member,
+            trial.subject.before_wall(around, gap_m),
+        )
+    })
 }
 
 /// What a wall would change, in a sentence.

@@ -17,20 +17,29 @@ use super::trial::{Question, Trial, live};
 pub(super) fn braked(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Braked>>, Problems> {
     let mut found: Vec<Option<Braked>> = trials.iter().map(|_| None).collect();
     let is_wanted = |trial: &Trial| {
-        !trial.member.item.is_round && !has_room(context, trial) && trial.side(context, Question::Falls) == Side::Below
+        !trial.member.item.is_round
+            && !has_room(context, trial)
+            && trial.side(context, Question::Falls) == Side::Below
     };
-    let places: Vec<usize> =
-        trials.iter().enumerate().filter(|(_, trial)| is_wanted(trial)).map(|(place, _)| place).collect();
+    let places: Vec<usize> = trials
+        .iter()
+        .enumerate()
+        .filter(|(_, trial)| is_wanted(trial))
+        .map(|(place, _)| place)
+        .collect();
     let locked = |place: &usize| {
         let trial = &trials[*place];
-        let subject = trial.subject.locked(&trial.member.item.surroundings, &context.study.assessment);
+        let subject = trial
+            .subject
+            .locked(&trial.member.item.surroundings, &context.study.assessment);
         Trial::new(context, trial.member, subject)
     };
     let mut locked: Vec<Trial> = places.iter().map(locked).collect();
     live(context, &mut locked)?;
     for (place, locked) in places.into_iter().zip(locked) {
         let answers = answers(context, &locked);
-        let is_hit = answers.asks_shock && matches!(answers.shock, ShockAnswer::Exceeded | ShockAnswer::Close);
+        let is_hit = answers.asks_shock
+            && matches!(answers.shock, ShockAnswer::Exceeded | ShockAnswer::Close);
         let stands = locked.side(context, Question::Falls) == Side::Below && !is_hit;
         found[place] = deciding(&answers, |model| Some(model.overturn)).map(|overturn| Braked {
             overturn,
@@ -48,7 +57,12 @@ fn has_room(context: &Context, trial: &Trial) -> bool {
 }
 
 /// The verdict of an object that would be left as it is but for its travel, and why.
-pub(super) fn decide(way: &Way, rolled: &Rolled, braked: &Braked, accepted_ratio: f64) -> (Decision, String) {
+pub(super) fn decide(
+    way: &Way,
+    rolled: &Rolled,
+    braked: &Braked,
+    accepted_ratio: f64,
+) -> (Decision, String) {
     let locked = match way {
         Way::Slides(_) => "Held in its place",
         _ => "Locked",
@@ -57,7 +71,9 @@ pub(super) fn decide(way: &Way, rolled: &Rolled, braked: &Braked, accepted_ratio
     let has = match (way, rolled.clearance_m) {
         (_, Some(clearance_m)) => format!("Its clearance is {} mm", number(1e3 * clearance_m, 6)),
         (Way::Slides(_), None) => {
-            let room_mm = way.room_m().map_or_else(String::new, |room_m| number(1e3 * room_m, 3));
+            let room_mm = way
+                .room_m()
+                .map_or_else(String::new, |room_m| number(1e3 * room_m, 3));
             format!("It slides farther than {room_mm} mm, the list gives no clearance")
         }
         (_, None) => "The list gives no clearance".to_owned(),
@@ -66,14 +82,26 @@ pub(super) fn decide(way: &Way, rolled: &Rolled, braked: &Braked, accepted_ratio
     let worlds = counted(braked.worlds as usize, "world");
     if braked.stands {
         let high = percent(braked.overturn.high);
-        return (Decision::Lock, format!("{room}. {locked}, at most {high} fall ({worlds})."));
+        return (
+            Decision::Lock,
+            format!("{room}. {locked}, at most {high} fall ({worlds})."),
+        );
     }
     let p = braked.overturn;
     let fate = if p.high < accepted_ratio {
         "its landings are too hard for it".to_owned()
     } else {
         let [value, low, high] = [p.value, p.low, p.high].map(percent);
-        format!("it falls in {value} ({} to {high}) of {worlds}", low.trim_end_matches(" %"))
+        format!(
+            "it falls in {value} ({} to {high}) of {worlds}",
+            low.trim_end_matches(" %")
+        )
     };
-    (Decision::Restrain, format!("{room}. Locking it is no remedy: {}, {fate}.", locked.to_lowercase()))
+    (
+        Decision::Restrain,
+        format!(
+            "{room}. Locking it is no remedy: {}, {fate}.",
+            locked.to_lowercase()
+        ),
+    )
 }

@@ -56,7 +56,10 @@ impl Terms {
         if self.lift.is_infinite() {
             return f64::INFINITY;
         }
-        self.edge().max(self.spectrum).max(self.lift).max(self.floor)
+        self.edge()
+            .max(self.spectrum)
+            .max(self.lift)
+            .max(self.floor)
     }
 
     /// The part of a peak or a damage boundary.
@@ -75,7 +78,9 @@ impl Terms {
             (self.lift, Criterion::EdgeLift),
             (self.floor, Criterion::FloorAcceleration),
         ];
-        let largest = parts.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most });
+        let largest = parts
+            .into_iter()
+            .reduce(|most, next| if next.0 > most.0 { next } else { most });
         largest.map_or(capacity.edge_criterion(), |(_, criterion)| criterion)
     }
 }
@@ -83,13 +88,21 @@ impl Terms {
 impl Capacity {
     /// `None`: the tolerance has no number that a shock can be compared with.
     pub(super) fn new(tolerance: &Tolerance) -> Option<Self> {
-        let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = *tolerance;
-        (peak_m_s2.is_some() || edge_lift_m.is_some() || velocity_change_m_s.is_some()).then(|| Self {
+        let Tolerance {
             peak_m_s2,
             duration_s,
             velocity_change_m_s,
             edge_lift_m,
-            decides: tolerance.confidence.decides(),
+            ..
+        } = *tolerance;
+        (peak_m_s2.is_some() || edge_lift_m.is_some() || velocity_change_m_s.is_some()).then(|| {
+            Self {
+                peak_m_s2,
+                duration_s,
+                velocity_change_m_s,
+                edge_lift_m,
+                decides: tolerance.confidence.decides(),
+            }
         })
     }
 
@@ -119,14 +132,24 @@ impl Capacity {
         floor_m_s2: f64,
         severity_ratio: impl Fn(f64) -> f64,
     ) -> Option<Terms> {
-        let lift = self.edge_lift_m.map_or(0.0, |survived_m| uplift_m / survived_m);
+        let lift = self
+            .edge_lift_m
+            .map_or(0.0, |survived_m| uplift_m / survived_m);
         let floor = self.peak_m_s2.map_or(0.0, |peak| floor_m_s2 / peak);
-        let still = Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor };
+        let still = Terms {
+            acceleration: 0.0,
+            velocity_change: f64::INFINITY,
+            spectrum: 0.0,
+            lift,
+            floor,
+        };
         if is_at_rest || !self.needs_shock() {
             return Some(still);
         }
         let demand = demand?;
-        let change = self.velocity_change_m_s.map(|limit| demand.velocity_change_m_s / limit);
+        let change = self
+            .velocity_change_m_s
+            .map(|limit| demand.velocity_change_m_s / limit);
         let peak = self.peak_m_s2.map(|peak| demand.edge_m_s2 / peak);
         // A peak that belongs to a damage boundary or a pulse is not a criterion by itself.
         let (acceleration, velocity_change) = match (peak, self.duration_s, change) {
@@ -137,7 +160,13 @@ impl Capacity {
         };
         let survived = peak.zip(self.duration_s);
         let spectrum = survived.map_or(0.0, |(peak, _)| peak * severity_ratio(demand.duration_s));
-        Some(Terms { acceleration, velocity_change, spectrum, lift, floor })
+        Some(Terms {
+            acceleration,
+            velocity_change,
+            spectrum,
+            lift,
+            floor,
+        })
     }
 
     /// Severity of a pulse of this duration over the tolerated pulse at the same peak; 1 where that
@@ -152,10 +181,22 @@ impl Capacity {
     /// In words: `5 g, 11 ms half-sine`.
     pub(super) fn words(&self) -> String {
         let mut words: Vec<String> = Vec::new();
-        words.extend(self.peak_m_s2.map(|peak| format!("{} g", number(peak / G0_M_S2, 4))));
-        words.extend(self.duration_s.map(|s| format!("{} ms half-sine", number(1e3 * s, 4))));
-        words.extend(self.velocity_change_m_s.map(|v| format!("{} m/s", number(v, 4))));
-        words.extend(self.edge_lift_m.map(|m| format!("uplift of {} mm", number(1e3 * m, 4))));
+        words.extend(
+            self.peak_m_s2
+                .map(|peak| format!("{} g", number(peak / G0_M_S2, 4))),
+        );
+        words.extend(
+            self.duration_s
+                .map(|s| format!("{} ms half-sine", number(1e3 * s, 4))),
+        );
+        words.extend(
+            self.velocity_change_m_s
+                .map(|v| format!("{} m/s", number(v, 4))),
+        );
+        words.extend(
+            self.edge_lift_m
+                .map(|m| format!("uplift of {} mm", number(1e3 * m, 4))),
+        );
         words.join(", ")
     }
 }
@@ -175,8 +216,17 @@ const TABLE_STEPS: usize = 2800;
 pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
     static TABLE: OnceLock<Vec<f64>> = OnceLock::new();
     let exact = |log_ratio: f64| {
-        let demand = HalfSine { peak_acceleration: 1.0, duration_s: log_ratio.exp() };
-        half_sine_severity_ratio(demand, HalfSine { peak_acceleration: 1.0, duration_s: 1.0 })
+        let demand = HalfSine {
+            peak_acceleration: 1.0,
+            duration_s: log_ratio.exp(),
+        };
+        half_sine_severity_ratio(
+            demand,
+            HalfSine {
+                peak_acceleration: 1.0,
+                duration_s: 1.0,
+            },
+        )
     };
     let width = 2.0 * TABLE_END / TABLE_STEPS as f64;
     let log_ratio = durations_ratio.ln();
@@ -184,8 +234,12 @@ pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
     if !(place >= 0.0 && place < TABLE_STEPS as f64) {
         return exact(log_ratio);
     }
-    let table =
-        TABLE.get_or_init(|| (0..=TABLE_STEPS).into_par_iter().map(|i| exact(-TABLE_END + width * i as f64)).collect());
+    let table = TABLE.get_or_init(|| {
+        (0..=TABLE_STEPS)
+            .into_par_iter()
+            .map(|i| exact(-TABLE_END + width * i as f64))
+            .collect()
+    });
     let (below, share) = (place.floor() as usize, place.fract());
     table[below] + share * (table[below + 1] - table[below])
 }
@@ -195,7 +249,12 @@ mod tests {
     use super::*;
     use crate::library::Confidence;
 
-    fn tolerance(peak_g: Option<f64>, duration_s: Option<f64>, change: Option<f64>, lift: Option<f64>) -> Tolerance {
+    fn tolerance(
+        peak_g: Option<f64>,
+        duration_s: Option<f64>,
+        change: Option<f64>,
+        lift: Option<f64>,
+    ) -> Tolerance {
         Tolerance {
             peak_m_s2: peak_g.map(|g| g * G0_M_S2),
             duration_s,
@@ -206,11 +265,23 @@ mod tests {
         }
     }
 
-    fn ratio(tolerance: &Tolerance, edge_g: f64, change: f64, duration_s: f64, lift_m: f64) -> (f64, Criterion) {
+    fn ratio(
+        tolerance: &Tolerance,
+        edge_g: f64,
+        change: f64,
+        duration_s: f64,
+        lift_m: f64,
+    ) -> (f64, Criterion) {
         let capacity = Capacity::new(tolerance).unwrap();
-        let demand = Demand { edge_m_s2: edge_g * G0_M_S2, velocity_change_m_s: change, duration_s };
+        let demand = Demand {
+            edge_m_s2: edge_g * G0_M_S2,
+            velocity_change_m_s: change,
+            duration_s,
+        };
         let severity = |duration_s: f64| capacity.severity_ratio(duration_s);
-        let terms = capacity.terms(Some(demand), false, lift_m, 0.3 * G0_M_S2, severity).unwrap();
+        let terms = capacity
+            .terms(Some(demand), false, lift_m, 0.3 * G0_M_S2, severity)
+            .unwrap();
         (terms.ratio(), terms.governing(&capacity))
     }
 
@@ -219,7 +290,10 @@ mod tests {
     #[test]
     fn a_boundary_is_an_and() {
         let disk = tolerance(Some(70.0), None, Some(0.874), None);
-        assert_eq!(ratio(&disk, 4.1, 0.5, 0.0178, 0.0), (4.1 / 70.0, Criterion::DamageBoundary));
+        assert_eq!(
+            ratio(&disk, 4.1, 0.5, 0.0178, 0.0),
+            (4.1 / 70.0, Criterion::DamageBoundary)
+        );
         let card = tolerance(Some(5.0), None, Some(0.343), None);
         let (both, name) = ratio(&card, 6.0, 0.7, 0.0178, 0.0);
         assert!((both - 1.2).abs() < 1e-12 && name == Criterion::DamageBoundary);
@@ -239,15 +313,52 @@ mod tests {
 
     #[test]
     fn alternatives_by_kind_of_data() {
-        assert_eq!(ratio(&tolerance(Some(5.0), None, None, None), 10.0, 1.0, 0.01, 0.02).0, 2.0);
+        assert_eq!(
+            ratio(
+                &tolerance(Some(5.0), None, None, None),
+                10.0,
+                1.0,
+                0.01,
+                0.02
+            )
+            .0,
+            2.0
+        );
         // The tolerated pulse itself; the table is exact at its node ln 1 = 0.
-        let (same, name) = ratio(&tolerance(Some(10.0), Some(0.011), None, None), 10.0, 1.0, 0.011, 0.02);
-        assert!((same - 1.0).abs() < 1e-9 && name == Criterion::Spectrum, "{same} {name:?}");
-        assert_eq!(ratio(&tolerance(None, None, None, Some(0.05)), 10.0, 1.0, 0.01, 0.1), (2.0, Criterion::EdgeLift));
+        let (same, name) = ratio(
+            &tolerance(Some(10.0), Some(0.011), None, None),
+            10.0,
+            1.0,
+            0.011,
+            0.02,
+        );
+        assert!(
+            (same - 1.0).abs() < 1e-9 && name == Criterion::Spectrum,
+            "{same} {name:?}"
+        );
+        assert_eq!(
+            ratio(
+                &tolerance(None, None, None, Some(0.05)),
+                10.0,
+                1.0,
+                0.01,
+                0.1
+            ),
+            (2.0, Criterion::EdgeLift)
+        );
         // A floor motion of 0.3 g under an object that withstands 0.2 g.
-        let (floor, name) = ratio(&tolerance(Some(0.2), None, None, None), 0.1, 0.01, 0.01, 0.0);
+        let (floor, name) = ratio(
+            &tolerance(Some(0.2), None, None, None),
+            0.1,
+            0.01,
+            0.01,
+            0.0,
+        );
         assert!((floor - 1.5).abs() < 1e-12 && name == Criterion::FloorAcceleration);
-        assert_eq!(Capacity::new(&tolerance(None, Some(0.011), None, None)), None);
+        assert_eq!(
+            Capacity::new(&tolerance(None, Some(0.011), None, None)),
+            None
+        );
     }
 
     /// Interpolated and exact values, between the nodes and at the kinks of the curve, differ by
@@ -256,10 +367,22 @@ mod tests {
     fn the_table_of_severities_is_within_its_bound() {
         for i in 0..200 {
             let log_ratio = -4.0 + 0.04 * f64::from(i) + 0.0049;
-            let demand = HalfSine { peak_acceleration: 1.0, duration_s: f64::exp(log_ratio) };
-            let exact = half_sine_severity_ratio(demand, HalfSine { peak_acceleration: 1.0, duration_s: 1.0 });
+            let demand = HalfSine {
+                peak_acceleration: 1.0,
+                duration_s: f64::exp(log_ratio),
+            };
+            let exact = half_sine_severity_ratio(
+                demand,
+                HalfSine {
+                    peak_acceleration: 1.0,
+                    duration_s: 1.0,
+                },
+            );
             let got = severity_ratio(log_ratio.exp());
-            assert!((got / exact - 1.0).abs() < 1e-3, "{log_ratio}: {got} {exact}");
+            assert!(
+                (got / exact - 1.0).abs() < 1e-3,
+                "{log_ratio}: {got} {exact}"
+            );
         }
     }
 
@@ -267,6 +390,9 @@ mod tests {
     fn a_fall_is_beyond_every_number() {
         assert_eq!(Terms::OVERTURNED.ratio(), f64::INFINITY);
         let capacity = Capacity::new(&tolerance(Some(5.0), None, None, None)).unwrap();
-        assert_eq!(Terms::OVERTURNED.governing(&capacity), Criterion::Overturning);
+        assert_eq!(
+            Terms::OVERTURNED.governing(&capacity),
+            Criterion::Overturning
+        );
     }
 }

@@ -29,7 +29,11 @@ const P58_BETA: f64 = 0.5;
 const P58_SHARE: f64 = 0.8;
 
 /// Largest friction that the rocking needs; `None` where the history fails.
-pub(super) fn friction_needed_ratio(block: &Block, base: Base, options: &RockingOptions) -> Option<f64> {
+pub(super) fn friction_needed_ratio(
+    block: &Block,
+    base: Base,
+    options: &RockingOptions,
+) -> Option<f64> {
     let mut largest = 0.0f64;
     let done = rock_observed(block, base, options, |segment| {
         largest = largest.max(segment.friction_needed_ratio());
@@ -41,7 +45,9 @@ impl Context<'_> {
     /// Comparisons with published numbers, one sentence each.
     pub(super) fn comparisons(&self, trial: &Trial, facts: &FloorFacts) -> Vec<String> {
         let mut lines = Vec::new();
-        if let (Some(target), Some(building)) = (self.study.ground.code_spectrum(), &self.study.building) {
+        if let (Some(target), Some(building)) =
+            (self.study.ground.code_spectrum(), &self.study.building)
+        {
             let question = PartsQuestion {
                 level_ratio: facts.level_ratio,
                 building_height_m: Some(building.height_m),
@@ -57,8 +63,16 @@ impl Context<'_> {
                 ));
             }
         }
-        if trial.lived.iter().any(|one| one.on_rigid().is_some_and(lifts)) {
-            let slender = trial.subject.axes.iter().map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
+        if trial
+            .lived
+            .iter()
+            .any(|one| one.on_rigid().is_some_and(lifts))
+        {
+            let slender = trial
+                .subject
+                .axes
+                .iter()
+                .map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
             let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
             lines.push(format!(
@@ -70,7 +84,11 @@ impl Context<'_> {
                 percent(p)
             ));
         }
-        let thresholds = trial.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
+        let thresholds = trial
+            .subject
+            .axes
+            .iter()
+            .map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
         lines.push(format!(
             "Uplift begins at {} g; the largest PFA of its floor is {} g.",
             number(thresholds.fold(f64::INFINITY, f64::min), 3),
@@ -97,9 +115,25 @@ pub(crate) fn restraint_of(
     subject: &Subject,
     floor_acceleration_g: Option<f64>,
 ) -> Vec<RestraintForce> {
-    let Some(mass_kg) = item.mass_kg else { return Vec::new() };
-    let blocks: Vec<(Axis, Block)> = subject.axes.iter().map(|axis| (axis.axis, axis.block)).collect();
+    let Some(mass_kg) = item.mass_kg else {
+        return Vec::new();
+    };
+    let blocks: Vec<(Axis, Block)> = subject
+        .axes
+        .iter()
+        .map(|axis| (axis.axis, axis.block))
+        .collect();
     let is_critical = item.consequences.life_safety == Some(Rating::High);
-    let object = HeldObject::new(mass_kg, subject.level_ratio, is_critical, Component::find(&item.item), &blocks);
-    restraint_forces(&RestraintQuestion::in_study(study, object, floor_acceleration_g))
+    let object = HeldObject::new(
+        mass_kg,
+        subject.level_ratio,
+        is_critical,
+        Component::find(&item.item),
+        &blocks,
+    );
+    restraint_forces(&RestraintQuestion::in_study(
+        study,
+        object,
+        floor_acceleration_g,
+    ))
 }

@@ -4,7 +4,8 @@ use freestand::decision::Side;
 
 use crate::output::words::listed;
 use crate::result::{
-    Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer, TooMild,
+    Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
+    TooMild,
 };
 use freestand_input::words::{counted, percent_significant};
 
@@ -51,18 +52,35 @@ pub(super) struct Case<'a> {
 
 /// The decision and its reason.
 pub(super) fn decide(case: &Case) -> (Decision, String) {
-    let Answers { falls, shock, asks_shock, .. } = *case.answers;
+    let Answers {
+        falls,
+        shock,
+        asks_shock,
+        ..
+    } = *case.answers;
     let falling = falling(case);
     if falls != FallsAnswer::Stays {
         return (Decision::Restrain, falling);
     }
     if !asks_shock {
-        return (Decision::Leave, format!("{falling} Only falling was assessed: {}.", only_falling(case)));
+        return (
+            Decision::Leave,
+            format!(
+                "{falling} Only falling was assessed: {}.",
+                only_falling(case)
+            ),
+        );
     }
     if shock == ShockAnswer::Unknown {
         let missing = listed(case.missing);
-        let verb = if case.missing.len() == 1 { "was" } else { "were" };
-        let why = format!("{falling} Whether a shock damages it is unknown, because its {missing} {verb} not given.");
+        let verb = if case.missing.len() == 1 {
+            "was"
+        } else {
+            "were"
+        };
+        let why = format!(
+            "{falling} Whether a shock damages it is unknown, because its {missing} {verb} not given."
+        );
         return (Decision::NoVerdict, why);
     }
     let shock_words = shock_words(case);
@@ -77,9 +95,10 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
     match (shock, case.softer) {
         (ShockAnswer::Stands, _) => (Decision::Leave, format!("{falling} {shock_words}")),
         (_, Some((true, note))) => (Decision::Soften, format!("{falling} {shock_words} {note}")),
-        (_, Some((false, note))) => {
-            (Decision::Restrain, format!("{falling} {shock_words} No softer pad is enough: {note}"))
-        }
+        (_, Some((false, note))) => (
+            Decision::Restrain,
+            format!("{falling} {shock_words} No softer pad is enough: {note}"),
+        ),
         (_, None) if case.governing == Some(Criterion::FloorAcceleration) => (
             Decision::Restrain,
             format!(
@@ -87,31 +106,54 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
                  it, and move it to a lower floor or isolate it."
             ),
         ),
-        (_, None) => {
-            (Decision::Restrain, format!("{falling} {shock_words} No softer pad helps: {}.", case.beyond_pads))
-        }
+        (_, None) => (
+            Decision::Restrain,
+            format!(
+                "{falling} {shock_words} No softer pad helps: {}.",
+                case.beyond_pads
+            ),
+        ),
     }
 }
 
 fn only_falling(case: &Case) -> &'static str {
-    if case.missing.contains(&"tolerance") { "no tolerance was given" } else { "nothing else was asked" }
+    if case.missing.contains(&"tolerance") {
+        "no tolerance was given"
+    } else {
+        "nothing else was asked"
+    }
 }
 
 /// The model with the larger upper end: the one that decides.
-pub(super) fn deciding(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>) -> Option<Probability> {
+pub(super) fn deciding(
+    answers: &Answers,
+    of: impl Fn(&ModelAnswers) -> Option<Probability>,
+) -> Option<Probability> {
     let both = [&answers.rigid, &answers.compliant].map(|model| model.as_ref().and_then(&of));
-    both.into_iter().flatten().reduce(|most, next| if next.high > most.high { next } else { most })
+    both.into_iter()
+        .flatten()
+        .reduce(|most, next| if next.high > most.high { next } else { most })
 }
 
 /// `8 % (6 to 11 %)`.
 fn spread(p: Probability) -> String {
-    format!("{} ({} to {})", percent(p.value), percent(p.low).replace(" %", ""), percent(p.high))
+    format!(
+        "{} ({} to {})",
+        percent(p.value),
+        percent(p.low).replace(" %", ""),
+        percent(p.high)
+    )
 }
 
 fn falling(case: &Case) -> String {
     let answers = case.answers;
-    let (worlds, limit) = (counted(answers.worlds as usize, "world"), percent(case.accepted_ratio));
-    let Some(p) = deciding(answers, |model| Some(model.overturn)) else { return String::new() };
+    let (worlds, limit) = (
+        counted(answers.worlds as usize, "world"),
+        percent(case.accepted_ratio),
+    );
+    let Some(p) = deciding(answers, |model| Some(model.overturn)) else {
+        return String::new();
+    };
     let models = both_words(answers, |model| Some(model.overturn), case.accepted_ratio);
     let hits = (p.value * f64::from(answers.worlds)).round();
     if let Some(why) = answers.too_mild {
@@ -123,27 +165,50 @@ fn falling(case: &Case) -> String {
         }
         // Whoever accepts that most fall is not told that it stands.
         FallsAnswer::Stays if p.value > 0.5 => {
-            format!("It falls in {} of {worlds}, and {limit} is accepted.{models}", spread(p))
+            format!(
+                "It falls in {} of {worlds}, and {limit} is accepted.{models}",
+                spread(p)
+            )
         }
         FallsAnswer::Stays => {
             let high = percent(p.high);
-            format!("It stays standing: at most {high} fall ({hits} of {worlds}; accepted {limit}).{models}")
+            format!(
+                "It stays standing: at most {high} fall ({hits} of {worlds}; accepted {limit}).{models}"
+            )
         }
         FallsAnswer::Falls => {
-            format!("It falls in {} of {worlds}, more than the accepted {limit}.{models}", spread(p))
+            format!(
+                "It falls in {} of {worlds}, more than the accepted {limit}.{models}",
+                spread(p)
+            )
         }
         FallsAnswer::Close => {
-            let few = answers.few_motions.as_ref().map_or_else(String::new, few_words);
-            let few = answers.worlds_needed.map_or(few, |needed| few_worlds(answers.worlds_cap, needed));
-            format!("It falls in {} of {worlds} against {limit}: too close to call.{few}{models}", spread(p))
+            let few = answers
+                .few_motions
+                .as_ref()
+                .map_or_else(String::new, few_words);
+            let few = answers
+                .worlds_needed
+                .map_or(few, |needed| few_worlds(answers.worlds_cap, needed));
+            format!(
+                "It falls in {} of {worlds} against {limit}: too close to call.{few}{models}",
+                spread(p)
+            )
         }
     }
 }
 
 /// What is known of an object that may fall where its calculation lets it stand.
 fn mild(why: TooMild, case: &Case, p: Probability) -> String {
-    let (worlds, limit) = (counted(case.answers.worlds as usize, "world"), percent(case.accepted_ratio));
-    let verdict = if case.answers.falls == FallsAnswer::Falls { "too often" } else { "too close to call" };
+    let (worlds, limit) = (
+        counted(case.answers.worlds as usize, "world"),
+        percent(case.accepted_ratio),
+    );
+    let verdict = if case.answers.falls == FallsAnswer::Falls {
+        "too often"
+    } else {
+        "too close to call"
+    };
     format!(
         "It is {}. In that calculation it falls in {} of {worlds} (accepted {limit}), and the real object may fall more \
          often: {verdict}.",
@@ -173,9 +238,15 @@ fn few_words(few: &FewMotions) -> String {
 }
 
 /// Both models, where they disagree.
-fn both_words(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>, accepted_ratio: f64) -> String {
-    let (Some(rigid), Some(pads)) = (answers.rigid.as_ref().and_then(&of), answers.compliant.as_ref().and_then(&of))
-    else {
+fn both_words(
+    answers: &Answers,
+    of: impl Fn(&ModelAnswers) -> Option<Probability>,
+    accepted_ratio: f64,
+) -> String {
+    let (Some(rigid), Some(pads)) = (
+        answers.rigid.as_ref().and_then(&of),
+        answers.compliant.as_ref().and_then(&of),
+    ) else {
         return String::new();
     };
     if (rigid.value > accepted_ratio) == (pads.value > accepted_ratio) {
@@ -191,18 +262,29 @@ fn both_words(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probabilit
 fn shock_words(case: &Case) -> String {
     let answers = case.answers;
     let limit = percent(case.accepted_ratio);
-    let Some(p) = deciding(answers, |model| model.exceed) else { return String::new() };
+    let Some(p) = deciding(answers, |model| model.exceed) else {
+        return String::new();
+    };
     let what = governing_words(case.governing);
     let models = both_words(answers, |model| model.exceed, case.accepted_ratio);
     match answers.shock {
         ShockAnswer::Stands => {
-            format!("{what} in at most {} of the worlds (accepted {limit}).{models}", percent(p.high))
+            format!(
+                "{what} in at most {} of the worlds (accepted {limit}).{models}",
+                percent(p.high)
+            )
         }
         ShockAnswer::Exceeded => {
-            format!("{what} in {} of the worlds, more than the accepted {limit}.{models}", spread(p))
+            format!(
+                "{what} in {} of the worlds, more than the accepted {limit}.{models}",
+                spread(p)
+            )
         }
         ShockAnswer::Close => {
-            format!("{what} in {} of the worlds against {limit}: too close to call.{models}", spread(p))
+            format!(
+                "{what} in {} of the worlds against {limit}: too close to call.{models}",
+                spread(p)
+            )
         }
         ShockAnswer::Unknown => String::new(),
     }
@@ -223,7 +305,11 @@ fn governing_words(governing: Option<Criterion>) -> &'static str {
 
 /// A share in percent; below 0.01 % its digits mean nothing.
 pub(super) fn percent(share: f64) -> String {
-    if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { percent_significant(share, 2) }
+    if share > 0.0 && share < 1e-4 {
+        "under 0.01 %".to_owned()
+    } else {
+        percent_significant(share, 2)
+    }
 }
 
 #[cfg(test)]
@@ -235,7 +321,10 @@ mod tests {
     }
 
     fn answers(falls: FallsAnswer, shock: ShockAnswer) -> Answers {
-        let model = ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) };
+        let model = ModelAnswers {
+            overturn: p(0.0, 0.0, 0.014),
+            exceed: Some(p(0.04, 0.02, 0.07)),
+        };
         Answers {
             falls,
             shock,
@@ -273,22 +362,50 @@ mod tests {
         use FallsAnswer::{Close, Falls, Stays};
         let decided = |falls, shock, softer, decides| {
             let answers = answers(falls, shock);
-            decide(&Case { softer, decides, ..case(&answers) }).0
+            decide(&Case {
+                softer,
+                decides,
+                ..case(&answers)
+            })
+            .0
         };
-        for shock in [ShockAnswer::Stands, ShockAnswer::Exceeded, ShockAnswer::Close, ShockAnswer::Unknown] {
+        for shock in [
+            ShockAnswer::Stands,
+            ShockAnswer::Exceeded,
+            ShockAnswer::Close,
+            ShockAnswer::Unknown,
+        ] {
             assert_eq!(decided(Falls, shock, None, true), Decision::Restrain);
             assert_eq!(decided(Close, shock, None, true), Decision::Restrain);
         }
-        assert_eq!(decided(Stays, ShockAnswer::Stands, None, true), Decision::Leave);
-        assert_eq!(decided(Stays, ShockAnswer::Unknown, None, true), Decision::NoVerdict);
+        assert_eq!(
+            decided(Stays, ShockAnswer::Stands, None, true),
+            Decision::Leave
+        );
+        assert_eq!(
+            decided(Stays, ShockAnswer::Unknown, None, true),
+            Decision::NoVerdict
+        );
         for shock in [ShockAnswer::Exceeded, ShockAnswer::Close] {
             assert_eq!(decided(Stays, shock, None, true), Decision::Restrain);
-            assert_eq!(decided(Stays, shock, Some((true, "")), true), Decision::Soften);
-            assert_eq!(decided(Stays, shock, Some((false, "")), true), Decision::Restrain);
+            assert_eq!(
+                decided(Stays, shock, Some((true, "")), true),
+                Decision::Soften
+            );
+            assert_eq!(
+                decided(Stays, shock, Some((false, "")), true),
+                Decision::Restrain
+            );
             assert_eq!(decided(Stays, shock, None, false), Decision::NoVerdict);
         }
-        let only = Answers { asks_shock: false, ..answers(Stays, ShockAnswer::Unknown) };
-        let (decision, why) = decide(&Case { missing: &["tolerance"], ..case(&only) });
+        let only = Answers {
+            asks_shock: false,
+            ..answers(Stays, ShockAnswer::Unknown)
+        };
+        let (decision, why) = decide(&Case {
+            missing: &["tolerance"],
+            ..case(&only)
+        });
         assert_eq!(decision, Decision::Leave);
         assert_eq!(
             why,
@@ -301,22 +418,39 @@ mod tests {
     fn too_few_motions_are_said_with_how_many_would_do() {
         let why = |few_motions| {
             let close = answers(FallsAnswer::Close, ShockAnswer::Unknown);
-            decide(&case(&Answers { few_motions, ..close })).1
+            decide(&case(&Answers {
+                few_motions,
+                ..close
+            }))
+            .1
         };
         let said = why(FewMotions::of(3, Some(44)));
         assert!(
-            said.contains("3 motions are too few to leave it as it is") && said.contains("at least 44 would do"),
+            said.contains("3 motions are too few to leave it as it is")
+                && said.contains("at least 44 would do"),
             "{said}"
         );
         assert!(why(FewMotions::of(1, None)).contains("1 motion is too few"));
-        assert_eq!((FewMotions::of(44, Some(44)), FewMotions::of(43, Some(44)).is_some()), (None, true));
+        assert_eq!(
+            (
+                FewMotions::of(44, Some(44)),
+                FewMotions::of(43, Some(44)).is_some()
+            ),
+            (None, true)
+        );
     }
 
     #[test]
     fn models_that_disagree_are_both_told() {
         let both = Answers {
-            rigid: Some(ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) }),
-            compliant: Some(ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.31, 0.25, 0.37)) }),
+            rigid: Some(ModelAnswers {
+                overturn: p(0.0, 0.0, 0.014),
+                exceed: Some(p(0.04, 0.02, 0.07)),
+            }),
+            compliant: Some(ModelAnswers {
+                overturn: p(0.0, 0.0, 0.014),
+                exceed: Some(p(0.31, 0.25, 0.37)),
+            }),
             ..answers(FallsAnswer::Stays, ShockAnswer::Exceeded)
         };
         let (_, why) = decide(&case(&both));

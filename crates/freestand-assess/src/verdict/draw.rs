@@ -6,8 +6,8 @@ use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probabili
 use freestand::rocking::Restitution;
 use freestand::wall::Walls;
 use freestand::worlds::{
-    Group, WallDraw, is_first_side_along_x, object_stream, restitution_at, restitution_draw, wall_draw,
-    wall_restitution_at,
+    Group, WallDraw, is_first_side_along_x, object_stream, restitution_at, restitution_draw,
+    wall_draw, wall_restitution_at,
 };
 use sha2::{Digest, Sha256};
 
@@ -47,7 +47,10 @@ pub(super) struct Draw {
 /// their places.
 pub(super) fn key(text: &str) -> u64 {
     let digest = Sha256::digest(text.as_bytes());
-    digest.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
+    digest
+        .iter()
+        .take(8)
+        .fold(0, |key, byte| key << 8 | u64::from(*byte))
 }
 
 /// What is different from the draw of the world itself.
@@ -71,7 +74,10 @@ impl Change {
     /// Whether an object on its pads lives on as it did in the worlds without a change: no impact of a
     /// rigid base loses energy there.
     pub(super) fn leaves_pads(self) -> bool {
-        matches!(self, Self::Again(Group::Restitution) | Self::At(Group::Restitution, _))
+        matches!(
+            self,
+            Self::Again(Group::Restitution) | Self::At(Group::Restitution, _)
+        )
     }
 
     /// The number of standard deviations of a group, where that is fixed.
@@ -84,9 +90,30 @@ impl Change {
 }
 
 /// The draw of an object, given by its [`key`], in a world.
-pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u32, change: Change) -> Draw {
-    let stream = |group: Group| object_stream(settings.seed, world, object, group, change.repetition(group));
-    let Spread { restitution, stiffness, mass, geometry, model, compliant } = settings.spread;
+pub(super) fn draw(
+    settings: &Settings,
+    subject: &Subject,
+    object: u64,
+    world: u32,
+    change: Change,
+) -> Draw {
+    let stream = |group: Group| {
+        object_stream(
+            settings.seed,
+            world,
+            object,
+            group,
+            change.repetition(group),
+        )
+    };
+    let Spread {
+        restitution,
+        stiffness,
+        mass,
+        geometry,
+        model,
+        compliant,
+    } = settings.spread;
 
     // One random number for both axes: they land on the same floor.
     let normal = change.normal(Group::Restitution).map(|normal| -normal);
@@ -100,7 +127,11 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
     let restitution = [0, 1].map(|axis| subject.axes.get(axis).map_or(0.0, of_axis));
 
     let mut random = stream(Group::Pad);
-    let own = subject.body.as_ref().and_then(|body| body.stiffness_spread).unwrap_or(stiffness);
+    let own = subject
+        .body
+        .as_ref()
+        .and_then(|body| body.stiffness_spread)
+        .unwrap_or(stiffness);
     let (low, high) = settings.pad_damping_ratio;
     let measured = subject.body.as_ref().and_then(|body| body.damping_ratio);
     let mut stiffness = lognormal_draw(&mut random, 1.0, own);
@@ -120,7 +151,11 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
     random = stream(Group::Body);
     let mut next = |spread: f64| lognormal_draw(&mut random, 1.0, spread);
     let of_mass = mass;
-    let (mut mass, mut heights, mut sides) = (next(of_mass), next(geometry), [next(geometry), next(geometry)]);
+    let (mut mass, mut heights, mut sides) = (
+        next(of_mass),
+        next(geometry),
+        [next(geometry), next(geometry)],
+    );
     let mut upper = [next(of_mass), next(geometry), next(geometry)];
     if let Some(normal) = change.normal(Group::Body) {
         mass = (of_mass * normal).exp();
@@ -154,7 +189,10 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         model,
         compliant,
         friction_ratio,
-        wall: subject.way.walls().map(|_| wall(settings, object, world, change)),
+        wall: subject
+            .way
+            .walls()
+            .map(|_| wall(settings, object, world, change)),
         upper,
     }
 }
@@ -162,11 +200,20 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
 /// Restitution at the wall is one of the restitutions: what an answer depends on counts both
 /// together.
 fn wall(settings: &Settings, object: u64, world: u32, change: Change) -> WallDraw {
-    let drawn = wall_draw(settings.seed, world, object, change.repetition(Group::Restitution));
+    let drawn = wall_draw(
+        settings.seed,
+        world,
+        object,
+        change.repetition(Group::Restitution),
+    );
     match change.normal(Group::Restitution) {
         Some(normal) => {
-            let restitution_ratio = wall_restitution_at(lognormal_probability(normal.exp(), 1.0, 1.0));
-            WallDraw { restitution_ratio, ..drawn }
+            let restitution_ratio =
+                wall_restitution_at(lognormal_probability(normal.exp(), 1.0, 1.0));
+            WallDraw {
+                restitution_ratio,
+                ..drawn
+            }
         }
         None => drawn,
     }
@@ -175,7 +222,9 @@ fn wall(settings: &Settings, object: u64, world: u32, change: Change) -> WallDra
 /// The restitution of the unchanged block, about which it is drawn: so an uncertain height does not
 /// count twice. The larger of both edges.
 fn median_restitution(restitution: Restitution, block: &Block) -> f64 {
-    restitution.ratios(block).map_or(0.0, |[one, other]| one.max(other))
+    restitution
+        .ratios(block)
+        .map_or(0.0, |[one, other]| one.max(other))
 }
 
 impl Draw {
@@ -183,18 +232,34 @@ impl Draw {
     pub(super) fn block(&self, subject: &Subject, axis: usize) -> Option<(Block, Restitution)> {
         let geometry: &AxisGeometry = subject.axes.get(axis)?;
         let block = geometry.scaled(self.heights, self.sides.get(axis).copied().unwrap_or(1.0));
-        Some((block, Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0))))
+        Some((
+            block,
+            Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0)),
+        ))
     }
 
     /// The same with the sizes and masses of the list.
     pub(super) fn without_factors(self) -> Self {
-        Self { heights: 1.0, sides: [1.0; 2], mass: 1.0, stiffness: 1.0, upper: [1.0; 3], ..self }
+        Self {
+            heights: 1.0,
+            sides: [1.0; 2],
+            mass: 1.0,
+            stiffness: 1.0,
+            upper: [1.0; 3],
+            ..self
+        }
     }
 
     /// What stands beside the object in the plane of an axis.
     pub(super) fn walls(&self, subject: &Subject, axis: usize) -> Walls {
-        let beside = subject.way.walls().zip(self.wall.as_ref()).zip(subject.axes.get(axis));
-        beside.map_or(Walls::NONE, |((beside, drawn), geometry)| beside.walls(geometry.axis, drawn))
+        let beside = subject
+            .way
+            .walls()
+            .zip(self.wall.as_ref())
+            .zip(subject.axes.get(axis));
+        beside.map_or(Walls::NONE, |((beside, drawn), geometry)| {
+            beside.walls(geometry.axis, drawn)
+        })
     }
 
     /// Whether an axis moves under the component along x.
@@ -210,27 +275,38 @@ impl Draw {
     /// Mass \[kg\] and cushion under one edge; `None` where they are not known.
     pub(super) fn body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
         let body = subject.body.as_ref()?;
-        Some((body.mass_kg * self.mass, body.cushion.times(self.stiffness).ok()?))
+        Some((
+            body.mass_kg * self.mass,
+            body.cushion.times(self.stiffness).ok()?,
+        ))
     }
 
     /// Mass \[kg\] and damped cushion under one edge; `None` where they are not known.
     pub(super) fn damped_body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
         let (mass_kg, cushion) = self.body(subject)?;
         // A law that is not a spring brings its own damping.
-        let damped = cushion.linear_stiffness_n_m().and_then(|stiffness_n_m| self.damped(stiffness_n_m, mass_kg));
+        let damped = cushion
+            .linear_stiffness_n_m()
+            .and_then(|stiffness_n_m| self.damped(stiffness_n_m, mass_kg));
         Some((mass_kg, damped.unwrap_or(cushion)))
     }
 
     /// A spring with the damping ratio of the pads.
     pub(super) fn damped(&self, stiffness_n_m: f64, mass_kg: f64) -> Option<Cushion> {
         let damping_n_s_m = self.pad_damping_n_s_m(stiffness_n_m, mass_kg);
-        Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).ok()
+        Cushion::new(ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        })
+        .ok()
     }
 
     /// Height and side in the plane of an axis \[m\].
     pub(super) fn size_m(&self, subject: &Subject, axis: usize) -> (f64, f64) {
         let factor = self.sides.get(axis).copied().unwrap_or(1.0);
-        subject.axes.get(axis).map_or((0.0, 0.0), |one| (one.height_m * self.heights, one.side_m * factor))
+        subject.axes.get(axis).map_or((0.0, 0.0), |one| {
+            (one.height_m * self.heights, one.side_m * factor)
+        })
     }
 
     /// c = 2 ζ √(k m) of the pads under one edge \[N s/m\].
@@ -248,9 +324,11 @@ impl Draw {
 /// The damping ratio c/(2√(k m)) that a cushion brings with it.
 pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> {
     match *cushion.law() {
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-            Some(damping_n_s_m / (2.0 * (stiffness_n_m * mass_kg).sqrt())).filter(|ratio| *ratio > 0.0)
-        }
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        } => Some(damping_n_s_m / (2.0 * (stiffness_n_m * mass_kg).sqrt()))
+            .filter(|ratio| *ratio > 0.0),
         _ => None,
     }
 }

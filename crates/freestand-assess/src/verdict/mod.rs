@@ -73,8 +73,18 @@ impl<'a> Context<'a> {
         rows: usize,
         wants_to_stop: &'a (dyn Fn() -> bool + Sync),
     ) -> Self {
-        let wants_shares = study.assessment.worlds.shares.unwrap_or(rows <= MAX_ROWS_WITH_SHARES);
-        Self { study, worlds, wants_shares, wants_to_stop, histories: AtomicU64::new(0) }
+        let wants_shares = study
+            .assessment
+            .worlds
+            .shares
+            .unwrap_or(rows <= MAX_ROWS_WITH_SHARES);
+        Self {
+            study,
+            worlds,
+            wants_shares,
+            wants_to_stop,
+            histories: AtomicU64::new(0),
+        }
     }
 
     /// Rocking histories that were computed.
@@ -84,12 +94,17 @@ impl<'a> Context<'a> {
 
     /// Counts histories that were computed.
     fn count(&self, histories: usize) {
-        self.histories.fetch_add(histories as u64, Ordering::Relaxed);
+        self.histories
+            .fetch_add(histories as u64, Ordering::Relaxed);
     }
 
     /// An error where the run is to stop.
     pub(crate) fn go_on(&self) -> Result<(), Problems> {
-        if (self.wants_to_stop)() { Err(Problem::stopped().into()) } else { Ok(()) }
+        if (self.wants_to_stop)() {
+            Err(Problem::stopped().into())
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -108,14 +123,22 @@ impl<'a> Member<'a> {
     pub(crate) fn new(item: &'a Item, subject: Subject, settings: &Settings) -> Self {
         let (accepted_ratio, _) = accepted(item, settings);
         let asks_shock = asks_shock(item, settings.questions);
-        Self { item, subject, accepted_ratio, asks_shock, key: draw::key(&item.id) }
+        Self {
+            item,
+            subject,
+            accepted_ratio,
+            asks_shock,
+            key: draw::key(&item.id),
+        }
     }
 }
 
 /// Whether the verdict of a row rests on shocks too: as it says, as the study says, or where it has
 /// a tolerance or its function or the property is rated high.
 fn asks_shock(item: &Item, of_study: Option<Questions>) -> bool {
-    let Consequences { function, property, .. } = item.consequences;
+    let Consequences {
+        function, property, ..
+    } = item.consequences;
     let is_high = [function, property].contains(&Some(Rating::High));
     match item.questions.or(of_study) {
         Some(questions) => questions == Questions::FallsAndShock,
@@ -148,14 +171,23 @@ pub(crate) fn assess_one(
     let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
     let trial = trials.first().ok_or_else(nothing)?;
     let tally = tally::tally(context, trial);
-    let shown = follow.map(|follow| followed::shown(context, trial, follow)).transpose()?.flatten();
-    Ok((assessed(context, &trials)?.pop().ok_or_else(nothing)?, tally, shown))
+    let shown = follow
+        .map(|follow| followed::shown(context, trial, follow))
+        .transpose()?
+        .flatten();
+    Ok((
+        assessed(context, &trials)?.pop().ok_or_else(nothing)?,
+        tally,
+        shown,
+    ))
 }
 
 /// Objects in as many worlds as their questions need.
 fn lived<'a>(context: &Context, members: &'a [Member<'a>]) -> Result<Vec<Trial<'a>>, Problems> {
-    let mut trials: Vec<Trial> =
-        members.iter().map(|member| Trial::new(context, member, member.subject.clone())).collect();
+    let mut trials: Vec<Trial> = members
+        .iter()
+        .map(|member| Trial::new(context, member, member.subject.clone()))
+        .collect();
     trial::live(context, &mut trials)?;
     Ok(trials)
 }
@@ -180,7 +212,11 @@ fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Prob
     let mut done: Vec<Assessment> = done.into_iter().collect::<Result<_, _>>()?;
     let before = before_wall::before_walls(context, trials, &done)?;
     for (assessed, before) in done.iter_mut().zip(before) {
-        assessed.why.extend(before.iter().map(|before| before_wall::words(before, assessed.accepted_ratio)));
+        assessed.why.extend(
+            before
+                .iter()
+                .map(|before| before_wall::words(before, assessed.accepted_ratio)),
+        );
         assessed.before_wall = before;
     }
     Ok(done)
@@ -227,15 +263,29 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
 
 /// How the row was read, and what was assumed where it is silent.
 fn notes(item: &Item) -> Vec<String> {
-    let mut notes: Vec<String> = item.cushion.iter().flat_map(|edge| edge.notes.clone()).collect();
-    notes.extend(item.cushion_source.iter().map(|source| format!("Cushion: {source}.")));
-    notes.extend(item.doubts.iter().map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())));
+    let mut notes: Vec<String> = item
+        .cushion
+        .iter()
+        .flat_map(|edge| edge.notes.clone())
+        .collect();
+    notes.extend(
+        item.cushion_source
+            .iter()
+            .map(|source| format!("Cushion: {source}.")),
+    );
+    notes.extend(
+        item.doubts
+            .iter()
+            .map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())),
+    );
     if item.surroundings.upper.is_some() {
         let note = match item.surroundings.casters {
             Some(Casters::Free) => {
                 "Another object stands on it: both are followed on pads, as if its casters were held, which is the harder case."
             }
-            _ => "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass.",
+            _ => {
+                "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass."
+            }
         };
         notes.push(note.to_owned());
     }

@@ -60,8 +60,14 @@ pub(crate) struct NominalRun {
 impl NominalRun {
     /// Of two models of the same object, what the worse one says.
     fn worse(self, other: Self) -> Self {
-        let class = if other.class.index() > self.class.index() { other.class } else { self.class };
-        let lifted = [self, other].into_iter().filter(|one| one.class != OutcomeClass::NoUplift);
+        let class = if other.class.index() > self.class.index() {
+            other.class
+        } else {
+            self.class
+        };
+        let lifted = [self, other]
+            .into_iter()
+            .filter(|one| one.class != OutcomeClass::NoUplift);
         // A shock that one of them does not know is above all that the other one finds.
         let shocks_g: Option<Vec<f64>> = lifted.map(|one| one.edge_acceleration_g).collect();
         // The rotation of a model that keeps it upright says nothing where it overturns.
@@ -70,7 +76,8 @@ impl NominalRun {
         Self {
             class,
             rotation_ratio: turned.filter_map(|one| one.rotation_ratio).reduce(f64::max),
-            edge_acceleration_g: shocks_g.and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max)),
+            edge_acceleration_g: shocks_g
+                .and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max)),
         }
     }
 }
@@ -88,7 +95,8 @@ impl Nominal {
             let verb = if missing.len() == 1 { "is" } else { "are" };
             format!("its {} {verb} not given", listed(&missing))
         })?;
-        let threshold = |axis: &AxisGeometry| RockingModel::Rigid.uplift_threshold_ratio(&axis.block);
+        let threshold =
+            |axis: &AxisGeometry| RockingModel::Rigid.uplift_threshold_ratio(&axis.block);
         let axes = subject.axes.iter().enumerate();
         let first = axes.min_by(|a, b| threshold(a.1).total_cmp(&threshold(b.1)));
         match first.map(|(axis, geometry)| (axis, geometry.block)) {
@@ -128,10 +136,21 @@ impl Nominal {
 
     /// `first`: the axis about which it lifts first, which is the one that moves along x.
     fn of((first, block): (usize, Block), subject: Subject, key: u64, settings: &Settings) -> Self {
-        let spread = Spread { restitution: 0.0, stiffness: 0.0, mass: 0.0, geometry: 0.0, model: 0.0, compliant: 0.0 };
-        let settings = Settings { spread, ..settings.clone() };
+        let spread = Spread {
+            restitution: 0.0,
+            stiffness: 0.0,
+            mass: 0.0,
+            geometry: 0.0,
+            model: 0.0,
+            compliant: 0.0,
+        };
+        let settings = Settings {
+            spread,
+            ..settings.clone()
+        };
         // The middle of what an assessment draws for its pads and its friction.
-        let mut draw = draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
+        let mut draw =
+            draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
         draw.is_thickness_along_x = first == 0;
         let body = draw.body(&subject);
         Self {
@@ -148,12 +167,19 @@ impl Nominal {
 
     /// The same on a rigid base alone, where it rocks on one: its shocks then follow from its uplift.
     pub(crate) fn without_pads(self) -> Self {
-        Self { with_pads: false, ..self }
+        Self {
+            with_pads: false,
+            ..self
+        }
     }
 
     /// Why it may fail where its runs let it stand; `None`: they are not known to be too mild.
     pub(crate) fn too_mild(&self) -> Option<TooMild> {
-        self.subject.way.glides().map(|_| TooMild::Glides).or(self.subject.too_mild)
+        self.subject
+            .way
+            .glides()
+            .map(|_| TooMild::Glides)
+            .or(self.subject.too_mild)
     }
 
     /// Whether it has a tolerance that can be compared.
@@ -161,11 +187,15 @@ impl Nominal {
         let has_shock = || match self.subject.way.glides() {
             // What rolls or slides is struck by its stop alone.
             Some(gliding) => {
-                gliding.clearance_m.is_none() || gliding.stop_stiffness_n_m.is_some() && self.subject.mass_kg.is_some()
+                gliding.clearance_m.is_none()
+                    || gliding.stop_stiffness_n_m.is_some() && self.subject.mass_kg.is_some()
             }
             None => self.body.is_some(),
         };
-        self.subject.capacity.as_ref().is_some_and(|capacity| !capacity.needs_shock() || has_shock())
+        self.subject
+            .capacity
+            .as_ref()
+            .is_some_and(|capacity| !capacity.needs_shock() || has_shock())
     }
 
     /// Whether the shock of its landings is known, however it follows from its motion in a plane.
@@ -175,7 +205,12 @@ impl Nominal {
 
     /// Whether its tolerance is compared with a shock.
     pub(crate) fn compares_shock(&self) -> bool {
-        self.has_shock() && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
+        self.has_shock()
+            && self
+                .subject
+                .capacity
+                .as_ref()
+                .is_some_and(Capacity::needs_shock)
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
@@ -188,17 +223,25 @@ impl Nominal {
     /// # Errors
     /// Why the shock alone does not decide whether the tolerance is exceeded, in words.
     pub(crate) fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
-        let capacity = self.subject.capacity.as_ref().ok_or("it has no tolerance")?;
+        let capacity = self
+            .subject
+            .capacity
+            .as_ref()
+            .ok_or("it has no tolerance")?;
         if !self.follows_uplift() {
             return Err("its shocks are not those of an uplift on a rigid base");
         }
         let without = match self.body {
-            Some(_) => "its cushion bottoms in a landing from the balance point, so that its shocks have no ceiling",
+            Some(_) => {
+                "its cushion bottoms in a landing from the balance point, so that its shocks have no ceiling"
+            }
             None => "its mass or its cushion is not known",
         };
         let ceiling_g = self.ceiling_g().ok_or(without)?;
         match (capacity.edge_criterion(), capacity.peak_m_s2) {
-            (Criterion::Peak, Some(peak)) if capacity.edge_lift_m.is_none() => Ok((peak / G0_M_S2, ceiling_g)),
+            (Criterion::Peak, Some(peak)) if capacity.edge_lift_m.is_none() => {
+                Ok((peak / G0_M_S2, ceiling_g))
+            }
             _ => Err("its tolerance is not a peak acceleration alone"),
         }
     }
@@ -208,10 +251,21 @@ impl Nominal {
     pub(crate) fn ceiling_g(&self) -> Option<f64> {
         let (mass_kg, cushion) = self.body.as_ref().filter(|_| self.follows_uplift())?;
         let shock_g = |landing: Landing| {
-            landing.edge_acceleration_m_s2(*mass_kg, cushion, landing.pivot.balance_rise_m(), G0_M_S2) / G0_M_S2
+            landing.edge_acceleration_m_s2(
+                *mass_kg,
+                cushion,
+                landing.pivot.balance_rise_m(),
+                G0_M_S2,
+            ) / G0_M_S2
         };
         let both = |axis: &AxisGeometry| landings(&axis.block, ImpactModel::Paper);
-        let shocks_g: Vec<f64> = self.subject.axes.iter().flat_map(both).map(shock_g).collect();
+        let shocks_g: Vec<f64> = self
+            .subject
+            .axes
+            .iter()
+            .flat_map(both)
+            .map(shock_g)
+            .collect();
         let is_known = shocks_g.iter().all(|shock_g| *shock_g <= BEYOND_ALL_G);
         is_known.then(|| shocks_g.into_iter().fold(0.0, f64::max))
     }
@@ -241,32 +295,55 @@ impl Nominal {
         };
         let mut draw = self.draw;
         draw.wall = draw.wall.map(side);
-        let lived = self.lived(Drawn { subject: &self.subject, draw: &draw }, floors);
-        lived.into_iter().map(|lived| self.run(&lived, rotation_ratio)).collect()
+        let lived = self.lived(
+            Drawn {
+                subject: &self.subject,
+                draw: &draw,
+            },
+            floors,
+        );
+        lived
+            .into_iter()
+            .map(|lived| self.run(&lived, rotation_ratio))
+            .collect()
     }
 
     /// A model that cannot follow it, as on pads that bottom, leaves the answer to the other one.
     fn run(&self, lived: &Lived, rotation_ratio: Option<f64>) -> Result<NominalRun, String> {
         let rigid = lived.on_rigid().filter(|_| !lived.is_for_pads());
         let rigid = rigid.map(|axes| self.on_rigid(axes, rotation_ratio));
-        let pads = lived.on_pads().map(|axes| self.on_pads(axes, rotation_ratio));
+        let pads = lived
+            .on_pads()
+            .map(|axes| self.on_pads(axes, rotation_ratio));
         let why = || match (&lived.rigid, &lived.pads) {
             (Some(Err(lost)), _) => lost.why().to_owned(),
             (_, Some(Err(why))) => why.clone(),
             _ => "no model follows it".to_owned(),
         };
-        rigid.into_iter().chain(pads).reduce(NominalRun::worse).ok_or_else(why)
+        rigid
+            .into_iter()
+            .chain(pads)
+            .reduce(NominalRun::worse)
+            .ok_or_else(why)
     }
 
     /// Under each motion by every model that is asked.
     fn lived(&self, one: Drawn<'_>, floors: &[FloorOfWorld]) -> Vec<Lived> {
         let Drawn { subject, draw } = one;
-        let [asks_rigid, asks_pads] = [Model::Rigid, Model::Pads].map(|model| subject.asks(model, self.with_pads));
+        let [asks_rigid, asks_pads] =
+            [Model::Rigid, Model::Pads].map(|model| subject.asks(model, self.with_pads));
         let nothing = || Err(Lost::failed("the history is missing"));
         let on_rigid_base = floors.iter().map(|floor| {
             let rigid = asks_rigid.then(|| on_rigid(&[one], floor).pop().unwrap_or_else(nothing));
             let slips = slips(subject, draw, floor, rigid.as_ref());
-            Lived { draw: *draw, rigid, pads: None, slips, pfa_m_s2: floor.pfa_m_s2, pfv_m_s: floor.pfv_m_s }
+            Lived {
+                draw: *draw,
+                rigid,
+                pads: None,
+                slips,
+                pfa_m_s2: floor.pfa_m_s2,
+                pfv_m_s: floor.pfv_m_s,
+            }
         });
         let mut lived: Vec<Lived> = on_rigid_base.collect();
         if !asks_pads {
@@ -274,19 +351,27 @@ impl Nominal {
         }
         let axes = || 0..subject.axes.len();
         // They stand side by side in the kernel.
-        let spring = |lived: &Lived, floor, axis| on_springs(one, axis, floor).filter(|_| !lived.slips);
-        let springs =
-            lived.iter().zip(floors).flat_map(|(lived, floor)| axes().filter_map(|axis| spring(lived, floor, axis)));
+        let spring =
+            |lived: &Lived, floor, axis| on_springs(one, axis, floor).filter(|_| !lived.slips);
+        let springs = lived
+            .iter()
+            .zip(floors)
+            .flat_map(|(lived, floor)| axes().filter_map(|axis| spring(lived, floor, axis)));
         let mut on_pads = rock_compliant_many(&springs.collect::<Vec<_>>(), G0_M_S2).into_iter();
         for (lived, floor) in lived.iter_mut().zip(floors) {
             let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
-            let mut axis_on_pads = |axis| match spring(lived, floor, axis).and_then(|_| on_pads.next()) {
-                Some(found) => of_springs(one, floor, found),
-                None => on_any_pads(subject, draw, axis, floor, friction_ratio),
-            };
+            let mut axis_on_pads =
+                |axis| match spring(lived, floor, axis).and_then(|_| on_pads.next()) {
+                    Some(found) => of_springs(one, floor, found),
+                    None => on_any_pads(subject, draw, axis, floor, friction_ratio),
+                };
             lived.pads = Some(match whole(one, floor) {
                 Some(body) => body.map(|body| vec![body]),
-                None => axes().map(&mut axis_on_pads).collect::<Vec<_>>().into_iter().collect(),
+                None => axes()
+                    .map(&mut axis_on_pads)
+                    .collect::<Vec<_>>()
+                    .into_iter()
+                    .collect(),
             });
         }
         lived
@@ -294,17 +379,31 @@ impl Nominal {
 
     fn on_rigid(&self, axes: &[AxisMotion], rotation_ratio: Option<f64>) -> NominalRun {
         let outcome = Outcome::on_rigid(&self.subject.way, axes);
-        let turned = self.subject.axes.iter().zip(axes).map(|(axis, one)| turned(&axis.block, one)).fold(0.0, f64::max);
+        let turned = self
+            .subject
+            .axes
+            .iter()
+            .zip(axes)
+            .map(|(axis, one)| turned(&axis.block, one))
+            .fold(0.0, f64::max);
         let exceeds = || {
             rotation_ratio.is_some_and(|limit| turned > limit)
-                || axes.iter().enumerate().any(|(axis, one)| self.exceeds(axis, one))
+                || axes
+                    .iter()
+                    .enumerate()
+                    .any(|(axis, one)| self.exceeds(axis, one))
         };
         let class = class(outcome, exceeds);
         let rocks = matches!(outcome, Outcome::Rocked { .. });
         // A cushion that bottoms about one axis hides the shock of the object.
-        let lifted = axes.iter().filter(|one| one.rocking.outcome != Rocking::NoUplift);
-        let shocks_g: Option<Vec<f64>> = lifted.map(|one| Some(one.hit.as_ref()?.uplift_g)).collect();
-        let shock_g = shocks_g.filter(|_| rocks).and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max));
+        let lifted = axes
+            .iter()
+            .filter(|one| one.rocking.outcome != Rocking::NoUplift);
+        let shocks_g: Option<Vec<f64>> =
+            lifted.map(|one| Some(one.hit.as_ref()?.uplift_g)).collect();
+        let shock_g = shocks_g
+            .filter(|_| rocks)
+            .and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max));
         NominalRun {
             class,
             rotation_ratio: Some(turned),
@@ -315,15 +414,26 @@ impl Nominal {
     fn on_pads(&self, axes: &[PadMotion], rotation_ratio: Option<f64>) -> NominalRun {
         let outcome = Outcome::on_pads(axes);
         let alpha_rad = self.block.pivot().slenderness_angle_rad;
-        let turned = axes.iter().find_map(|one| one.space).map(|space| space.tilt_rad / alpha_rad);
+        let turned = axes
+            .iter()
+            .find_map(|one| one.space)
+            .map(|space| space.tilt_rad / alpha_rad);
         let exceeds = || {
-            turned.zip(rotation_ratio).is_some_and(|(turned, limit)| turned > limit)
-                || axes.iter().any(|one| one.terms.is_some_and(|terms| terms.ratio() > 1.0))
+            turned
+                .zip(rotation_ratio)
+                .is_some_and(|(turned, limit)| turned > limit)
+                || axes
+                    .iter()
+                    .any(|one| one.terms.is_some_and(|terms| terms.ratio() > 1.0))
         };
         let class = class(outcome, exceeds);
         let edge_m_s2 = axes.iter().map(|one| one.edge_m_s2).fold(0.0, f64::max);
         let rocks = matches!(outcome, Outcome::Rocked { .. }) && edge_m_s2 > 0.0;
-        NominalRun { class, rotation_ratio: turned, edge_acceleration_g: rocks.then_some(edge_m_s2 / G0_M_S2) }
+        NominalRun {
+            class,
+            rotation_ratio: turned,
+            edge_acceleration_g: rocks.then_some(edge_m_s2 / G0_M_S2),
+        }
     }
 
     /// Whether its tolerance is exceeded about an axis.
@@ -339,7 +449,15 @@ impl Nominal {
             return false;
         }
         let uplift_m = one.rocking.uplift_m;
-        let at_least = || terms(self.subject.capacity.as_ref()?, self.bottomed(axis, one), false, uplift_m, 0.0);
+        let at_least = || {
+            terms(
+                self.subject.capacity.as_ref()?,
+                self.bottomed(axis, one),
+                false,
+                uplift_m,
+                0.0,
+            )
+        };
         one.terms.or_else(at_least).is_some_and(is_over)
     }
 
@@ -348,13 +466,23 @@ impl Nominal {
     fn bottomed(&self, axis: usize, one: &AxisMotion) -> Option<Demand> {
         let (mass_kg, cushion) = self.body.as_ref()?;
         let landings = landings(&self.subject.axes.get(axis)?.block, ImpactModel::Paper);
-        let speeds_m_s = landings.iter().zip(one.rocking.sides).map(|(landing, side)| {
-            let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
-            let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
-            landing.impact(*mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2).edge_velocity_m_s
-        });
-        let velocity_change_m_s = (1.0 + self.draw.rebound_restitution()) * speeds_m_s.fold(0.0, f64::max);
-        Some(Demand { edge_m_s2: f64::INFINITY, velocity_change_m_s, duration_s: 0.0 })
+        let speeds_m_s = landings
+            .iter()
+            .zip(one.rocking.sides)
+            .map(|(landing, side)| {
+                let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
+                let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
+                landing
+                    .impact(*mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2)
+                    .edge_velocity_m_s
+            });
+        let velocity_change_m_s =
+            (1.0 + self.draw.rebound_restitution()) * speeds_m_s.fold(0.0, f64::max);
+        Some(Demand {
+            edge_m_s2: f64::INFINITY,
+            velocity_change_m_s,
+            duration_s: 0.0,
+        })
     }
 }
 
@@ -377,7 +505,11 @@ fn turned(block: &Block, one: &AxisMotion) -> f64 {
     let share = |(pivot, side): (freestand::block::Pivot, freestand::rocking::SideExtremes)| {
         side.peak_rotation_rad / pivot.slenderness_angle_rad
     };
-    pivots.into_iter().zip(one.rocking.sides).map(share).fold(0.0, f64::max)
+    pivots
+        .into_iter()
+        .zip(one.rocking.sides)
+        .map(share)
+        .fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -390,8 +522,18 @@ mod tests {
 
     fn cabinet(cushion: Cushion, tolerance: &Tolerance) -> Nominal {
         let block = Block::uniform(1.8, 0.4).unwrap();
-        let edge = EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() };
-        Nominal::of_block(block, Restitution::Housner, Some(&(150.0, edge)), Some(tolerance)).without_pads()
+        let edge = EdgeCushion {
+            cushion,
+            pad_thickness_m: None,
+            notes: Vec::new(),
+        };
+        Nominal::of_block(
+            block,
+            Restitution::Housner,
+            Some(&(150.0, edge)),
+            Some(tolerance),
+        )
+        .without_pads()
     }
 
     /// On a rigid base a pad that bottoms changes the shock, and neither rocking nor overturning: the class is exceeded
@@ -408,11 +550,21 @@ mod tests {
             confidence: Confidence::Stated,
         };
         let linear = || Cushion::linear(4.38e6).unwrap();
-        let bottoms = || Cushion::new(ContactLaw::Tangent { stiffness_n_m: 4.38e6, bottoming_m: 0.2e-3 }).unwrap();
+        let bottoms = || {
+            Cushion::new(ContactLaw::Tangent {
+                stiffness_n_m: 4.38e6,
+                bottoming_m: 0.2e-3,
+            })
+            .unwrap()
+        };
         let run = |nominal: &Nominal, peak_g: f64| {
-            let sine = |i: usize| peak_g * G0_M_S2 * (std::f64::consts::TAU * 0.01 * i as f64 / 0.8).sin();
+            let sine =
+                |i: usize| peak_g * G0_M_S2 * (std::f64::consts::TAU * 0.01 * i as f64 / 0.8).sin();
             let motion = Motion::new(0.01, (0..=160).map(sine).collect()).unwrap();
-            nominal.runs(0, &[FloorOfWorld::given(&motion, None)], None).remove(0).unwrap()
+            nominal
+                .runs(0, &[FloorOfWorld::given(&motion, None)], None)
+                .remove(0)
+                .unwrap()
         };
         let peak = tolerance(Some(50.0), None, None);
         let (soft, hard) = (cabinet(linear(), &peak), cabinet(bottoms(), &peak));
@@ -421,17 +573,34 @@ mod tests {
             let peak_g = 0.2 + 0.01 * f64::from(i);
             let (one, other) = (run(&soft, peak_g), run(&hard, peak_g));
             assert_eq!(one.rotation_ratio, other.rotation_ratio, "{peak_g} g");
-            assert_eq!(one.class == OutcomeClass::Overturned, other.class == OutcomeClass::Overturned, "{peak_g} g");
-            if matches!(other.class, OutcomeClass::Exceeded) && other.edge_acceleration_g.is_none() {
+            assert_eq!(
+                one.class == OutcomeClass::Overturned,
+                other.class == OutcomeClass::Overturned,
+                "{peak_g} g"
+            );
+            if matches!(other.class, OutcomeClass::Exceeded) && other.edge_acceleration_g.is_none()
+            {
                 bottomed += 1;
-                let class = |tolerance: &Tolerance| run(&cabinet(bottoms(), tolerance), peak_g).class;
-                assert_eq!(class(&tolerance(None, None, Some(5.0))), OutcomeClass::Rocked);
+                let class =
+                    |tolerance: &Tolerance| run(&cabinet(bottoms(), tolerance), peak_g).class;
+                assert_eq!(
+                    class(&tolerance(None, None, Some(5.0))),
+                    OutcomeClass::Rocked
+                );
                 // No landing of a cabinet changes the velocity of its edge by 50 m/s, and each by 1 µm/s.
-                assert_eq!(class(&tolerance(Some(5.0), Some(50.0), None)), OutcomeClass::Rocked);
-                assert_eq!(class(&tolerance(Some(5.0), Some(1e-6), None)), OutcomeClass::Exceeded);
+                assert_eq!(
+                    class(&tolerance(Some(5.0), Some(50.0), None)),
+                    OutcomeClass::Rocked
+                );
+                assert_eq!(
+                    class(&tolerance(Some(5.0), Some(1e-6), None)),
+                    OutcomeClass::Exceeded
+                );
             }
         }
         assert!(bottomed >= 3, "{bottomed}");
-        assert!(soft.shock_limits().is_ok() && hard.shock_limits().unwrap_err().contains("bottoms"));
+        assert!(
+            soft.shock_limits().is_ok() && hard.shock_limits().unwrap_err().contains("bottoms")
+        );
     }
 }

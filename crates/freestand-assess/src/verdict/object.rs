@@ -108,7 +108,11 @@ impl Way {
     pub(super) fn walls(&self) -> Option<&Beside> {
         match self {
             Self::Walled(beside) | Self::Spatial(Some(beside)) => Some(beside),
-            Self::Planar | Self::Rolls(_) | Self::Slides(_) | Self::Spatial(None) | Self::Stack(_) => None,
+            Self::Planar
+            | Self::Rolls(_)
+            | Self::Slides(_)
+            | Self::Spatial(None)
+            | Self::Stack(_) => None,
         }
     }
 
@@ -155,7 +159,9 @@ impl Flat {
                 let verb = if names.len() == 1 { "is" } else { "are" };
                 format!("its {} {verb} not given", listed(names))
             }
-            Self::NotUniform => "its base or its centre of gravity is not that of a uniform block".to_owned(),
+            Self::NotUniform => {
+                "its base or its centre of gravity is not that of a uniform block".to_owned()
+            }
             Self::Neighbours => "it has neighbours within its reach".to_owned(),
             Self::Stack => "another object stands on it".to_owned(),
         };
@@ -187,7 +193,13 @@ pub(super) struct AxisGeometry {
 }
 
 impl AxisGeometry {
-    fn new(axis: Axis, height_m: f64, side_m: f64, base_m: Option<f64>, cg_height_m: Option<f64>) -> Option<Self> {
+    fn new(
+        axis: Axis,
+        height_m: f64,
+        side_m: f64,
+        base_m: Option<f64>,
+        cg_height_m: Option<f64>,
+    ) -> Option<Self> {
         let mut block = Block::uniform(height_m, side_m).ok()?;
         if let Some(base_m) = base_m {
             // In an inventory feet never reach beyond their object, but options may add such feet.
@@ -196,13 +208,27 @@ impl AxisGeometry {
         if let Some(cg_height_m) = cg_height_m {
             block = block.with_cg_height(cg_height_m).ok()?;
         }
-        Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
+        Some(Self {
+            axis,
+            height_m,
+            side_m,
+            base_m,
+            cg_height_m,
+            block,
+        })
     }
 
     /// Of a block of any shape, to which no factor applies.
     pub(super) fn of_block(block: Block) -> Self {
         let (height_m, side_m) = (block.height_m(), block.base_width_m());
-        Self { axis: Axis::Thickness, height_m, side_m, base_m: None, cg_height_m: None, block }
+        Self {
+            axis: Axis::Thickness,
+            height_m,
+            side_m,
+            base_m: None,
+            cg_height_m: None,
+            block,
+        }
     }
 
     /// The block with its heights and sides multiplied by these factors; unchanged where the result
@@ -213,8 +239,14 @@ impl AxisGeometry {
         }
         let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
         let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
-        Self::new(self.axis, self.height_m * heights, self.side_m * sides, base_m, cg_m)
-            .map_or(self.block, |scaled| scaled.block)
+        Self::new(
+            self.axis,
+            self.height_m * heights,
+            self.side_m * sides,
+            base_m,
+            cg_m,
+        )
+        .map_or(self.block, |scaled| scaled.block)
     }
 
     /// Whether Eqs. (5) and (6) hold as printed.
@@ -251,27 +283,48 @@ impl Beside {
     /// The walls in the plane of an axis, with the values of a world.
     pub(super) fn walls(&self, axis: Axis, drawn: &WallDraw) -> Walls {
         let restitution_ratio = self.restitution_ratio.unwrap_or(drawn.restitution_ratio);
-        let wall = |gap_m: f64| Wall { gap_m, height_m: self.height_m, restitution_ratio };
+        let wall = |gap_m: f64| Wall {
+            gap_m,
+            height_m: self.height_m,
+            restitution_ratio,
+        };
         match axis {
             Axis::Thickness => {
-                let behind = Walls { left: self.wall_gap_m.map(wall), right: None };
-                if drawn.is_on_left { behind } else { behind.mirrored() }
+                let behind = Walls {
+                    left: self.wall_gap_m.map(wall),
+                    right: None,
+                };
+                if drawn.is_on_left {
+                    behind
+                } else {
+                    behind.mirrored()
+                }
             }
             Axis::Width => {
                 let beside = self.neighbour_gap_m.map(wall);
-                Walls { left: beside, right: beside }
+                Walls {
+                    left: beside,
+                    right: beside,
+                }
             }
         }
     }
 
     /// How the object is followed beside it: what is out of its reach does not count.
     fn way(self, axes: &[AxisGeometry]) -> Way {
-        if self.is_within_reach(axes) { Way::Walled(self) } else { Way::Planar }
+        if self.is_within_reach(axes) {
+            Way::Walled(self)
+        } else {
+            Way::Planar
+        }
     }
 
     /// Whether the object can touch any of it.
     fn is_within_reach(&self, axes: &[AxisGeometry]) -> bool {
-        let any = WallDraw { is_on_left: true, restitution_ratio: 0.0 };
+        let any = WallDraw {
+            is_on_left: true,
+            restitution_ratio: 0.0,
+        };
         axes.iter().any(|one| {
             let contacts = self.walls(one.axis, &any).contacts(&one.block);
             // What cannot be used is for the solver to refuse.
@@ -295,28 +348,38 @@ pub(super) struct Gliding {
 
 impl Gliding {
     /// `None`: its largest resistance would let it rock.
-    fn new(of: &Surroundings, axes: &[AxisGeometry], resistance_ratio: (f64, f64), is_stated: bool) -> Option<Self> {
+    fn new(
+        of: &Surroundings,
+        axes: &[AxisGeometry],
+        resistance_ratio: (f64, f64),
+        is_stated: bool,
+    ) -> Option<Self> {
         let most = Friction::uniform(resistance_ratio.1).ok()?;
-        axes.iter().all(|axis| most.is_below_uplift(&axis.block)).then_some(Self {
-            resistance_ratio,
-            is_stated,
-            clearance_m: of.clearance_m,
-            stop_stiffness_n_m: of.wall_stiffness_n_m,
-        })
+        axes.iter()
+            .all(|axis| most.is_below_uplift(&axis.block))
+            .then_some(Self {
+                resistance_ratio,
+                is_stated,
+                clearance_m: of.clearance_m,
+                stop_stiffness_n_m: of.wall_stiffness_n_m,
+            })
     }
 
     /// `None`: it has no free casters, or they resist so much that it would rock.
     fn on_casters(of: &Surroundings, axes: &[AxisGeometry]) -> Option<Self> {
         let stated = of.rolling_resistance_ratio;
         let ratio = stated.unwrap_or(DEFAULT_ROLLING_RESISTANCE);
-        (of.casters == Some(Casters::Free)).then(|| Self::new(of, axes, (ratio, ratio), stated.is_some()))?
+        (of.casters == Some(Casters::Free))
+            .then(|| Self::new(of, axes, (ratio, ratio), stated.is_some()))?
     }
 
     /// `None`: the list gives no friction of its base, or some of it would let it rock.
     fn on_its_base(item: &Item, axes: &[AxisGeometry]) -> Option<Self> {
         let of = &item.surroundings;
         // With free casters its base is not on the floor.
-        let friction_ratio = item.friction_ratio.filter(|_| of.casters != Some(Casters::Free))?;
+        let friction_ratio = item
+            .friction_ratio
+            .filter(|_| of.casters != Some(Casters::Free))?;
         Self::new(of, axes, friction_ratio, true)
     }
 }
@@ -345,7 +408,10 @@ impl Subject {
         match self.way {
             Way::Spatial(_) | Way::Stack(_) => {
                 let friction = middle(self.friction_ratio.unwrap_or(settings.friction_ratio));
-                Self { friction_ratio: Some((friction, friction)), ..self }
+                Self {
+                    friction_ratio: Some((friction, friction)),
+                    ..self
+                }
             }
             _ => self,
         }
@@ -355,7 +421,9 @@ impl Subject {
     pub(super) fn drawn_friction_ratio(&self, settings: &Settings) -> Option<(f64, f64)> {
         match &self.way {
             Way::Rolls(gliding) | Way::Slides(gliding) => Some(gliding.resistance_ratio),
-            Way::Spatial(_) | Way::Stack(_) => Some(self.friction_ratio.unwrap_or(settings.friction_ratio)),
+            Way::Spatial(_) | Way::Stack(_) => {
+                Some(self.friction_ratio.unwrap_or(settings.friction_ratio))
+            }
             // An assumed friction changes no number.
             Way::Planar | Way::Walled(_) => self.friction_ratio,
         }
@@ -363,15 +431,25 @@ impl Subject {
 
     /// The same object with a wall at this gap behind it.
     pub(super) fn before_wall(&self, of: &Surroundings, gap_m: f64) -> Self {
-        let beside = Beside { wall_gap_m: Some(gap_m), ..Beside::new(of) };
-        Self { way: beside.way(&self.axes), ..self.clone() }
+        let beside = Beside {
+            wall_gap_m: Some(gap_m),
+            ..Beside::new(of)
+        };
+        Self {
+            way: beside.way(&self.axes),
+            ..self.clone()
+        }
     }
 
     /// The same object with its casters locked, or held where it would slide: it rocks.
     pub(super) fn locked(&self, of: &Surroundings, settings: &Settings) -> Self {
         let beside = Some(Beside::new(of)).filter(|_| settings.walls == WallUse::AsListed);
         let way = beside.map_or(Way::Planar, |beside| beside.way(&self.axes));
-        Self { way, friction_ratio: None, ..self.clone() }
+        Self {
+            way,
+            friction_ratio: None,
+            ..self.clone()
+        }
     }
 
     /// The object, or the names of what is missing.
@@ -383,8 +461,16 @@ impl Subject {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {
-            let known = [(item.level_ratio, "level"), (item.height_m, "height"), (item.thickness_m, "thickness")];
-            return Err(known.into_iter().filter(|(value, _)| value.is_none()).map(|(_, name)| name).collect());
+            let known = [
+                (item.level_ratio, "level"),
+                (item.height_m, "height"),
+                (item.thickness_m, "thickness"),
+            ];
+            return Err(known
+                .into_iter()
+                .filter(|(value, _)| value.is_none())
+                .map(|(_, name)| name)
+                .collect());
         };
         let sides = [
             (Axis::Thickness, Some(thickness_m), item.base_thickness_m),
@@ -397,15 +483,19 @@ impl Subject {
             let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
             axes.push(geometry.ok_or_else(|| vec!["valid geometry"])?);
         }
-        let body = item.mass_kg.zip(item.cushion.as_ref()).map(|(mass_kg, edge)| Body {
-            mass_kg,
-            cushion: edge.cushion.clone(),
-            pad_thickness_m: edge.pad_thickness_m,
-            stiffness_spread: item.cushion_log_sd,
-            damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
-        });
+        let body = item
+            .mass_kg
+            .zip(item.cushion.as_ref())
+            .map(|(mass_kg, edge)| Body {
+                mass_kg,
+                cushion: edge.cushion.clone(),
+                pad_thickness_m: edge.pad_thickness_m,
+                stiffness_spread: item.cushion_log_sd,
+                damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
+            });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
-        let beside = Some(Beside::new(&item.surroundings)).filter(|_| settings.walls == WallUse::AsListed);
+        let beside =
+            Some(Beside::new(&item.surroundings)).filter(|_| settings.walls == WallUse::AsListed);
         // A wall ends a rotation, and what rolls or slides does not rotate.
         let rolls = Gliding::on_casters(&item.surroundings, &axes).map(Way::Rolls);
         let (way, flat) = match (rolls, item.surroundings.upper) {
@@ -414,9 +504,10 @@ impl Subject {
             (Some(rolls), None) => (rolls, None),
             (None, None) => match (Gliding::on_its_base(item, &axes), flat(item, &axes, beside)) {
                 (Some(slides), _) => (Way::Slides(slides), None),
-                (None, None) if settings.dimensions == Dimensions::Three => {
-                    (Way::Spatial(beside.filter(|beside| beside.is_within_reach(&axes))), None)
-                }
+                (None, None) if settings.dimensions == Dimensions::Three => (
+                    Way::Spatial(beside.filter(|beside| beside.is_within_reach(&axes))),
+                    None,
+                ),
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
@@ -443,29 +534,59 @@ impl Subject {
 /// What stands on an object, or the names of what is missing to follow both.
 fn upper(item: &Item) -> Result<Upper, Vec<&'static str>> {
     match (item.surroundings.upper, item.mass_kg, &item.cushion) {
-        (Some(UpperBody { height_m, thickness_m, mass_kg: Some(mass_kg) }), Some(_), Some(_)) => {
-            Ok(Upper { height_m, thickness_m, mass_kg })
-        }
+        (
+            Some(UpperBody {
+                height_m,
+                thickness_m,
+                mass_kg: Some(mass_kg),
+            }),
+            Some(_),
+            Some(_),
+        ) => Ok(Upper {
+            height_m,
+            thickness_m,
+            mass_kg,
+        }),
         (upper, mass_kg, cushion) => {
             let is_known = upper.is_some_and(|upper| upper.mass_kg.is_some());
-            let known = [(mass_kg.is_some(), "mass"), (cushion.is_some(), "stiffness"), (is_known, "upper_mass")];
-            Err(known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect())
+            let known = [
+                (mass_kg.is_some(), "mass"),
+                (cushion.is_some(), "stiffness"),
+                (is_known, "upper_mass"),
+            ];
+            Err(known
+                .into_iter()
+                .filter(|(is_known, _)| !is_known)
+                .map(|(_, name)| name)
+                .collect())
         }
     }
 }
 
 /// Why an object cannot move in three dimensions.
 fn flat(item: &Item, axes: &[AxisGeometry], beside: Option<Beside>) -> Option<Flat> {
-    let known =
-        [(item.mass_kg.is_some(), "mass"), (item.cushion.is_some(), "stiffness"), (item.width_m.is_some(), "width")];
-    let missing: Vec<&str> = known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect();
-    let neighbours = beside.map(|beside| Beside { wall_gap_m: None, ..beside });
+    let known = [
+        (item.mass_kg.is_some(), "mass"),
+        (item.cushion.is_some(), "stiffness"),
+        (item.width_m.is_some(), "width"),
+    ];
+    let missing: Vec<&str> = known
+        .into_iter()
+        .filter(|(is_known, _)| !is_known)
+        .map(|(_, name)| name)
+        .collect();
+    let neighbours = beside.map(|beside| Beside {
+        wall_gap_m: None,
+        ..beside
+    });
     if !missing.is_empty() {
         Some(Flat::Missing(missing))
     } else if !axes.iter().all(AxisGeometry::is_uniform) {
         Some(Flat::NotUniform)
     } else {
-        neighbours.filter(|beside| beside.is_within_reach(axes)).map(|_| Flat::Neighbours)
+        neighbours
+            .filter(|beside| beside.is_within_reach(axes))
+            .map(|_| Flat::Neighbours)
     }
 }
 
@@ -487,14 +608,29 @@ impl Hit {
 
 /// The shock of a history without overturning; `None` where the cushion bottoms, so that no number
 /// can be relied on.
-pub(super) fn hit(block: &Block, rocking: &RockingSummary, mass_kg: f64, cushion: &Cushion) -> Option<Hit> {
-    let mut found =
-        Hit { uplift_g: 0.0, impact_velocity_g: 0.0, velocity_change_m_s: 0.0, duration_s: 0.0, compression_m: 0.0 };
-    for (landing, side) in landings(block, ImpactModel::Paper).iter().zip(rocking.sides) {
+pub(super) fn hit(
+    block: &Block,
+    rocking: &RockingSummary,
+    mass_kg: f64,
+    cushion: &Cushion,
+) -> Option<Hit> {
+    let mut found = Hit {
+        uplift_g: 0.0,
+        impact_velocity_g: 0.0,
+        velocity_change_m_s: 0.0,
+        duration_s: 0.0,
+        compression_m: 0.0,
+    };
+    for (landing, side) in landings(block, ImpactModel::Paper)
+        .iter()
+        .zip(rocking.sides)
+    {
         let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
         let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
         let impact = landing.impact(mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2);
-        let shock_g = |rise_m: f64| landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, G0_M_S2) / G0_M_S2;
+        let shock_g = |rise_m: f64| {
+            landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, G0_M_S2) / G0_M_S2
+        };
         let (uplift_g, velocity_g) = (shock_g(from_uplift), shock_g(from_velocity));
         let is_number = |shock_g: f64| shock_g <= BEYOND_ALL_G;
         if !is_number(uplift_g) || !is_number(velocity_g) {

@@ -11,18 +11,29 @@ use super::trial::{Question, Trial};
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
 pub(super) fn outcomes<'a>(trial: &'a Trial) -> impl Iterator<Item = OutcomeRow<'a>> {
-    trial.lived.iter().enumerate().flat_map(move |(world, lived)| {
-        let models = [Model::Rigid, Model::Pads].into_iter();
-        models.filter_map(move |model| outcome(trial, world as u32, lived, model))
-    })
+    trial
+        .lived
+        .iter()
+        .enumerate()
+        .flat_map(move |(world, lived)| {
+            let models = [Model::Rigid, Model::Pads].into_iter();
+            models.filter_map(move |model| outcome(trial, world as u32, lived, model))
+        })
 }
 
-fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Option<OutcomeRow<'a>> {
+fn outcome<'a>(
+    trial: &'a Trial,
+    world: u32,
+    lived: &Lived,
+    model: Model,
+) -> Option<OutcomeRow<'a>> {
     let has_fallen = trial.answer(lived, Question::Falls, model)?;
     let body = lived.draw.body(&trial.subject);
     let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
     let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match lived.answering(model) {
-        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| of_rigid(&trial.subject.way, axes, lived.draw.model)),
+        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| {
+            of_rigid(&trial.subject.way, axes, lived.draw.model)
+        }),
         Model::Pads => lived.on_pads().map_or([None; 3], of_pads),
     };
     let capacity = trial.subject.capacity.as_ref();
@@ -43,7 +54,9 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
         lift_m,
         edge_acceleration_g,
         restitution: lived.draw.restitution[0],
-        stiffness_n_m: body.as_ref().and_then(|(_, cushion)| cushion.linear_stiffness_n_m()),
+        stiffness_n_m: body
+            .as_ref()
+            .and_then(|(_, cushion)| cushion.linear_stiffness_n_m()),
         pad_damping_ratio: body.as_ref().map(|_| lived.draw.pad_damping_ratio),
         mass_kg: body.as_ref().map(|(mass_kg, _)| *mass_kg),
         height_m,
@@ -56,9 +69,16 @@ fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
     let Some(lift_m) = Outcome::on_rigid(way, axes).uplift_m() else {
         return [demand_capacity(axes), None, None];
     };
-    let shocks: Option<Vec<f64>> = axes.iter().map(|one| one.hit.as_ref().map(Hit::larger_g)).collect();
+    let shocks: Option<Vec<f64>> = axes
+        .iter()
+        .map(|one| one.hit.as_ref().map(Hit::larger_g))
+        .collect();
     let shock_g = shocks.and_then(|shocks| shocks.into_iter().reduce(f64::max));
-    [demand_capacity(axes), Some(lift_m), shock_g.map(|shock_g| model * shock_g)]
+    [
+        demand_capacity(axes),
+        Some(lift_m),
+        shock_g.map(|shock_g| model * shock_g),
+    ]
 }
 
 /// The same on pads.
@@ -67,5 +87,9 @@ fn of_pads(axes: &[PadMotion]) -> [Option<f64>; 3] {
         return [pads_demand_capacity(axes), None, None];
     }
     let most = |number: fn(&PadMotion) -> f64| axes.iter().map(number).reduce(f64::max);
-    [pads_demand_capacity(axes), most(|one| one.lift_m), most(|one| one.edge_m_s2 / G0_M_S2)]
+    [
+        pads_demand_capacity(axes),
+        most(|one| one.lift_m),
+        most(|one| one.edge_m_s2 / G0_M_S2),
+    ]
 }

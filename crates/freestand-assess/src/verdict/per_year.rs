@@ -15,7 +15,13 @@ use super::trial::{Question, Trial, answer, lived_in};
 const WORLDS: u32 = 160;
 
 /// The intensities, relative to that of the study.
-const INTENSITIES: [f64; 5] = [0.5, std::f64::consts::FRAC_1_SQRT_2, 1.0, std::f64::consts::SQRT_2, 2.0];
+const INTENSITIES: [f64; 5] = [
+    0.5,
+    std::f64::consts::FRAC_1_SQRT_2,
+    1.0,
+    std::f64::consts::SQRT_2,
+    2.0,
+];
 
 /// k of the hazard s^−k: EN 1998-1, 2.1(4).
 const HAZARD_EXPONENT: f64 = 3.0;
@@ -32,7 +38,10 @@ struct Levels {
 
 /// For each trial; `None` where it is not asked. At each intensity all trials live together, so that
 /// the floors of a world are calculated once.
-pub(super) fn per_year(context: &Context, trials: &[Trial]) -> Result<Vec<Option<PerYear>>, Problems> {
+pub(super) fn per_year(
+    context: &Context,
+    trials: &[Trial],
+) -> Result<Vec<Option<PerYear>>, Problems> {
     if !context.study.assessment.is_annual {
         return Ok(trials.iter().map(|_| None).collect());
     }
@@ -48,12 +57,25 @@ pub(super) fn per_year(context: &Context, trials: &[Trial]) -> Result<Vec<Option
             let Levels { falls, exceeds } = &levels[*place];
             level_below(exceeds, hazard).or_else(|| level_below(falls, hazard))
         };
-        let open: Vec<usize> = all.iter().copied().filter(|place| below(place).is_some()).collect();
-        let Some(intensity_ratio) = open.iter().find_map(below) else { break };
-        let lowest: Vec<usize> = open.into_iter().filter(|place| below(place) == Some(intensity_ratio)).collect();
+        let open: Vec<usize> = all
+            .iter()
+            .copied()
+            .filter(|place| below(place).is_some())
+            .collect();
+        let Some(intensity_ratio) = open.iter().find_map(below) else {
+            break;
+        };
+        let lowest: Vec<usize> = open
+            .into_iter()
+            .filter(|place| below(place) == Some(intensity_ratio))
+            .collect();
         shake(context, trials, &lowest, intensity_ratio, &mut levels)?;
     }
-    Ok(trials.iter().zip(levels).map(|(trial, levels)| rates(context, trial, levels)).collect())
+    Ok(trials
+        .iter()
+        .zip(levels)
+        .map(|(trial, levels)| rates(context, trial, levels))
+        .collect())
 }
 
 fn shake(
@@ -71,10 +93,14 @@ fn shake(
     for ((&place, trial), lived) in places.iter().zip(chosen).zip(&lived) {
         let level = |question| {
             let by_model = trial.models(context).map(|model: Model| {
-                let yes = |one: &&Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
+                let yes =
+                    |one: &&Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
                 lived.iter().filter(yes).count() as f64 / f64::from(WORLDS)
             });
-            Level { intensity_ratio, probability: by_model.fold(0.0, f64::max) }
+            Level {
+                intensity_ratio,
+                probability: by_model.fold(0.0, f64::max),
+            }
         };
         levels[place].falls.push(level(Question::Falls));
         levels[place].exceeds.push(level(Question::Shock));
@@ -84,7 +110,9 @@ fn shake(
 
 fn return_period_years(context: &Context) -> f64 {
     let target = context.study.ground.code_spectrum();
-    target.and_then(|target| target.spectrum.return_period_years()).map_or(RETURN_PERIOD_YEARS, f64::from)
+    target
+        .and_then(|target| target.spectrum.return_period_years())
+        .map_or(RETURN_PERIOD_YEARS, f64::from)
 }
 
 fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
@@ -96,7 +124,9 @@ fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
     let (falls, exceeds) = (rate(levels.falls)?, rate(levels.exceeds)?);
     Some(PerYear {
         overturn: falls.probability_per_year,
-        exceed: trial.is_open(Question::Shock).then_some(exceeds.probability_per_year),
+        exceed: trial
+            .is_open(Question::Shock)
+            .then_some(exceeds.probability_per_year),
         is_at_least: falls.is_at_least || exceeds.is_at_least,
     })
 }

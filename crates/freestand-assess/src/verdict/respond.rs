@@ -3,8 +3,8 @@
 //! in a plane is followed about both of its axes, and the worse one counts.
 
 use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantSummary, CompliantWorld,
-    rock_compliant_observed,
+    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantSummary,
+    CompliantWorld, rock_compliant_observed,
 };
 use freestand::rocking::{Restitution, RockingError, RockingSummary, rock_between};
 use freestand::wall::Walls;
@@ -15,8 +15,8 @@ use super::draw::Draw;
 use super::object::{Subject, Way};
 use super::pulse::Pulses;
 use super::response::{
-    AxisMotion, Lost, PadMotion, RigidResponse, Roll, axis_motion, leans, lifts, options, overturned, pad_motion,
-    pad_motion_of, resolved,
+    AxisMotion, Lost, PadMotion, RigidResponse, Roll, axis_motion, leans, lifts, options,
+    overturned, pad_motion, pad_motion_of, resolved,
 };
 use super::roll::rolled;
 use super::space::{in_space, stacked, toppled};
@@ -68,7 +68,9 @@ impl Outcome {
             let rolls = || axes.iter().filter_map(|one| one.roll);
             Travelled {
                 travel_m: rolls().map(|roll: Roll| roll.travel_m).fold(0.0, f64::max),
-                stop_speed_m_s: rolls().filter_map(|roll| roll.stop_speed_m_s).reduce(f64::max),
+                stop_speed_m_s: rolls()
+                    .filter_map(|roll| roll.stop_speed_m_s)
+                    .reduce(f64::max),
                 is_at_least: rolls().any(|roll| roll.is_at_least),
                 has_tripped: overturned(axes),
             }
@@ -82,7 +84,12 @@ impl Outcome {
                 } else if overturned(axes) {
                     Self::Overturned
                 } else if lifts(axes) {
-                    Self::Rocked { uplift_m: axes.iter().map(|one| one.rocking.uplift_m).fold(0.0, f64::max) }
+                    Self::Rocked {
+                        uplift_m: axes
+                            .iter()
+                            .map(|one| one.rocking.uplift_m)
+                            .fold(0.0, f64::max),
+                    }
                 } else {
                     Self::Stood
                 }
@@ -96,7 +103,9 @@ impl Outcome {
             return Self::Overturned;
         }
         if axes.iter().any(|one| one.has_let_go) {
-            return Self::Rocked { uplift_m: axes.iter().map(|one| one.lift_m).fold(0.0, f64::max) };
+            return Self::Rocked {
+                uplift_m: axes.iter().map(|one| one.lift_m).fold(0.0, f64::max),
+            };
         }
         Self::Stood
     }
@@ -133,12 +142,18 @@ impl Outcome {
 /// or slide as well. Blocks that rock along one component of the floor stand side by side in the
 /// kernel.
 pub(super) fn on_rigid(objects: &[Drawn<'_>], floor: &FloorOfWorld) -> Vec<RigidResponse> {
-    let mut found: Vec<Vec<Option<_>>> =
-        objects.iter().map(|one| one.subject.axes.iter().map(|_| None).collect()).collect();
+    let mut found: Vec<Vec<Option<_>>> = objects
+        .iter()
+        .map(|one| one.subject.axes.iter().map(|_| None).collect())
+        .collect();
     for is_x in [true, false] {
         let mut places = Vec::new();
         let mut blocks = Vec::new();
-        for (place, Drawn { subject, draw }) in objects.iter().enumerate().filter(|(_, one)| one.subject.way.rocks()) {
+        for (place, Drawn { subject, draw }) in objects
+            .iter()
+            .enumerate()
+            .filter(|(_, one)| one.subject.way.rocks())
+        {
             for axis in (0..subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
                 if let Some((block, restitution)) = draw.block(subject, axis) {
                     places.push((place, axis));
@@ -146,30 +161,52 @@ pub(super) fn on_rigid(objects: &[Drawn<'_>], floor: &FloorOfWorld) -> Vec<Rigid
                 }
             }
         }
-        let rocked = rock_between(&blocks, floor.base(is_x), &options(Restitution::Housner, Walls::NONE));
+        let rocked = rock_between(
+            &blocks,
+            floor.base(is_x),
+            &options(Restitution::Housner, Walls::NONE),
+        );
         for (((place, axis), (block, ..)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
             found[place][axis] = Some((block, rocked));
         }
     }
-    let of_object = |(Drawn { subject, draw }, found): (&Drawn<'_>, Vec<Option<_>>)| -> RigidResponse {
-        if let Some(gliding) = subject.way.glides() {
-            return rolled(subject, gliding, draw, floor);
-        }
-        let body = draw.body(subject);
-        let known = found.into_iter().enumerate().filter_map(|(axis, one)| Some((axis, one?)));
-        let axes = known.map(|(axis, (block, rocked)): (usize, (_, Result<RockingSummary, RockingError>))| {
-            let rocking = rocked.map_err(Lost::from)?;
-            resolved(rocking.outcome)?;
-            Ok(axis_motion(subject, draw, axis, &block, rocking, body.as_ref(), floor.pfa_m_s2))
-        });
-        axes.collect()
-    };
+    let of_object =
+        |(Drawn { subject, draw }, found): (&Drawn<'_>, Vec<Option<_>>)| -> RigidResponse {
+            if let Some(gliding) = subject.way.glides() {
+                return rolled(subject, gliding, draw, floor);
+            }
+            let body = draw.body(subject);
+            let known = found
+                .into_iter()
+                .enumerate()
+                .filter_map(|(axis, one)| Some((axis, one?)));
+            let axes = known.map(
+                |(axis, (block, rocked)): (usize, (_, Result<RockingSummary, RockingError>))| {
+                    let rocking = rocked.map_err(Lost::from)?;
+                    resolved(rocking.outcome)?;
+                    Ok(axis_motion(
+                        subject,
+                        draw,
+                        axis,
+                        &block,
+                        rocking,
+                        body.as_ref(),
+                        floor.pfa_m_s2,
+                    ))
+                },
+            );
+            axes.collect()
+        };
     objects.iter().zip(found).map(of_object).collect()
 }
 
 /// An object on pads that are springs about an axis; `None`: its body is followed at once, or its pads are
 /// none.
-pub(super) fn on_springs<'a>(one: Drawn<'_>, axis: usize, floor: &'a FloorOfWorld) -> Option<CompliantWorld<'a>> {
+pub(super) fn on_springs<'a>(
+    one: Drawn<'_>,
+    axis: usize,
+    floor: &'a FloorOfWorld,
+) -> Option<CompliantWorld<'a>> {
     let Drawn { subject, draw } = one;
     if subject.way.is_slow() {
         return None;
@@ -209,11 +246,19 @@ pub(super) fn on_any_pads(
     let missing = || "mass or cushion is missing".to_owned();
     let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
     let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
-    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
-    let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
+    let base = CompliantBase {
+        friction_ratio,
+        ..CompliantBase::new(mass_kg, cushion)
+    };
+    let options = CompliantOptions {
+        accuracy: CompliantAccuracy::Fast,
+        ..CompliantOptions::default()
+    };
     let motion = floor.base(draw.is_along_x(axis));
     let mut pulses = Pulses::new(block.base_width_m());
-    match rock_compliant_observed(&block, &base, motion, &options, |piece| pulses.observe(piece)) {
+    match rock_compliant_observed(&block, &base, motion, &options, |piece| {
+        pulses.observe(piece)
+    }) {
         Ok(found) => {
             resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
             Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2))
@@ -224,7 +269,11 @@ pub(super) fn on_any_pads(
 
 /// Histories on a rigid base that [`on_rigid`] follows for an object.
 pub(super) fn histories_on_rigid(subject: &Subject) -> usize {
-    if subject.way.rocks() { subject.axes.len() } else { 0 }
+    if subject.way.rocks() {
+        subject.axes.len()
+    } else {
+        0
+    }
 }
 
 /// An object whose whole body is followed at once: in three dimensions, or with another body on it.

@@ -4,7 +4,9 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
-use freestand::rocking::{Outcome, Restitution, RockingError, RockingOptions, RockingSummary, SideExtremes, Until};
+use freestand::rocking::{
+    Outcome, Restitution, RockingError, RockingOptions, RockingSummary, SideExtremes, Until,
+};
 use freestand::spatial::{BaseLandings, BodyMotion, StackPart};
 use freestand::wall::Walls;
 use freestand::wall_shock::{WallShock, largest};
@@ -52,14 +54,22 @@ pub(super) struct Strike {
 }
 
 impl Strike {
-    fn new(subject: &Subject, draw: &Draw, axis: usize, block: &Block, sides: [SideExtremes; 2]) -> Option<Self> {
+    fn new(
+        subject: &Subject,
+        draw: &Draw,
+        axis: usize,
+        block: &Block,
+        sides: [SideExtremes; 2],
+    ) -> Option<Self> {
         let beside = subject.way.walls()?;
         // The solver has refused what it refuses.
         let contacts = draw.walls(subject, axis).contacts(block).ok()?;
         let shocks = WallShock::of_sides(block, contacts);
         let stiff = draw.mass_kg(subject).zip(beside.stiffness_n_m);
         let acceleration = |(mass_kg, stiffness_n_m)| {
-            largest(shocks, sides, |shock, omega| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m))
+            largest(shocks, sides, |shock, omega| {
+                shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m)
+            })
         };
         Some(Self {
             speed_m_s: largest(shocks, sides, WallShock::speed_m_s)?,
@@ -71,7 +81,9 @@ impl Strike {
 
     /// As the demand of a shock: a half-sine of π v_w/a_w.
     fn demand(&self) -> Option<Demand> {
-        let edge_m_s2 = self.acceleration_m_s2.filter(|acceleration| *acceleration > 0.0)?;
+        let edge_m_s2 = self
+            .acceleration_m_s2
+            .filter(|acceleration| *acceleration > 0.0)?;
         Some(Demand {
             edge_m_s2,
             velocity_change_m_s: (1.0 + self.restitution_ratio) * self.speed_m_s,
@@ -129,7 +141,11 @@ const UNRESOLVED: &str = "the object is neither at rest nor down long after the 
 /// # Errors
 /// It ended before it was certain what becomes of the object.
 pub(super) fn resolved(outcome: Outcome) -> Result<(), Lost> {
-    if outcome == Outcome::Unresolved { Err(Lost::failed(UNRESOLVED)) } else { Ok(()) }
+    if outcome == Outcome::Unresolved {
+        Err(Lost::failed(UNRESOLVED))
+    } else {
+        Ok(())
+    }
 }
 
 impl From<RockingError> for Lost {
@@ -182,12 +198,20 @@ impl Lived {
 
     /// The model whose history in this world answers where `model` is asked.
     pub(super) fn answering(&self, model: Model) -> Model {
-        if self.is_for_pads() { Model::Pads } else { model }
+        if self.is_for_pads() {
+            Model::Pads
+        } else {
+            model
+        }
     }
 
     /// Why the history on a rigid base failed, where nothing else answers.
     pub(super) fn failure(&self) -> Option<&Lost> {
-        self.rigid.as_ref()?.as_ref().err().filter(|_| !self.is_for_pads())
+        self.rigid
+            .as_ref()?
+            .as_ref()
+            .err()
+            .filter(|_| !self.is_for_pads())
     }
 
     /// On a rigid base; `None`: not asked, or a history failed.
@@ -206,7 +230,9 @@ pub(super) fn options(restitution: Restitution, walls: Walls) -> RockingOptions 
     RockingOptions {
         restitution,
         walls,
-        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+        until: Until::Settled {
+            at_most_s: LONGEST_TAIL_S,
+        },
         ..RockingOptions::default()
     }
 }
@@ -243,10 +269,20 @@ pub(super) fn axis_motion(
         let edge = terms(capacity, demand, is_at_rest, rocking.uplift_m, floor_m_s2)?;
         // The shock at the wall counts where it is the harder one.
         let wall = strike.as_ref().and_then(Strike::demand);
-        let wall = wall.and_then(|demand| terms(capacity, Some(demand), false, rocking.uplift_m, floor_m_s2));
-        Some(wall.filter(|wall| wall.ratio() > edge.ratio()).unwrap_or(edge))
+        let wall = wall
+            .and_then(|demand| terms(capacity, Some(demand), false, rocking.uplift_m, floor_m_s2));
+        Some(
+            wall.filter(|wall| wall.ratio() > edge.ratio())
+                .unwrap_or(edge),
+        )
     });
-    AxisMotion { rocking, hit: found, strike, roll: None, terms }
+    AxisMotion {
+        rocking,
+        hit: found,
+        strike,
+        roll: None,
+        terms,
+    }
 }
 
 pub(super) fn terms(
@@ -256,11 +292,18 @@ pub(super) fn terms(
     uplift_m: f64,
     floor_m_s2: f64,
 ) -> Option<Terms> {
-    capacity.terms(demand, is_at_rest, uplift_m, floor_m_s2, |duration_s| capacity.severity_ratio(duration_s))
+    capacity.terms(demand, is_at_rest, uplift_m, floor_m_s2, |duration_s| {
+        capacity.severity_ratio(duration_s)
+    })
 }
 
 /// What a history on pads means in its world.
-pub(super) fn pad_motion(subject: &Subject, draw: &Draw, found: &CompliantSummary, floor_m_s2: f64) -> PadMotion {
+pub(super) fn pad_motion(
+    subject: &Subject,
+    draw: &Draw,
+    found: &CompliantSummary,
+    floor_m_s2: f64,
+) -> PadMotion {
     let edge_m_s2 = draw.compliant * found.peak_edge_acceleration_m_s2();
     let demand = Demand {
         edge_m_s2,
@@ -301,7 +344,11 @@ pub(super) fn pad_motion_of(
         lift_m: found.uplift_m,
         peak_edge_accelerations_m_s2: found.peak_edge_accelerations_m_s2,
         touch_count: found.touches.len(),
-        touch_speed_m_s: found.touches.iter().map(|touch| touch.speed_m_s).fold(0.0, f64::max),
+        touch_speed_m_s: found
+            .touches
+            .iter()
+            .map(|touch| touch.speed_m_s)
+            .fold(0.0, f64::max),
         velocity_change_m_s,
         pulse_duration_s,
         contact_duration_s: None,
@@ -310,7 +357,10 @@ pub(super) fn pad_motion_of(
         first_uplift_time_s: found.first_uplift_time_s,
         overturn_time_s: found.overturn_time_s,
     };
-    PadMotion { pad_uplift_ratio: None, ..pad_motion(subject, draw, &summary, floor_m_s2) }
+    PadMotion {
+        pad_uplift_ratio: None,
+        ..pad_motion(subject, draw, &summary, floor_m_s2)
+    }
 }
 
 /// An object that its pads do not keep upright.
@@ -349,8 +399,15 @@ pub(super) fn space_motion(
         first_uplift_time_s: body.first_uplift_time_s,
         overturn_time_s: body.overturn_time_s,
     };
-    let space = Space { tilt_rad: body.peak_tilt_rad, walk_m: body.base_slide_peak_m };
-    PadMotion { pad_uplift_ratio: None, space: Some(space), ..pad_motion(subject, draw, &summary, floor_m_s2) }
+    let space = Space {
+        tilt_rad: body.peak_tilt_rad,
+        walk_m: body.base_slide_peak_m,
+    };
+    PadMotion {
+        pad_uplift_ratio: None,
+        space: Some(space),
+        ..pad_motion(subject, draw, &summary, floor_m_s2)
+    }
 }
 
 fn pad_outcome(outcome: Outcome) -> PadOutcome {
@@ -374,7 +431,8 @@ pub(super) fn leans(axes: &[AxisMotion]) -> bool {
 
 /// Whether there is uplift about any axis.
 pub(super) fn lifts(axes: &[AxisMotion]) -> bool {
-    axes.iter().any(|one| one.rocking.outcome != Outcome::NoUplift)
+    axes.iter()
+        .any(|one| one.rocking.outcome != Outcome::NoUplift)
 }
 
 /// The governing axis: the one that overturns, else the one with the largest demand/capacity, else
@@ -383,14 +441,29 @@ pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
         let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);
         let ratio = one.terms.map_or(0.0, |terms| terms.ratio());
-        (one.rocking.outcome.has_fallen(), ratio, shock_g, one.rocking.cg_rise_m)
+        (
+            one.rocking.outcome.has_fallen(),
+            ratio,
+            shock_g,
+            one.rocking.cg_rise_m,
+        )
     };
-    axes.iter().enumerate().reduce(|most, next| if rank(next.1) > rank(most.1) { next } else { most })
+    axes.iter().enumerate().reduce(|most, next| {
+        if rank(next.1) > rank(most.1) {
+            next
+        } else {
+            most
+        }
+    })
 }
 
 /// Largest number over the axes, +∞ where one overturns.
 pub(super) fn ranked(axes: &[AxisMotion], number: impl Fn(&AxisMotion) -> f64) -> f64 {
-    if overturned(axes) { f64::INFINITY } else { axes.iter().map(number).fold(0.0, f64::max) }
+    if overturned(axes) {
+        f64::INFINITY
+    } else {
+        axes.iter().map(number).fold(0.0, f64::max)
+    }
 }
 
 /// Demand/capacity about the worse axis; `None` where that of one axis is not known.

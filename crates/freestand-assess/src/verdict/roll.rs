@@ -5,8 +5,8 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::rocking::{Outcome, RockingError, RockingSummary, SideExtremes, StopReason, Until};
 use freestand::sliding::{
-    Clearance, Friction, PlaneMotion, PlaneSliding, Sliding, SlidingOptions, SlidingOutcome, slide, slide_in_plane,
-    trip_speed_m_s,
+    Clearance, Friction, PlaneMotion, PlaneSliding, Sliding, SlidingOptions, SlidingOutcome, slide,
+    slide_in_plane, trip_speed_m_s,
 };
 
 use freestand_study::run::LONGEST_TAIL_S;
@@ -19,18 +19,30 @@ use super::object::{Gliding, Subject};
 use super::response::{AxisMotion, Lost, RigidResponse, Roll, terms};
 
 /// An object that rolls or slides in one world.
-pub(super) fn rolled(subject: &Subject, gliding: &Gliding, draw: &Draw, floor: &FloorOfWorld) -> RigidResponse {
+pub(super) fn rolled(
+    subject: &Subject,
+    gliding: &Gliding,
+    draw: &Draw,
+    floor: &FloorOfWorld,
+) -> RigidResponse {
     let ratio = draw.friction_ratio.unwrap_or(gliding.resistance_ratio.1);
     let resistance = Friction::uniform(ratio).map_err(Lost::failed)?;
     let options = SlidingOptions {
-        clearance: Clearance { left_m: gliding.clearance_m, right_m: gliding.clearance_m },
-        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+        clearance: Clearance {
+            left_m: gliding.clearance_m,
+            right_m: gliding.clearance_m,
+        },
+        until: Until::Settled {
+            at_most_s: LONGEST_TAIL_S,
+        },
         ..SlidingOptions::new(resistance)
     };
     let both = under_both(&options, floor)?;
     let is_alone = subject.axes.len() == 1;
     let axes = (0..subject.axes.len()).map(|axis| {
-        let (block, _) = draw.block(subject, axis).ok_or_else(|| Lost::failed("the block is missing"))?;
+        let (block, _) = draw
+            .block(subject, axis)
+            .ok_or_else(|| Lost::failed("the block is missing"))?;
         let is_x = draw.is_along_x(axis);
         // Without a width the one block stands for both directions: it moves in both.
         let is_own = |along_x: bool| is_alone || along_x == is_x;
@@ -48,21 +60,39 @@ pub(super) fn rolled(subject: &Subject, gliding: &Gliding, draw: &Draw, floor: &
             None => {
                 let found = slid(&options, floor, is_x)?;
                 let stop_speed_m_s = found.contact.map(|(_, speed_m_s)| speed_m_s.abs());
-                Roll { travel_m: found.peak_m.abs(), stop_speed_m_s, is_at_least: true }
+                Roll {
+                    travel_m: found.peak_m.abs(),
+                    stop_speed_m_s,
+                    is_at_least: true,
+                }
             }
         };
-        Ok(motion(subject, gliding, draw, &block, roll, ratio, floor.pfa_m_s2))
+        Ok(motion(
+            subject,
+            gliding,
+            draw,
+            &block,
+            roll,
+            ratio,
+            floor.pfa_m_s2,
+        ))
     });
     axes.collect()
 }
 
 /// The slide under both components of the floor; `None`: it has one.
-fn under_both(options: &SlidingOptions, floor: &FloorOfWorld) -> Result<Option<PlaneSliding>, Lost> {
+fn under_both(
+    options: &SlidingOptions,
+    floor: &FloorOfWorld,
+) -> Result<Option<PlaneSliding>, Lost> {
     if floor.motion.across.is_none() {
         return Ok(None);
     }
-    let motion =
-        PlaneMotion { x: floor.component(true), y: floor.component(false), vertical: floor.base(true).vertical };
+    let motion = PlaneMotion {
+        x: floor.component(true),
+        y: floor.component(false),
+        vertical: floor.base(true).vertical,
+    };
     let found = slide_in_plane(motion, options).map_err(Lost::failed)?;
     match found.free_flight_time_s {
         Some(time_s) => Err(RockingError::FreeFlight { time_s }.into()),
@@ -73,7 +103,10 @@ fn under_both(options: &SlidingOptions, floor: &FloorOfWorld) -> Result<Option<P
 fn slid(options: &SlidingOptions, floor: &FloorOfWorld, is_x: bool) -> Result<Sliding, Lost> {
     let found = slide(floor.base(is_x), options).map_err(Lost::failed)?;
     match found.outcome {
-        SlidingOutcome::FreeFlight => Err(RockingError::FreeFlight { time_s: found.end_time_s }.into()),
+        SlidingOutcome::FreeFlight => Err(RockingError::FreeFlight {
+            time_s: found.end_time_s,
+        }
+        .into()),
         SlidingOutcome::Stuck | SlidingOutcome::Slid => Ok(found),
     }
 }
@@ -88,11 +121,25 @@ fn motion(
     resistance_ratio: f64,
     floor_m_s2: f64,
 ) -> AxisMotion {
-    let trips = roll.stop_speed_m_s.is_some_and(|speed_m_s| speed_m_s >= trip_speed_m_s(block, G0_M_S2));
+    let trips = roll
+        .stop_speed_m_s
+        .is_some_and(|speed_m_s| speed_m_s >= trip_speed_m_s(block, G0_M_S2));
     let rocking = RockingSummary {
-        outcome: if trips { Outcome::Overturned } else { Outcome::NoUplift },
-        stop: if trips { StopReason::Overturned } else { StopReason::Settled },
-        peak_rotation_rad: if trips { std::f64::consts::FRAC_PI_2 } else { 0.0 },
+        outcome: if trips {
+            Outcome::Overturned
+        } else {
+            Outcome::NoUplift
+        },
+        stop: if trips {
+            StopReason::Overturned
+        } else {
+            StopReason::Settled
+        },
+        peak_rotation_rad: if trips {
+            std::f64::consts::FRAC_PI_2
+        } else {
+            0.0
+        },
         sides: [SideExtremes::default(); 2],
         impact_count: 0,
         wall_impact_count: 0,
@@ -103,12 +150,26 @@ fn motion(
         if trips {
             return Some(Terms::OVERTURNED);
         }
-        let demand = roll.stop_speed_m_s.and_then(|speed| stop_demand(gliding, draw.mass_kg(subject)?, speed));
+        let demand = roll
+            .stop_speed_m_s
+            .and_then(|speed| stop_demand(gliding, draw.mass_kg(subject)?, speed));
         // No more than its resistance gets through to it.
         let through_m_s2 = floor_m_s2.min(resistance_ratio * G0_M_S2);
-        terms(capacity, demand, roll.stop_speed_m_s.is_none(), 0.0, through_m_s2)
+        terms(
+            capacity,
+            demand,
+            roll.stop_speed_m_s.is_none(),
+            0.0,
+            through_m_s2,
+        )
     });
-    AxisMotion { rocking, hit: None, strike: None, roll: Some(roll), terms }
+    AxisMotion {
+        rocking,
+        hit: None,
+        strike: None,
+        roll: Some(roll),
+        terms,
+    }
 }
 
 /// The shock of the stop, v √(k_s/m), a half-sine; an elastic stop turns the speed round. `None`:

@@ -57,12 +57,18 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
         for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
             let one = &mut asked[place];
             let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
-            one.by_group.push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
+            one.by_group
+                .push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
         }
     }
     for cause in MEASURED {
         let wants = |one: &Asked| one.is_near && is_varied(context, one.trial, cause);
-        let low = events(context, &asked, wants, Change::At(cause.group(), -NORMAL_90))?;
+        let low = events(
+            context,
+            &asked,
+            wants,
+            Change::At(cause.group(), -NORMAL_90),
+        )?;
         let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
         for ((place, low), (_, high)) in low.into_iter().zip(high) {
             let one = &mut asked[place];
@@ -70,13 +76,26 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
             let accepted = one.trial.member.accepted_ratio;
             let crosses = (low > accepted) != (high > accepted);
             // The widest first.
-            if crosses && one.measure_first.is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs()) {
+            if crosses
+                && one
+                    .measure_first
+                    .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
+            {
                 one.measure_first = Some((cause, low, high));
             }
         }
     }
-    for Asked { place, by_group, measure_first, .. } in asked {
-        found[place] = Some(Shares { by_group, measure_first });
+    for Asked {
+        place,
+        by_group,
+        measure_first,
+        ..
+    } in asked
+    {
+        found[place] = Some(Shares {
+            by_group,
+            measure_first,
+        });
     }
     Ok(found)
 }
@@ -98,11 +117,17 @@ struct Asked<'a> {
 impl<'a> Asked<'a> {
     fn new(place: usize, trial: &'a Trial<'a>) -> Option<Self> {
         let worlds = trial.lived.len().min(MAX_WORLDS);
-        let own: Vec<bool> = trial.lived[..worlds].iter().map(|lived| has_event(trial, lived)).collect();
+        let own: Vec<bool> = trial.lived[..worlds]
+            .iter()
+            .map(|lived| has_event(trial, lived))
+            .collect();
         let hits = own.iter().filter(|hit| **hit).count();
         let (p, accepted) = (share(&own), trial.member.accepted_ratio);
         // With friction a history takes too long for so many changes.
-        let slips = trial.lived.iter().any(|lived| lived.slips && lived.is_for_pads());
+        let slips = trial
+            .lived
+            .iter()
+            .any(|lived| lived.slips && lived.is_for_pads());
         (hits > 0 && !slips).then_some(Self {
             place,
             trial,
@@ -126,7 +151,11 @@ fn events(
     wants: impl Fn(&Asked) -> bool,
     change: Change,
 ) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
-    let wanting = asked.iter().enumerate().filter(|(_, one)| wants(one)).map(|(place, one)| (one.own.len(), place));
+    let wanting = asked
+        .iter()
+        .enumerate()
+        .filter(|(_, one)| wants(one))
+        .map(|(place, one)| (one.own.len(), place));
     let mut found = Vec::new();
     for (worlds, places) in grouped(wanting) {
         let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
@@ -134,7 +163,10 @@ fn events(
         let lived = lived_in(context, range, &trials, change)?;
         for (place, lived) in places.into_iter().zip(lived) {
             let trial = asked[place].trial;
-            found.push((place, lived.iter().map(|one| has_event(trial, one)).collect()));
+            found.push((
+                place,
+                lived.iter().map(|one| has_event(trial, one)).collect(),
+            ));
         }
     }
     found.sort_by_key(|(place, _)| *place);
@@ -148,13 +180,23 @@ fn is_asked(context: &Context, trial: &Trial) -> bool {
 
 /// What is under it counts where there are pads or a friction that is drawn.
 fn is_varied(context: &Context, trial: &Trial, cause: Cause) -> bool {
-    let friction = trial.subject.drawn_friction_ratio(&context.study.assessment);
-    cause != Cause::Pad || trial.subject.body.is_some() || friction.is_some_and(|(low, high)| low < high)
+    let friction = trial
+        .subject
+        .drawn_friction_ratio(&context.study.assessment);
+    cause != Cause::Pad
+        || trial.subject.body.is_some()
+        || friction.is_some_and(|(low, high)| low < high)
 }
 
 /// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
 fn has_event(trial: &Trial, lived: &Lived) -> bool {
-    let question = if trial.is_open(Question::Shock) { Question::Shock } else { Question::Falls };
+    let question = if trial.is_open(Question::Shock) {
+        Question::Shock
+    } else {
+        Question::Falls
+    };
     let models = [Model::Rigid, Model::Pads].into_iter();
-    models.filter_map(|model| answer(&trial.subject, lived, question, model)?).any(|yes| yes)
+    models
+        .filter_map(|model| answer(&trial.subject, lived, question, model)?)
+        .any(|yes| yes)
 }

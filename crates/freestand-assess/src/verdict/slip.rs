@@ -20,8 +20,15 @@ pub(super) const FALLS_WITH_FRICTION: [(f64, f64); 2] = [(0.3, 0.8), (0.5, 1.05)
 
 /// Whether rocking, or one of its impacts, needs more friction than there is in this world. Never
 /// where the list does not give the friction: an assumed one changes no number.
-pub(super) fn slips(subject: &Subject, draw: &Draw, floor: &FloorOfWorld, rigid: Option<&RigidResponse>) -> bool {
-    let Some(friction_ratio) = draw.friction_ratio.filter(|_| subject.way.rocks()) else { return false };
+pub(super) fn slips(
+    subject: &Subject,
+    draw: &Draw,
+    floor: &FloorOfWorld,
+    rigid: Option<&RigidResponse>,
+) -> bool {
+    let Some(friction_ratio) = draw.friction_ratio.filter(|_| subject.way.rocks()) else {
+        return false;
+    };
     let Some(Ok(axes)) = rigid else { return false };
     let rocks = |(_, one): &(usize, &AxisMotion)| one.rocking.outcome != Outcome::NoUplift;
     axes.iter().enumerate().filter(rocks).any(|(axis, one)| {
@@ -30,19 +37,37 @@ pub(super) fn slips(subject: &Subject, draw: &Draw, floor: &FloorOfWorld, rigid:
     })
 }
 
-fn needed_ratio(subject: &Subject, draw: &Draw, floor: &FloorOfWorld, axis: usize, lands: bool) -> Option<f64> {
+fn needed_ratio(
+    subject: &Subject,
+    draw: &Draw,
+    floor: &FloorOfWorld,
+    axis: usize,
+    lands: bool,
+) -> Option<f64> {
     let (block, restitution) = draw.block(subject, axis)?;
     let walls: Walls = draw.walls(subject, axis);
-    let rocking = friction_needed_ratio(&block, floor.base(draw.is_along_x(axis)), &options(restitution, walls))?;
+    let rocking = friction_needed_ratio(
+        &block,
+        floor.base(draw.is_along_x(axis)),
+        &options(restitution, walls),
+    )?;
     let landing = restitution.ratios(&block).ok().filter(|_| lands);
-    Some(landing.map_or(rocking, |[ratio, _]| rocking.max(impact_friction_needed_ratio(&block, ratio))))
+    Some(landing.map_or(rocking, |[ratio, _]| {
+        rocking.max(impact_friction_needed_ratio(&block, ratio))
+    }))
 }
 
 /// The histories of such worlds on pads with the friction of the world.
-pub(super) fn slipped<K: Copy + Send + Sync>(jobs: &[(K, &Subject, &Draw, &FloorOfWorld)]) -> Vec<(K, PadResponse)> {
+pub(super) fn slipped<K: Copy + Send + Sync>(
+    jobs: &[(K, &Subject, &Draw, &FloorOfWorld)],
+) -> Vec<(K, PadResponse)> {
     let one = |&(key, subject, draw, floor): &(K, &Subject, &Draw, &FloorOfWorld)| {
         let axes = 0..subject.axes.len();
-        (key, axes.map(|axis| on_any_pads(subject, draw, axis, floor, draw.friction_ratio)).collect())
+        (
+            key,
+            axes.map(|axis| on_any_pads(subject, draw, axis, floor, draw.friction_ratio))
+                .collect(),
+        )
     };
     jobs.par_iter().map(one).collect()
 }

@@ -29,21 +29,38 @@ const ASSUMED_PAD_M: f64 = 0.02;
 
 /// For each trial the first pad that passed, else the first that was too close to call, else the
 /// softest that was tried; `None` where no pad was looked for.
-pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Softening>>, Problems> {
+pub(super) fn softer(
+    context: &Context,
+    trials: &[Trial],
+) -> Result<Vec<Option<Softening>>, Problems> {
     let mut found: Vec<Option<Softening>> = trials.iter().map(|_| None).collect();
-    let mut open: Vec<usize> = (0..trials.len()).filter(|&place| is_wanted(context, &trials[place])).collect();
+    let mut open: Vec<usize> = (0..trials.len())
+        .filter(|&place| is_wanted(context, &trials[place]))
+        .collect();
     for step in 1..=TRIED_PADS {
         let mut tried: Vec<(usize, f64, Trial)> = Vec::new();
         for &place in &open {
             let trial = &trials[place];
-            let Some(subject) = on_softer(&trial.subject, NEXT_PAD.powi(step)) else { continue };
-            let Some(stiffness_n_m) = subject.body.as_ref().and_then(|body| body.cushion.linear_stiffness_n_m()) else {
+            let Some(subject) = on_softer(&trial.subject, NEXT_PAD.powi(step)) else {
                 continue;
             };
-            tried.push((place, stiffness_n_m, Trial::new(context, trial.member, subject)));
+            let Some(stiffness_n_m) = subject
+                .body
+                .as_ref()
+                .and_then(|body| body.cushion.linear_stiffness_n_m())
+            else {
+                continue;
+            };
+            tried.push((
+                place,
+                stiffness_n_m,
+                Trial::new(context, trial.member, subject),
+            ));
         }
-        let (places, mut softened): (Vec<(usize, f64)>, Vec<Trial>) =
-            tried.into_iter().map(|(place, stiffness_n_m, trial)| ((place, stiffness_n_m), trial)).unzip();
+        let (places, mut softened): (Vec<(usize, f64)>, Vec<Trial>) = tried
+            .into_iter()
+            .map(|(place, stiffness_n_m, trial)| ((place, stiffness_n_m), trial))
+            .unzip();
         live(context, &mut softened)?;
         for ((place, stiffness_n_m), trial) in places.into_iter().zip(&softened) {
             let verdict = verdict(context, trial, stiffness_n_m);
@@ -51,7 +68,11 @@ pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
                 open.retain(|one| *one != place);
             }
             // A pad that was too close to call says more than a softer one that clearly fails.
-            if verdict.softening.admissible || !found[place].as_ref().is_some_and(|earlier| earlier.is_close) {
+            if verdict.softening.admissible
+                || !found[place]
+                    .as_ref()
+                    .is_some_and(|earlier| earlier.is_close)
+            {
                 found[place] = Some(verdict.softening);
             }
         }
@@ -62,12 +83,18 @@ pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
 /// A softer pad is looked for where the shock alone is too hard or too close to call, and depends
 /// on a pad that is a spring.
 fn is_wanted(context: &Context, trial: &Trial) -> bool {
-    let Some(capacity) = &trial.subject.capacity else { return false };
+    let Some(capacity) = &trial.subject.capacity else {
+        return false;
+    };
     trial.member.asks_shock
         && trial.subject.way.rocks()
         && capacity.decides
         && capacity.needs_shock()
-        && trial.subject.body.as_ref().is_some_and(|body| body.cushion.linear_stiffness_n_m().is_some())
+        && trial
+            .subject
+            .body
+            .as_ref()
+            .is_some_and(|body| body.cushion.linear_stiffness_n_m().is_some())
         && trial.side(context, Question::Falls) == Side::Below
         && trial.side(context, Question::Shock) != Side::Below
 }
@@ -83,7 +110,11 @@ fn on_softer(subject: &Subject, factor: f64) -> Option<Subject> {
         // The damping ratio stays.
         ContactLaw::KelvinVoigt { damping_n_s_m, .. } => {
             let damping_n_s_m = damping_n_s_m * (stiffness_n_m / now_n_m).sqrt();
-            Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).ok()?
+            Cushion::new(ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            })
+            .ok()?
         }
         _ => Cushion::linear(stiffness_n_m).ok()?,
     };
@@ -99,25 +130,42 @@ struct Verdict {
 fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     let accepted_ratio = trial.member.accepted_ratio;
     let high = |question| {
-        let ends = trial.models(context).map(|model| trial.probability(context, question, model).high);
+        let ends = trial
+            .models(context)
+            .map(|model| trial.probability(context, question, model).high);
         ends.fold(0.0, f64::max)
     };
     let (p_exceed_high, p_overturn_high) = (high(Question::Shock), high(Question::Falls));
     let compliant = on_pads(context, trial);
     let rigid_m = trial.lived.iter().filter_map(|lived| {
         let axes = lived.on_rigid()?;
-        Some(axes.iter().filter_map(|one| Some(one.hit?.compression_m)).fold(0.0, f64::max))
+        Some(
+            axes.iter()
+                .filter_map(|one| Some(one.hit?.compression_m))
+                .fold(0.0, f64::max),
+        )
     });
     let stroke_m = compliant.map_or_else(|| quantile(rigid_m, 0.95), |pads| pads.compression_m_p95);
-    let stated_m = trial.subject.body.as_ref().and_then(|body| body.pad_thickness_m);
+    let stated_m = trial
+        .subject
+        .body
+        .as_ref()
+        .and_then(|body| body.pad_thickness_m);
     let pad_thickness_m = stated_m.unwrap_or(ASSUMED_PAD_M);
     let strain_ratio = context.study.assessment.pad_strain_ratio;
     let is_pressed = stroke_m >= strain_ratio * pad_thickness_m;
-    let (falls, shock) = (trial.side(context, Question::Falls), trial.side(context, Question::Shock));
+    let (falls, shock) = (
+        trial.side(context, Question::Falls),
+        trial.side(context, Question::Shock),
+    );
     let is_below = falls == Side::Below && shock == Side::Below;
     let is_close = falls == Side::Below && shock == Side::Open && !is_pressed;
     let stiffness = format!("{} N/mm", number(1e-3 * stiffness_n_m, 3));
-    let assumed = if stated_m.is_none() { " (assumed thickness)" } else { "" };
+    let assumed = if stated_m.is_none() {
+        " (assumed thickness)"
+    } else {
+        ""
+    };
     let pressed = format!(
         "it is compressed by {} mm of {} mm{assumed}",
         number(1e3 * stroke_m, 3),
@@ -129,9 +177,15 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
             percent(p_exceed_high)
         )
     } else if is_pressed {
-        format!("with {stiffness} under one edge {pressed} (95 % of the worlds), more than {}.", percent(strain_ratio))
+        format!(
+            "with {stiffness} under one edge {pressed} (95 % of the worlds), more than {}.",
+            percent(strain_ratio)
+        )
     } else if falls != Side::Below {
-        format!("with {stiffness} under one edge it falls in up to {}.", percent(p_overturn_high))
+        format!(
+            "with {stiffness} under one edge it falls in up to {}.",
+            percent(p_overturn_high)
+        )
     } else {
         let close = if is_close { ": too close to call" } else { "" };
         format!(
@@ -158,18 +212,25 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
         note,
     };
     // Softer pads are compressed further, and objects fall from them sooner.
-    Verdict { is_final: admissible || is_pressed || falls == Side::Above, softening }
+    Verdict {
+        is_final: admissible || is_pressed || falls == Side::Above,
+        softening,
+    }
 }
 
 /// Why no softer pad was looked for.
 pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
-    let Some(capacity) = &trial.subject.capacity else { return "no tolerance was given" };
+    let Some(capacity) = &trial.subject.capacity else {
+        return "no tolerance was given";
+    };
     match trial.subject.way {
         Way::Rolls(_) => return "it rolls on its casters",
         Way::Slides(_) => return "it slides on its base",
         Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {}
     }
-    let Some(body) = &trial.subject.body else { return "its pads were not given" };
+    let Some(body) = &trial.subject.body else {
+        return "its pads were not given";
+    };
     if !capacity.needs_shock() {
         return "its uplift on a rigid base does not depend on the stiffness";
     }

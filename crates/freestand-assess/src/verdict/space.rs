@@ -2,8 +2,8 @@
 
 use freestand::compliant::{CompliantAccuracy, CompliantError, EdgeSide};
 use freestand::spatial::{
-    Shape, SpatialMotion, SpatialObject, SpatialOptions, Stack, StackBody, StackPart, Support, Wall, rock_spatial,
-    rock_stack,
+    Shape, SpatialMotion, SpatialObject, SpatialOptions, Stack, StackBody, StackPart, Support,
+    Wall, rock_spatial, rock_stack,
 };
 
 use crate::result::Axis;
@@ -19,7 +19,10 @@ use super::response::{PadMotion, TOPPLED, resolved, space_motion};
 const ACCURACY: CompliantAccuracy = CompliantAccuracy::Fast;
 
 fn options() -> SpatialOptions {
-    SpatialOptions { accuracy: ACCURACY, ..SpatialOptions::default() }
+    SpatialOptions {
+        accuracy: ACCURACY,
+        ..SpatialOptions::default()
+    }
 }
 
 fn missing() -> String {
@@ -45,18 +48,32 @@ pub(super) fn in_space(
     let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
     let (height_m, thickness_m) = draw.size_m(subject, 0);
     let (_, width_m) = draw.size_m(subject, 1);
-    let support = Support { friction_ratio: draw.friction_ratio, ..Support::new(cushion) };
+    let support = Support {
+        friction_ratio: draw.friction_ratio,
+        ..Support::new(cushion)
+    };
     let object = SpatialObject {
-        shape: Shape::Prism { thickness_m, width_m, height_m },
+        shape: Shape::Prism {
+            thickness_m,
+            width_m,
+            height_m,
+        },
         mass_kg,
         support,
-        walls: beside.into_iter().flat_map(|beside| walls(beside, draw, mass_kg)).collect(),
+        walls: beside
+            .into_iter()
+            .flat_map(|beside| walls(beside, draw, mass_kg))
+            .collect(),
     };
     let along = |axis: usize| {
         let is_x = draw.is_along_x(axis);
         (is_x || floor.motion.across.is_some()).then(|| floor.component(is_x))
     };
-    let motion = SpatialMotion { x: along(0), y: along(1), vertical: floor.base(true).vertical };
+    let motion = SpatialMotion {
+        x: along(0),
+        y: along(1),
+        vertical: floor.base(true).vertical,
+    };
     match rock_spatial(&object, motion, &options()) {
         Ok(found) => {
             resolved(found.body.outcome).map_err(|lost| lost.why().to_owned())?;
@@ -69,7 +86,9 @@ pub(super) fn in_space(
 
 /// The wall behind it, on the side that was drawn.
 fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
-    let Some(drawn) = &draw.wall else { return Vec::new() };
+    let Some(drawn) = &draw.wall else {
+        return Vec::new();
+    };
     let walls = beside.walls(Axis::Thickness, drawn);
     let wall = |(side, wall): (EdgeSide, Option<freestand::wall::Wall>)| {
         let wall = wall?;
@@ -77,20 +96,32 @@ fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
             side,
             gap_m: wall.gap_m,
             height_m: wall.height_m.unwrap_or(f64::INFINITY),
-            cushion: beside.stiffness_n_m.and_then(|stiffness_n_m| draw.damped(stiffness_n_m, mass_kg)),
+            cushion: beside
+                .stiffness_n_m
+                .and_then(|stiffness_n_m| draw.damped(stiffness_n_m, mass_kg)),
         })
     };
-    [(EdgeSide::Left, walls.left), (EdgeSide::Right, walls.right)].into_iter().filter_map(wall).collect()
+    [(EdgeSide::Left, walls.left), (EdgeSide::Right, walls.right)]
+        .into_iter()
+        .filter_map(wall)
+        .collect()
 }
 
 /// An object and what stands on it, with the values of a world.
 pub(super) fn stack(subject: &Subject, upper: &Upper, draw: &Draw) -> Option<Stack> {
     let (mass_kg, cushion) = draw.damped_body(subject)?;
     let (height_m, thickness_m) = draw.size_m(subject, 0);
-    let support = Support { friction_ratio: draw.friction_ratio, ..Support::new(cushion) };
+    let support = Support {
+        friction_ratio: draw.friction_ratio,
+        ..Support::new(cushion)
+    };
     let [mass, height, thickness] = draw.upper;
     Some(Stack {
-        lower: StackBody { height_m, thickness_m, mass_kg },
+        lower: StackBody {
+            height_m,
+            thickness_m,
+            mass_kg,
+        },
         upper: StackBody {
             height_m: upper.height_m * height,
             thickness_m: upper.thickness_m * thickness,
@@ -114,9 +145,16 @@ pub(super) fn stacked(
             resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
             let history = (found.outcome, &found.lower, &found.landings);
             let motion = space_motion(subject, draw, history, floor.pfa_m_s2);
-            Ok(PadMotion { space: None, fallen: found.overturned_body, ..motion })
+            Ok(PadMotion {
+                space: None,
+                fallen: found.overturned_body,
+                ..motion
+            })
         }
         // Its pads do not keep it upright.
-        Err(error) => toppled(&error).map(|motion| PadMotion { fallen: Some(StackPart::Lower), ..motion }),
+        Err(error) => toppled(&error).map(|motion| PadMotion {
+            fallen: Some(StackPart::Lower),
+            ..motion
+        }),
     }
 }

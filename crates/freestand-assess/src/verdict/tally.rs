@@ -35,14 +35,26 @@ pub(crate) struct Tally {
 
 /// Counts the worlds of a trial.
 pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
-    let count = |is_one: &dyn Fn(&Lived) -> bool| trial.lived.iter().filter(|lived| is_one(lived)).count() as u32;
+    let count = |is_one: &dyn Fn(&Lived) -> bool| {
+        trial.lived.iter().filter(|lived| is_one(lived)).count() as u32
+    };
     let models: Vec<Model> = trial.models(context).collect();
     let deciding = deciding(context, trial);
-    let fallen = |lived: &Lived, model| trial.answer(lived, Question::Falls, model) == Some(Some(true));
-    let exceeds =
-        |lived: &Lived, model| !fallen(lived, model) && trial.answer(lived, Question::Shock, model) == Some(Some(true));
-    let exceeded = models.iter().map(|model| count(&|lived| exceeds(lived, *model))).max();
-    let stood = || trial.lived.iter().map(|lived| (lived, uplift_and_shock(lived)));
+    let fallen =
+        |lived: &Lived, model| trial.answer(lived, Question::Falls, model) == Some(Some(true));
+    let exceeds = |lived: &Lived, model| {
+        !fallen(lived, model) && trial.answer(lived, Question::Shock, model) == Some(Some(true))
+    };
+    let exceeded = models
+        .iter()
+        .map(|model| count(&|lived| exceeds(lived, *model)))
+        .max();
+    let stood = || {
+        trial
+            .lived
+            .iter()
+            .map(|lived| (lived, uplift_and_shock(lived)))
+    };
     Tally {
         worlds: trial.worlds(),
         failed: count(&|lived| lived.failure().is_some() || matches!(lived.pads, Some(Err(_)))),
@@ -50,8 +62,12 @@ pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
         asked: count(&|lived| trial.answer(lived, Question::Falls, deciding).is_some()),
         overturned: count(&|lived| fallen(lived, deciding)),
         exceeded: trial.subject.capacity.as_ref().and(exceeded),
-        uplift_m_max: stood().filter_map(|(_, (uplift_m, _))| uplift_m).reduce(f64::max),
-        shock_g_max: stood().filter_map(|(_, (_, shock_g))| shock_g).reduce(f64::max),
+        uplift_m_max: stood()
+            .filter_map(|(_, (uplift_m, _))| uplift_m)
+            .reduce(f64::max),
+        shock_g_max: stood()
+            .filter_map(|(_, (_, shock_g))| shock_g)
+            .reduce(f64::max),
         lift_g: trial
             .subject
             .axes
@@ -66,24 +82,47 @@ pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
 pub(super) fn deciding(context: &Context, trial: &Trial) -> Model {
     let high = |model: &Model| trial.probability(context, Question::Falls, *model).high;
     let models = trial.models(context);
-    models.reduce(|most, next| if high(&next) > high(&most) { next } else { most }).unwrap_or(Model::Rigid)
+    models
+        .reduce(|most, next| {
+            if high(&next) > high(&most) {
+                next
+            } else {
+                most
+            }
+        })
+        .unwrap_or(Model::Rigid)
 }
 
 fn has_lifted(lived: &Lived) -> bool {
-    lived.on_rigid().is_some_and(lifts) || lived.on_pads().iter().copied().flatten().any(|one| one.has_let_go)
+    lived.on_rigid().is_some_and(lifts)
+        || lived
+            .on_pads()
+            .iter()
+            .copied()
+            .flatten()
+            .any(|one| one.has_let_go)
 }
 
 /// The largest uplift \[m\] and the largest shock \[g\] in a world, of the models by which an edge
 /// lifts and it stays standing.
 fn uplift_and_shock(lived: &Lived) -> (Option<f64>, Option<f64>) {
-    let rigid = lived.on_rigid().filter(|axes| lifts(axes) && !overturned(axes));
-    let pads = lived
-        .on_pads()
-        .filter(|axes| axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned));
+    let rigid = lived
+        .on_rigid()
+        .filter(|axes| lifts(axes) && !overturned(axes));
+    let pads = lived.on_pads().filter(|axes| {
+        axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned)
+    });
     let rigid = || rigid.into_iter().flatten();
     let pads = || pads.into_iter().flatten().filter(|one| one.has_let_go);
-    let uplift_m = rigid().map(|one| one.rocking.uplift_m).chain(pads().map(|one| one.lift_m)).reduce(f64::max);
-    let hits = rigid().filter_map(|one| one.hit.as_ref().map(Hit::larger_g)).filter(|shock_g| *shock_g > 0.0);
-    let shocks = hits.map(|shock_g| lived.draw.model * shock_g).chain(pads().map(|one| one.edge_m_s2 / G0_M_S2));
+    let uplift_m = rigid()
+        .map(|one| one.rocking.uplift_m)
+        .chain(pads().map(|one| one.lift_m))
+        .reduce(f64::max);
+    let hits = rigid()
+        .filter_map(|one| one.hit.as_ref().map(Hit::larger_g))
+        .filter(|shock_g| *shock_g > 0.0);
+    let shocks = hits
+        .map(|shock_g| lived.draw.model * shock_g)
+        .chain(pads().map(|one| one.edge_m_s2 / G0_M_S2));
     (uplift_m, shocks.reduce(f64::max))
 }

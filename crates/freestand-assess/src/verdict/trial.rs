@@ -17,8 +17,12 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject};
-use super::respond::{Drawn, Outcome, histories_on_rigid, of_springs, on_any_pads, on_rigid, on_springs, whole};
-use super::response::{Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity};
+use super::respond::{
+    Drawn, Outcome, histories_on_rigid, of_springs, on_any_pads, on_rigid, on_springs, whole,
+};
+use super::response::{
+    Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity,
+};
 use super::slip::{slipped, slips};
 use super::{Context, Member};
 
@@ -60,7 +64,13 @@ impl<'a> Trial<'a> {
             Some(records) => looks.worlds_in_passes(accepted, records.max(1)),
         };
         // The settings and the inventory have refused what it refuses.
-        Self { member, subject, looks: looks.unwrap_or_default(), lived: Vec::new(), is_done: false }
+        Self {
+            member,
+            subject,
+            looks: looks.unwrap_or_default(),
+            lived: Vec::new(),
+            is_done: false,
+        }
     }
 
     /// Number of worlds.
@@ -86,24 +96,41 @@ impl<'a> Trial<'a> {
 
     /// The models that are asked.
     pub(super) fn models(&self, context: &Context) -> impl Iterator<Item = Model> {
-        [Model::Rigid, Model::Pads].into_iter().filter(|model| self.asks(context, *model))
+        [Model::Rigid, Model::Pads]
+            .into_iter()
+            .filter(|model| self.asks(context, *model))
     }
 
     /// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
-    pub(super) fn answer(&self, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
+    pub(super) fn answer(
+        &self,
+        lived: &Lived,
+        question: Question,
+        model: Model,
+    ) -> Option<Option<bool>> {
         answer(&self.subject, lived, question, model)
     }
 
     /// The probability by one model, with its interval.
-    pub(super) fn probability(&self, context: &Context, question: Question, model: Model) -> Probability {
-        let answers: Vec<Option<bool>> =
-            self.lived.iter().filter_map(|lived| self.answer(lived, question, model)).collect();
+    pub(super) fn probability(
+        &self,
+        context: &Context,
+        question: Question,
+        model: Model,
+    ) -> Probability {
+        let answers: Vec<Option<bool>> = self
+            .lived
+            .iter()
+            .filter_map(|lived| self.answer(lived, question, model))
+            .collect();
         Self::probability_of(context, &answers)
     }
 
     /// The probability of yes, with its interval, from the answers in the worlds in their order.
     fn probability_of(context: &Context, answers: &[Option<bool>]) -> Probability {
-        let hits = |answers: &[Option<bool>]| answers.iter().filter(|one| **one == Some(true)).count() as u32;
+        let hits = |answers: &[Option<bool>]| {
+            answers.iter().filter(|one| **one == Some(true)).count() as u32
+        };
         let count = Count {
             worlds: answers.len() as u32,
             hits: hits(answers),
@@ -118,19 +145,44 @@ impl<'a> Trial<'a> {
             // World i uses record i mod n.
             let whole = &answers[..passes * records];
             let of_record = |record: usize| {
-                let own: Vec<Option<bool>> = whole.iter().skip(record).step_by(records).copied().collect();
+                let own: Vec<Option<bool>> = whole
+                    .iter()
+                    .skip(record)
+                    .step_by(records)
+                    .copied()
+                    .collect();
                 hits(&own)
             };
             let by_record: Vec<u32> = (0..records).map(of_record).collect();
-            let found = Clusters::with(&by_record, count.unknown, passes as u32, context.least_correlation());
-            found.map_or(Interval { low: 0.0, high: 1.0 }, |clusters| clusters.interval(confidence))
+            let found = Clusters::with(
+                &by_record,
+                count.unknown,
+                passes as u32,
+                context.least_correlation(),
+            );
+            found.map_or(
+                Interval {
+                    low: 0.0,
+                    high: 1.0,
+                },
+                |clusters| clusters.interval(confidence),
+            )
         };
-        Probability { value: count.share_ratio(), low: interval.low, high: interval.high }
+        Probability {
+            value: count.share_ratio(),
+            low: interval.low,
+            high: interval.high,
+        }
     }
 
     /// Where the probability lies by all models that are asked.
     pub(super) fn side(&self, context: &Context, question: Question) -> Side {
-        let side = |model| side(self.probability(context, question, model), self.member.accepted_ratio);
+        let side = |model| {
+            side(
+                self.probability(context, question, model),
+                self.member.accepted_ratio,
+            )
+        };
         let sides: Vec<Side> = self.models(context).map(side).collect();
         Side::of_models(&sides)
     }
@@ -139,23 +191,39 @@ impl<'a> Trial<'a> {
     /// no room is known.
     pub(super) fn room_side(&self, context: &Context) -> Side {
         let room_m = self.subject.way.room_m();
-        room_m.map_or(Side::Open, |room_m| side(self.beyond(context, room_m), self.member.accepted_ratio))
+        room_m.map_or(Side::Open, |room_m| {
+            side(self.beyond(context, room_m), self.member.accepted_ratio)
+        })
     }
 
     /// The probability that it rolls or slides farther than this \[m\].
     fn beyond(&self, context: &Context, room_m: f64) -> Probability {
-        let answers: Vec<Option<bool>> = self.lived.iter().map(|lived| Some(self.travel_m(lived)? > room_m)).collect();
+        let answers: Vec<Option<bool>> = self
+            .lived
+            .iter()
+            .map(|lived| Some(self.travel_m(lived)? > room_m))
+            .collect();
         Self::probability_of(context, &answers)
     }
 
     /// The least room that would suffice: the upper end of the probability that it goes farther is below
     /// the accepted one. With too few worlds for any, its largest travel; 0 where it rocks \[m\].
     pub(super) fn room_needed_m(&self, context: &Context) -> f64 {
-        let mut travels: Vec<f64> = self.lived.iter().filter_map(|lived| self.travel_m(lived)).collect();
+        let mut travels: Vec<f64> = self
+            .lived
+            .iter()
+            .filter_map(|lived| self.travel_m(lived))
+            .collect();
         travels.sort_by(f64::total_cmp);
-        let suffices = |room_m: f64| side(self.beyond(context, room_m), self.member.accepted_ratio) == Side::Below;
+        let suffices = |room_m: f64| {
+            side(self.beyond(context, room_m), self.member.accepted_ratio) == Side::Below
+        };
         let least = travels.partition_point(|&room_m| !suffices(room_m));
-        travels.get(least).or(travels.last()).copied().unwrap_or(0.0)
+        travels
+            .get(least)
+            .or(travels.last())
+            .copied()
+            .unwrap_or(0.0)
     }
 
     /// How far it rolls or slides in a world, 0 where it rocks; `None`: that is not known \[m\].
@@ -171,28 +239,52 @@ impl<'a> Trial<'a> {
 
     fn settle(&mut self, context: &Context) {
         let falls = self.side(context, Question::Falls);
-        let shock = || !self.is_open(Question::Shock) || self.side(context, Question::Shock).is_settled();
+        let shock =
+            || !self.is_open(Question::Shock) || self.side(context, Question::Shock).is_settled();
         let room = || self.subject.way.room_m().is_none() || self.room_side(context).is_settled();
         let is_answered = falls == Side::Above || (falls == Side::Below && shock() && room());
-        let slipped = self.lived.iter().filter(|lived| lived.slips && lived.is_for_pads()).count();
+        let slipped = self
+            .lived
+            .iter()
+            .filter(|lived| lived.slips && lived.is_for_pads())
+            .count();
         self.is_done = is_answered || slipped >= SLIPPING_WORLDS;
     }
 }
 
 pub(super) fn side(p: Probability, accepted: f64) -> Side {
-    Interval { low: p.low, high: p.high }.side(accepted)
+    Interval {
+        low: p.low,
+        high: p.high,
+    }
+    .side(accepted)
 }
 
 /// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
-pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
+pub(super) fn answer(
+    subject: &Subject,
+    lived: &Lived,
+    question: Question,
+    model: Model,
+) -> Option<Option<bool>> {
     // The outer question is whether the model was asked.
     let model = match model {
         Model::Rigid => lived.rigid.as_ref().map(|_| lived.answering(model))?,
         Model::Pads => model,
     };
     let has_fallen = match model {
-        Model::Rigid => lived.rigid.as_ref()?.as_ref().ok().map(|axes| Outcome::on_rigid(&subject.way, axes)),
-        Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| Outcome::on_pads(axes)),
+        Model::Rigid => lived
+            .rigid
+            .as_ref()?
+            .as_ref()
+            .ok()
+            .map(|axes| Outcome::on_rigid(&subject.way, axes)),
+        Model::Pads => lived
+            .pads
+            .as_ref()?
+            .as_ref()
+            .ok()
+            .map(|axes| Outcome::on_pads(axes)),
     };
     let has_fallen = has_fallen.map(Outcome::has_fallen);
     if question == Question::Falls || has_fallen != Some(false) {
@@ -203,7 +295,11 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
         Model::Pads => lived.on_pads().and_then(pads_demand_capacity),
     };
     // Beyond the thickness of a pad its stiffness is not known.
-    let thickness_m = subject.body.as_ref().and_then(|body| body.pad_thickness_m).unwrap_or(f64::INFINITY);
+    let thickness_m = subject
+        .body
+        .as_ref()
+        .and_then(|body| body.pad_thickness_m)
+        .unwrap_or(f64::INFINITY);
     let compression_m = match model {
         Model::Rigid => lived
             .on_rigid()
@@ -212,13 +308,23 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
             .flatten()
             .filter_map(|one| Some(one.hit?.compression_m))
             .fold(0.0, f64::max),
-        Model::Pads => lived.on_pads().iter().copied().flatten().map(|one| one.compression_m).fold(0.0, f64::max),
+        Model::Pads => lived
+            .on_pads()
+            .iter()
+            .copied()
+            .flatten()
+            .map(|one| one.compression_m)
+            .fold(0.0, f64::max),
     };
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
     // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
     let floor_alone = || {
         // Casters, and a base that slides, keep most of it from the object.
-        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.way.glides().is_none())?.peak_m_s2?;
+        let peak_m_s2 = subject
+            .capacity
+            .as_ref()
+            .filter(|_| subject.way.glides().is_none())?
+            .peak_m_s2?;
         (lived.pfa_m_s2 > peak_m_s2).then_some(true)
     };
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
@@ -227,7 +333,10 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
 /// Adds worlds until every trial is settled or has reached its cap.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
     loop {
-        let next = trials.iter().enumerate().filter_map(|(place, trial)| Some((trial.next()?, place)));
+        let next = trials
+            .iter()
+            .enumerate()
+            .filter_map(|(place, trial)| Some((trial.next()?, place)));
         let groups = grouped(next);
         if groups.is_empty() {
             return Ok(());
@@ -239,12 +348,17 @@ pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Proble
                 trials[place].lived.extend(more);
             }
         }
-        trials.par_iter_mut().filter(|trial| !trial.is_done).for_each(|trial| trial.settle(context));
+        trials
+            .par_iter_mut()
+            .filter(|trial| !trial.is_done)
+            .for_each(|trial| trial.settle(context));
     }
 }
 
 /// What belongs to each key, in the order of their first appearance.
-pub(super) fn grouped<K: PartialEq>(items: impl Iterator<Item = (K, usize)>) -> Vec<(K, Vec<usize>)> {
+pub(super) fn grouped<K: PartialEq>(
+    items: impl Iterator<Item = (K, usize)>,
+) -> Vec<(K, Vec<usize>)> {
     let mut groups: Vec<(K, Vec<usize>)> = Vec::new();
     for (key, place) in items {
         match groups.iter_mut().find(|(other, _)| *other == key) {
@@ -266,9 +380,20 @@ pub(super) fn lived_in(
     trials: &[&Trial],
     change: Change,
 ) -> Result<Vec<Vec<Lived>>, Problems> {
-    let levels = grouped(trials.iter().enumerate().map(|(place, trial)| (trial.subject.level_ratio.to_bits(), place)));
-    let levels_ratio: Vec<f64> = levels.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
-    let mut lived: Vec<Vec<Lived>> = trials.iter().map(|_| Vec::with_capacity(range.len())).collect();
+    let levels = grouped(
+        trials
+            .iter()
+            .enumerate()
+            .map(|(place, trial)| (trial.subject.level_ratio.to_bits(), place)),
+    );
+    let levels_ratio: Vec<f64> = levels
+        .iter()
+        .map(|(bits, _)| f64::from_bits(*bits))
+        .collect();
+    let mut lived: Vec<Vec<Lived>> = trials
+        .iter()
+        .map(|_| Vec::with_capacity(range.len()))
+        .collect();
     let block = (MAX_HELD / levels.len().max(1)).max(1);
     for from in range.clone().step_by(block) {
         let block = from..range.end.min(from + block as u32);
@@ -276,8 +401,13 @@ pub(super) fn lived_in(
         for ((_, places), floors) in levels.iter().zip(floors) {
             context.go_on()?;
             let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
-            for (&place, more) in places.iter().zip(lived_on_floor(context, block.clone(), &on_floor, &floors, change)?)
-            {
+            for (&place, more) in places.iter().zip(lived_on_floor(
+                context,
+                block.clone(),
+                &on_floor,
+                &floors,
+                change,
+            )?) {
                 lived[place].extend(more);
             }
         }
@@ -295,7 +425,10 @@ fn lived_on_floor(
 ) -> Result<Vec<Vec<Lived>>, Problems> {
     let settings = &context.study.assessment;
     let in_world = |world: u32| -> Vec<Draw> {
-        trials.iter().map(|trial| draw(settings, &trial.subject, trial.member.key, world, change)).collect()
+        trials
+            .iter()
+            .map(|trial| draw(settings, &trial.subject, trial.member.key, world, change))
+            .collect()
     };
     let draws: Vec<Vec<Draw>> = range.clone().into_par_iter().map(in_world).collect();
     let rigid: Vec<Result<Vec<Option<RigidResponse>>, Problems>> = draws
@@ -314,19 +447,25 @@ fn lived_on_floor(
         .zip(floors)
         .map(|((rigid, draws), floor)| {
             let objects = trials.iter().zip(rigid).zip(draws);
-            objects.map(|((trial, rigid), draw)| slips(&trial.subject, draw, floor, rigid.as_ref())).collect()
+            objects
+                .map(|((trial, rigid), draw)| slips(&trial.subject, draw, floor, rigid.as_ref()))
+                .collect()
         })
         .collect();
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
     let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
-    let mut pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
+    let mut pads =
+        pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
     let mut slipped = slipped_in_worlds(context, trials, &slips, &draws, floors)?;
     let lived = trials.iter().enumerate().map(|(place, trial)| {
         let worlds = rigid.iter_mut().zip(&draws).zip(floors).enumerate();
         let mut own_pads = match is_known(trial) {
-            true => trial.lived[range.start as usize..range.end as usize].iter().map(|one| one.pads.clone()).collect(),
+            true => trial.lived[range.start as usize..range.end as usize]
+                .iter()
+                .map(|one| one.pads.clone())
+                .collect(),
             false if is_asked(trial) => pads.next().unwrap_or_default(),
             false => Vec::new(),
         }
@@ -335,7 +474,9 @@ fn lived_on_floor(
             let without_slip = own_pads.next().flatten();
             Lived {
                 draw: draws[place],
-                rigid: rigid.next().unwrap_or_else(|| Some(Err(Lost::failed("the history is missing")))),
+                rigid: rigid
+                    .next()
+                    .unwrap_or_else(|| Some(Err(Lost::failed("the history is missing")))),
                 pads: slipped.remove(&(place, world)).or(without_slip),
                 slips: slips[world][place],
                 pfa_m_s2: floor.pfa_m_s2,
@@ -381,9 +522,16 @@ fn floors(
     change: Change,
 ) -> Result<Vec<Vec<Arc<FloorOfWorld>>>, Problems> {
     let repetition = |group: Group| u32::from(change == Change::Again(group));
-    let again = Again { motion: repetition(Group::Motion), building: repetition(Group::Building) };
-    let building = change.normal(Group::Building).map(|normal| context.worlds.building_at(normal));
-    context.worlds.floors(range, levels_ratio, again, building, || context.go_on())
+    let again = Again {
+        motion: repetition(Group::Motion),
+        building: repetition(Group::Building),
+    };
+    let building = change
+        .normal(Group::Building)
+        .map(|normal| context.worlds.building_at(normal));
+    context
+        .worlds
+        .floors(range, levels_ratio, again, building, || context.go_on())
 }
 
 fn rigid_in_world(
@@ -397,11 +545,22 @@ fn rigid_in_world(
         .iter()
         .zip(draws)
         .filter(|(trial, _)| asked(trial))
-        .map(|(trial, draw)| Drawn { subject: &trial.subject, draw })
+        .map(|(trial, draw)| Drawn {
+            subject: &trial.subject,
+            draw,
+        })
         .collect();
-    context.count(objects.iter().map(|one| histories_on_rigid(one.subject)).sum());
+    context.count(
+        objects
+            .iter()
+            .map(|one| histories_on_rigid(one.subject))
+            .sum(),
+    );
     let mut found = on_rigid(&objects, floor).into_iter();
-    trials.iter().map(|trial| asked(&trial).then(|| found.next()).flatten()).collect()
+    trials
+        .iter()
+        .map(|trial| asked(&trial).then(|| found.next()).flatten())
+        .collect()
 }
 
 /// The place of an object, the place of a world, an axis; its draw and its floor.
@@ -417,19 +576,37 @@ fn pads_in_worlds(
     floors: &[Arc<FloorOfWorld>],
     first: u32,
 ) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
-    let asked: Vec<(usize, &&Trial)> = trials.iter().enumerate().filter(|(_, trial)| is_asked(trial)).collect();
+    let asked: Vec<(usize, &&Trial)> = trials
+        .iter()
+        .enumerate()
+        .filter(|(_, trial)| is_asked(trial))
+        .collect();
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut jobs: Vec<Job> = Vec::new();
     for (place, trial) in &asked {
         for (world, (draws, floor)) in draws.iter().zip(floors).enumerate() {
             let draw = &draws[*place];
             // One history of the whole body, or one about each axis.
-            let histories = if trial.subject.way.is_slow() { 1 } else { trial.subject.axes.len() };
+            let histories = if trial.subject.way.is_slow() {
+                1
+            } else {
+                trial.subject.axes.len()
+            };
             jobs.extend((0..histories).map(|axis| (*place, world, axis, draw, &**floor)));
         }
     }
-    fn spring<'a>(trials: &[&Trial], &(place, _, axis, draw, floor): &Job<'a>) -> Option<CompliantWorld<'a>> {
-        on_springs(Drawn { subject: &trials[place].subject, draw }, axis, floor)
+    fn spring<'a>(
+        trials: &[&Trial],
+        &(place, _, axis, draw, floor): &Job<'a>,
+    ) -> Option<CompliantWorld<'a>> {
+        on_springs(
+            Drawn {
+                subject: &trials[place].subject,
+                draw,
+            },
+            axis,
+            floor,
+        )
     }
     let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| spring(trials, job)).collect();
     context.go_on()?;
@@ -449,20 +626,33 @@ fn pads_in_worlds(
         Ok(Some(history))
     };
     let others: Vec<Result<_, Problems>> = jobs.par_iter().map(one_by_one).collect();
-    let others: Vec<Option<Result<PadMotion, String>>> = others.into_iter().collect::<Result<_, _>>()?;
-    let mut found: Vec<Vec<Option<PadResponse>>> = asked.iter().map(|_| vec![None; floors.len()]).collect();
+    let others: Vec<Option<Result<PadMotion, String>>> =
+        others.into_iter().collect::<Result<_, _>>()?;
+    let mut found: Vec<Vec<Option<PadResponse>>> =
+        asked.iter().map(|_| vec![None; floors.len()]).collect();
     let order: Vec<usize> = asked.iter().map(|(place, _)| *place).collect();
     for (job, other) in jobs.iter().zip(others) {
         let (place, world, _, draw, floor) = *job;
         let one = match other {
             Some(other) => other,
             None if spring(trials, job).is_some() => match many.next() {
-                Some(found) => of_springs(Drawn { subject: &trials[place].subject, draw }, floor, found),
+                Some(found) => of_springs(
+                    Drawn {
+                        subject: &trials[place].subject,
+                        draw,
+                    },
+                    floor,
+                    found,
+                ),
                 None => Err("the history is missing".to_owned()),
             },
             None => continue,
         };
-        let Some(own) = order.iter().position(|one| *one == place).and_then(|own| found[own].get_mut(world)) else {
+        let Some(own) = order
+            .iter()
+            .position(|one| *one == place)
+            .and_then(|own| found[own].get_mut(world))
+        else {
             continue;
         };
         match (own.get_or_insert_with(|| Ok(Vec::new())), one) {
@@ -478,7 +668,9 @@ impl Context<'_> {
     /// The smallest number of records that could show that an object stays; `None` where even the
     /// largest number of worlds has too few.
     pub(super) fn fewest_records(&self, accepted_ratio: f64) -> Option<u32> {
-        self.looks().fewest_records(accepted_ratio, self.least_correlation()).ok()?
+        self.looks()
+            .fewest_records(accepted_ratio, self.least_correlation())
+            .ok()?
     }
 
     /// The smallest number of independent worlds that could show that an object stays.
@@ -492,9 +684,19 @@ impl Context<'_> {
 
     /// The least correlation between worlds that use the same motion.
     fn least_correlation(&self) -> f64 {
-        let Spread { restitution, stiffness, mass, geometry, model, compliant } = self.study.assessment.spread;
+        let Spread {
+            restitution,
+            stiffness,
+            mass,
+            geometry,
+            model,
+            compliant,
+        } = self.study.assessment.spread;
         let spreads = [restitution, stiffness, mass, geometry, model, compliant];
-        match (self.worlds.building_is_known(), spreads.iter().all(|spread| *spread == 0.0)) {
+        match (
+            self.worlds.building_is_known(),
+            spreads.iter().all(|spread| *spread == 0.0),
+        ) {
             (true, true) => 1.0,
             (true, false) => SAME_SHAKING_CORRELATION,
             (false, _) => freestand::decision::LEAST_CORRELATION_RATIO,

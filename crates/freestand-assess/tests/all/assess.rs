@@ -1,7 +1,11 @@
 //! Assessments from end to end: the same bytes whatever happens to the run, probabilities against
 //! integrals.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may stop")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may stop"
+)]
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -18,7 +22,9 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand::synthesis::{SynthesisOptions, synthesize};
 use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
-use freestand_assess::restrain::{RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain};
+use freestand_assess::restrain::{
+    RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain,
+};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
@@ -33,17 +39,23 @@ fn study(assessment: &str) -> Study {
     resolve(&text, None, Path::new("")).unwrap()
 }
 
-const HEADER: &str =
-    "id,item,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance [g],notes\n";
+const HEADER: &str = "id,item,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance [g],notes\n";
 
 /// Slender and squat objects on three floors, some with missing data.
 fn rows(count: usize) -> Vec<String> {
     (0..count)
         .map(|i| {
             let (height, thickness) = (600 + 170 * (i % 11), 150 + 60 * (i % 7));
-            let tolerance = if i % 5 == 4 { String::new() } else { format!("{}", 2 + i % 3) };
+            let tolerance = if i % 5 == 4 {
+                String::new()
+            } else {
+                format!("{}", 2 + i % 3)
+            };
             let level = ["0", "0.5", "1"][i % 3];
-            format!("o{i},box {i},{level},{height},{thickness},{},80,3000,{tolerance},=1+{i}\n", thickness + 200)
+            format!(
+                "o{i},box {i},{level},{height},{thickness},{},80,3000,{tolerance},=1+{i}\n",
+                thickness + 200
+            )
         })
         .collect()
 }
@@ -56,7 +68,12 @@ fn inventory_file(folder: &Path, rows: &[String]) -> std::path::PathBuf {
 
 fn run(study: &Study, rows: &[String], out: &Path, job: &Job, progress: Progress) -> JobReport {
     let folder = tempfile::tempdir().unwrap();
-    let inventory = inventory_of(study, Some(&inventory_file(folder.path(), rows)), &ListRequest::default()).unwrap();
+    let inventory = inventory_of(
+        study,
+        Some(&inventory_file(folder.path(), rows)),
+        &ListRequest::default(),
+    )
+    .unwrap();
     assess_into(study, &inventory, out, job, progress).unwrap()
 }
 
@@ -65,7 +82,12 @@ fn contents(folder: &Path) -> HashMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
     entries
         .filter(|entry| entry.file_type().unwrap().is_file())
-        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
+        .map(|entry| {
+            (
+                entry.file_name().into_string().unwrap(),
+                fs::read(entry.path()).unwrap(),
+            )
+        })
         .collect()
 }
 
@@ -75,11 +97,19 @@ fn column(folder: &Path, name: &str) -> HashMap<String, String> {
     let headers = reader.headers().unwrap().clone();
     let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
     let (id, wanted) = (place("id"), place(name));
-    reader.records().map(|row| row.unwrap()).map(|row| (row[id].to_owned(), row[wanted].to_owned())).collect()
+    reader
+        .records()
+        .map(|row| row.unwrap())
+        .map(|row| (row[id].to_owned(), row[wanted].to_owned()))
+        .collect()
 }
 
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .unwrap()
+        .install(work)
 }
 
 #[test]
@@ -88,9 +118,20 @@ fn the_same_bytes_on_any_number_of_threads() {
     let of = |threads: usize| {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("out");
-        let job = Job { parquet: true, ..Job::default() };
+        let job = Job {
+            parquet: true,
+            ..Job::default()
+        };
         let report = on_threads(threads, || run(&study, &rows, &out, &job, &no_progress));
-        assert_eq!((report.objects, report.resumed, report.computed, report.interrupted), (24, 0, 24, false));
+        assert_eq!(
+            (
+                report.objects,
+                report.resumed,
+                report.computed,
+                report.interrupted
+            ),
+            (24, 0, 24, false)
+        );
         contents(&out)
     };
     let one = of(1);
@@ -111,12 +152,17 @@ fn the_vertical_motion_of_a_world_changes_the_answers() {
         let study = resolve(&text, None, Path::new("")).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("out");
-        on_threads(threads, || run(&study, &rows, &out, &Job::default(), &no_progress));
+        on_threads(threads, || {
+            run(&study, &rows, &out, &Job::default(), &no_progress)
+        });
         let text = |name: &str| fs::read_to_string(out.join(name)).unwrap();
         (text("objects.csv"), text("report.html"))
     };
     let (without, words) = of("", "", 2);
-    assert_eq!(of("vertical = 0\n", "vertical_amplification = 2\n", 2).0, without);
+    assert_eq!(
+        of("vertical = 0\n", "vertical_amplification = 2\n", 2).0,
+        without
+    );
     assert!(words.contains("The motions are horizontal only."));
     let (with, words) = of("vertical = 0.67\n", "", 1);
     assert_eq!(with, of("vertical = 0.67\n", "", 2).0);
@@ -133,20 +179,33 @@ fn a_run_that_was_stopped_goes_on() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
-    let go_on = Job { resume: true, ..Job::default() };
+    let go_on = Job {
+        resume: true,
+        ..Job::default()
+    };
     let stopped_in = |place: usize| {
         let calls = AtomicUsize::new(0);
         let stops = |step: Step| {
             // Counted from the first call of the part on.
-            let is_there =
-                calls.load(Ordering::Relaxed) > 0 || (step.stage == Some(Stage::Objects) && step.done >= place);
+            let is_there = calls.load(Ordering::Relaxed) > 0
+                || (step.stage == Some(Stage::Objects) && step.done >= place);
             let stop = (is_there || place == 0) && calls.fetch_add(1, Ordering::Relaxed) >= 3;
-            if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if stop {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         };
         let report = run(&study, &rows, &out, &go_on, &stops);
         // The outputs contain the finished objects, and say that the result is partial.
         let done = report.resumed + report.computed;
-        assert_eq!(column(&out, "decision").values().filter(|decision| !decision.is_empty()).count(), done);
+        assert_eq!(
+            column(&out, "decision")
+                .values()
+                .filter(|decision| !decision.is_empty())
+                .count(),
+            done
+        );
         (report.interrupted, report.resumed, report.computed)
     };
     assert_eq!(stopped_in(0), (true, 0, 0));
@@ -154,7 +213,10 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!(stopped_in(18), (true, 0, 18));
     assert_eq!(stopped_in(18), (true, 18, 0));
     let report = run(&study, &rows, &out, &go_on, &no_progress);
-    assert_eq!((report.resumed, report.computed, report.interrupted), (18, 282, false));
+    assert_eq!(
+        (report.resumed, report.computed, report.interrupted),
+        (18, 282, false)
+    );
     assert_eq!(contents(&whole), contents(&out));
     assert!(!out.join("progress").exists());
     // Another run has nothing left to do.
@@ -184,7 +246,16 @@ fn a_run_that_was_killed_goes_on() {
     let part = out.join("progress/000001.jsonl");
     let bytes = fs::read(&part).unwrap();
     fs::write(&part, &bytes[..bytes.len() / 2]).unwrap();
-    let report = run(&study, &rows, &out, &Job { resume: true, ..Job::default() }, &no_progress);
+    let report = run(
+        &study,
+        &rows,
+        &out,
+        &Job {
+            resume: true,
+            ..Job::default()
+        },
+        &no_progress,
+    );
     // Of 16 finished parts of 32 objects one is cut.
     assert_eq!((report.resumed, report.computed), (480, 40));
     assert_eq!(contents(&whole), contents(&out));
@@ -196,7 +267,11 @@ fn a_run_that_was_killed_goes_on() {
 fn the_order_of_the_rows_does_not_matter() {
     let (study, rows) = (study(""), rows(24));
     let folder = tempfile::tempdir().unwrap();
-    let (out, turned, alone) = (folder.path().join("a"), folder.path().join("b"), folder.path().join("c"));
+    let (out, turned, alone) = (
+        folder.path().join("a"),
+        folder.path().join("b"),
+        folder.path().join("c"),
+    );
     run(&study, &rows, &out, &Job::default(), &no_progress);
     let mut reversed = rows.clone();
     reversed.reverse();
@@ -204,15 +279,28 @@ fn the_order_of_the_rows_does_not_matter() {
     run(&study, &rows[5..6], &alone, &Job::default(), &no_progress);
     let lines = |folder: &Path| -> Vec<String> {
         let text = fs::read_to_string(folder.join("objects.csv")).unwrap();
-        let mut lines: Vec<String> = text.lines().map(|line| line.split_once(',').unwrap().1.to_owned()).collect();
+        let mut lines: Vec<String> = text
+            .lines()
+            .map(|line| line.split_once(',').unwrap().1.to_owned())
+            .collect();
         lines.sort();
         lines
     };
     assert_eq!(lines(&out), lines(&turned));
-    for name in
-        ["p_exceed", "p_overturn", "decision", "why", "edge_acceleration_g_median", "worlds", "p_exceed_compliant"]
-    {
-        assert_eq!(column(&out, name)["o5"], column(&alone, name)["o5"], "{name}");
+    for name in [
+        "p_exceed",
+        "p_overturn",
+        "decision",
+        "why",
+        "edge_acceleration_g_median",
+        "worlds",
+        "p_exceed_compliant",
+    ] {
+        assert_eq!(
+            column(&out, name)["o5"],
+            column(&alone, name)["o5"],
+            "{name}"
+        );
     }
 }
 
@@ -232,19 +320,25 @@ fn worlds_against_the_integral() {
     let beta = ((0.3f64.powi(2) + 0.2f64.powi(2)) / 4.0 + 0.01).sqrt();
     let study = resolve(&text, None, folder.path()).unwrap();
     let tolerances_g = [4.5, 5.0, 5.5, 6.0, 6.5, 7.0];
-    let rows = tolerances_g.map(|tolerance_g| format!("a{tolerance_g},box,1,1500,400,,150,4380,{tolerance_g},\n"));
+    let rows = tolerances_g
+        .map(|tolerance_g| format!("a{tolerance_g},box,1,1500,400,,150,4380,{tolerance_g},\n"));
     let out = folder.path().join("out");
     run(&study, &rows, &out, &Job::default(), &no_progress);
     let found = column(&out, "p_exceed");
     let mut between = 0;
     for tolerance_g in tolerances_g {
         let got: f64 = found[&format!("a{tolerance_g}")].parse().unwrap();
-        let by_motion = shocks_g.iter().map(|shock_g| normal_probability((shock_g / tolerance_g).ln() / beta));
+        let by_motion = shocks_g
+            .iter()
+            .map(|shock_g| normal_probability((shock_g / tolerance_g).ln() / beta));
         let expected = by_motion.sum::<f64>() / shocks_g.len() as f64;
         between += usize::from((0.02..0.98).contains(&expected));
         // Four standard deviations of a share, none of which is above that of a fair coin.
         let error = 4.0 * (0.25 / f64::from(worlds)).sqrt();
-        assert!((got - expected).abs() <= error, "{tolerance_g} g: {got} {expected}");
+        assert!(
+            (got - expected).abs() <= error,
+            "{tolerance_g} g: {got} {expected}"
+        );
     }
     // Probabilities of 0 and 1 would not test the integral.
     assert!(between >= 3, "{shocks_g:?}");
@@ -257,16 +351,30 @@ fn without_spreads_the_shares_are_those_of_the_solvers() {
     let records: Vec<Motion> = (0..12)
         .map(|i| {
             let target = |t: f64| 0.5 * (1.0 + 0.1 * f64::from(i)) / (1.0 + t);
-            synthesize(target, 7, u64::from(i as u32), &SynthesisOptions::default()).unwrap().motion
+            synthesize(target, 7, u64::from(i as u32), &SynthesisOptions::default())
+                .unwrap()
+                .motion
         })
         .collect();
-    let names: Vec<String> = (0..records.len()).map(|i| format!("\"m{i:02}.csv\"")).collect();
+    let names: Vec<String> = (0..records.len())
+        .map(|i| format!("\"m{i:02}.csv\""))
+        .collect();
     for (record, name) in records.iter().zip(&names) {
-        let motion = HorizontalMotion { along: record.clone(), across: None };
+        let motion = HorizontalMotion {
+            along: record.clone(),
+            across: None,
+        };
         fs::write(folder.path().join(name.trim_matches('"')), motion.csv()).unwrap();
     }
-    let none =
-        ["restitution", "stiffness", "mass", "geometry", "model", "compliant"].map(|one| format!("{one}_spread = 0\n"));
+    let none = [
+        "restitution",
+        "stiffness",
+        "mass",
+        "geometry",
+        "model",
+        "compliant",
+    ]
+    .map(|one| format!("{one}_spread = 0\n"));
     let text = format!(
         "[ground]\nmotions = [{}]\n[building]\nstoreys = 8\n[worlds]\nfirst = 12\nmost = 12\nperiod_spread = \
          0\ndamping_spread = 0\nshares = false\n[assessment]\npad_damping = 0.1\ncompliant_factor = 1\n{}",
@@ -287,27 +395,53 @@ fn without_spreads_the_shares_are_those_of_the_solvers() {
         let block = Block::uniform(h, t).unwrap();
         let stiffness_n_m = 1e3 * k;
         let damping_n_s_m = 0.2 * (stiffness_n_m * 200.0f64).sqrt();
-        let cushion = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).unwrap();
+        let cushion = Cushion::new(ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        })
+        .unwrap();
         let base = CompliantBase::new(200.0, cushion);
         let (mut rigid, mut pads) = (0, 0);
         for record in &records {
             // The floor of the ground moves with it, and comes to rest after it.
-            let motion = Base { horizontal: Some(record), vertical: None };
-            let options = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+            let motion = Base {
+                horizontal: Some(record),
+                vertical: None,
+            };
+            let options = RockingOptions {
+                until: Until::Settled { at_most_s: 60.0 },
+                ..RockingOptions::default()
+            };
             let outcome = rock(&block, motion, &options).unwrap().outcome;
             rigid += usize::from(outcome == Outcome::Overturned);
             let duration_s = Some(record.duration_s() + 10.0);
-            let options = CompliantOptions { duration_s, ..CompliantOptions::default() };
-            let outcome = rock_compliant(&block, &base, motion, &options).unwrap().outcome;
+            let options = CompliantOptions {
+                duration_s,
+                ..CompliantOptions::default()
+            };
+            let outcome = rock_compliant(&block, &base, motion, &options)
+                .unwrap()
+                .outcome;
             pads += usize::from(outcome == Outcome::Overturned);
         }
-        let share = |name: &str| column(&out, name)[&format!("o{i}")].parse::<f64>().unwrap() * 12.0;
+        let share =
+            |name: &str| column(&out, name)[&format!("o{i}")].parse::<f64>().unwrap() * 12.0;
         // The compliant base is chaotic where an object almost falls: one motion of twelve.
-        assert_eq!(share("p_overturn_rigid").round() as usize, rigid, "{h} x {t}");
-        assert!((share("p_overturn_compliant") - pads as f64).abs() <= 1.01, "{h} x {t}: {pads}");
+        assert_eq!(
+            share("p_overturn_rigid").round() as usize,
+            rigid,
+            "{h} x {t}"
+        );
+        assert!(
+            (share("p_overturn_compliant") - pads as f64).abs() <= 1.01,
+            "{h} x {t}: {pads}"
+        );
         fallen += rigid;
     }
-    assert!((1..36).contains(&fallen), "{fallen} of 36 fall: that would test nothing");
+    assert!(
+        (1..36).contains(&fallen),
+        "{fallen} of 36 fall: that would test nothing"
+    );
 }
 
 /// Φ by its series; within 1e-15 for the arguments here.
@@ -340,7 +474,10 @@ fn motions_and_shocks(folder: &Path) -> (String, Vec<f64>) {
     let shocks_g = responses
         .map(|response| match response {
             freestand_study::result::ObjectResponse::Done { shock, .. } => {
-                let sources = [shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g];
+                let sources = [
+                    shock.edge_acceleration_g,
+                    shock.edge_acceleration_impact_velocity_g,
+                ];
                 sources.into_iter().flatten().fold(0.0, f64::max)
             }
             freestand_study::result::ObjectResponse::FreeFlight(reason)
@@ -364,20 +501,37 @@ fn missing_data_is_no_verdict() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
     let text = "[ground]\nplace = \"Melbourne\"\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 40\nmost = 80\nshares = false\n";
-    run(&resolve(text, None, Path::new("")).unwrap(), &rows, &out, &Job::default(), &no_progress);
+    run(
+        &resolve(text, None, Path::new("")).unwrap(),
+        &rows,
+        &out,
+        &Job::default(),
+        &no_progress,
+    );
     let (decision, why) = (column(&out, "decision"), column(&out, "why"));
     let mut text = String::new();
     for id in ["no-height", "no-mass", "no-tolerance", "falls", "stands"] {
         writeln!(text, "{id} {}", decision[id]).unwrap();
     }
-    assert_eq!(text, "no-height no-verdict\nno-mass no-verdict\nno-tolerance leave\nfalls restrain\nstands leave\n");
-    assert!(why["no-mass"].ends_with("because its mass was not given."), "{}", why["no-mass"]);
+    assert_eq!(
+        text,
+        "no-height no-verdict\nno-mass no-verdict\nno-tolerance leave\nfalls restrain\nstands leave\n"
+    );
+    assert!(
+        why["no-mass"].ends_with("because its mass was not given."),
+        "{}",
+        why["no-mass"]
+    );
     assert!(
         why["no-tolerance"].ends_with("Only falling was assessed: no tolerance was given."),
         "{}",
         why["no-tolerance"]
     );
-    assert!(why["no-height"].contains("because the height was not given"), "{}", why["no-height"]);
+    assert!(
+        why["no-height"].contains("because the height was not given"),
+        "{}",
+        why["no-height"]
+    );
 }
 
 /// An object in a list has the force, the tension and the bracket of `restrain` on the same study, to
@@ -395,7 +549,10 @@ fn a_list_and_restrain_agree() {
     let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
     assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
     assert_eq!(column(&out, "decision")["free"], "restrain");
-    let sizes = [("free", 0.5, 2.3, 0.4, 0.9, 140.0), ("held", 1.0, 1.8, 0.5, 0.7, 90.0)];
+    let sizes = [
+        ("free", 0.5, 2.3, 0.4, 0.9, 140.0),
+        ("held", 1.0, 1.8, 0.5, 0.7, 90.0),
+    ];
     for (id, level_ratio, height_m, thickness_m, width_m, mass_kg) in sizes {
         let report = restrain(RestrainRequest {
             mass_kg,
@@ -404,7 +561,10 @@ fn a_list_and_restrain_agree() {
             width_m: Some(width_m),
             cg_height_m: None,
             hazard: RestrainHazard::Study(Arc::new(study.clone())),
-            floor: RestrainFloor { level_ratio: Some(level_ratio), ..RestrainFloor::default() },
+            floor: RestrainFloor {
+                level_ratio: Some(level_ratio),
+                ..RestrainFloor::default()
+            },
             factors: RestrainFactors::default(),
             component: None,
             anchor_inset_m: None,
@@ -413,12 +573,24 @@ fn a_list_and_restrain_agree() {
             is_compared: false,
         })
         .unwrap();
-        let names = ["anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n", "bracket_base_shear_n"];
-        for (listed, alone) in names.map(|name| (name, name)).into_iter().chain([("restraint_force_n", "force_n")]) {
+        let names = [
+            "anchor_tension_n",
+            "anchor_tension_concrete_n",
+            "bracket_force_n",
+            "bracket_base_shear_n",
+        ];
+        for (listed, alone) in names
+            .map(|name| (name, name))
+            .into_iter()
+            .chain([("restraint_force_n", "force_n")])
+        {
             let listed: f64 = column(&out, listed)[id].parse().unwrap();
             assert_eq!(Some(listed), report.facts.number(alone), "{id}: {alone}");
             assert!(listed > 0.0, "{id}: {alone}");
         }
-        assert_eq!(column(&out, "restraint_source")[id], "NZS 1170.5:2004, section 8");
+        assert_eq!(
+            column(&out, "restraint_source")[id],
+            "NZS 1170.5:2004, section 8"
+        );
     }
 }

@@ -7,7 +7,9 @@ use std::fs;
 use std::path::Path;
 
 use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
-use freestand_assess::one_object::{Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, one_object};
+use freestand_assess::one_object::{
+    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, one_object,
+};
 use freestand_input::quantity::UnitSystem;
 use freestand_study::resolve::{Overrides, builtin, resolve_with};
 use freestand_study::run::no_progress;
@@ -31,7 +33,10 @@ fn assess(study: &Study, lines: &str) -> Assessed {
     let list = folder.path().join("list.csv");
     fs::write(&list, lines).unwrap();
     let storeys = study.building.as_ref().map(|building| building.storeys);
-    let request = ListRequest { storeys, ..ListRequest::default() };
+    let request = ListRequest {
+        storeys,
+        ..ListRequest::default()
+    };
     let mut study = study.clone();
     // What the answers depend on takes most of the time and decides nothing.
     study.assessment.worlds.shares = Some(false);
@@ -41,10 +46,24 @@ fn assess(study: &Study, lines: &str) -> Assessed {
     let out = folder.path().join("out");
     let report = assess_into(study, &inventory, &out, &Job::default(), &no_progress).unwrap();
     let table = |name: &str| -> Vec<HashMap<String, String>> {
-        csv::Reader::from_path(out.join(name)).unwrap().deserialize().map(|row| row.unwrap()).collect()
+        csv::Reader::from_path(out.join(name))
+            .unwrap()
+            .deserialize()
+            .map(|row| row.unwrap())
+            .collect()
     };
-    let how = table("worklist.csv").into_iter().map(|row| (row["id"].clone(), row["how"].clone())).collect();
-    Assessed { rows: table("objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect(), how, report }
+    let how = table("worklist.csv")
+        .into_iter()
+        .map(|row| (row["id"].clone(), row["how"].clone()))
+        .collect();
+    Assessed {
+        rows: table("objects.csv")
+            .into_iter()
+            .map(|row| (row["id"].clone(), row))
+            .collect(),
+        how,
+        report,
+    }
 }
 
 fn study(text: &str) -> Study {
@@ -60,11 +79,28 @@ fn overrides(place: &str, storeys: u16) -> Overrides {
 }
 
 fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) -> ObjectReport {
-    let object = Object { is_round, ..Object::of_size(0.4, 0.2) };
+    let object = Object {
+        is_round,
+        ..Object::of_size(0.4, 0.2)
+    };
     let earthquake = Earthquake::Place([("place", place.to_owned())].into_iter().collect());
-    let floor = Floor { place: FloorPlace::Name("roof".to_owned()), storeys: Some(storeys), storey_height_m: None };
-    one_object(&ObjectRequest { object, earthquake, floor, worlds, seed: None, units: UnitSystem::Si }, &|| false)
-        .unwrap()
+    let floor = Floor {
+        place: FloorPlace::Name("roof".to_owned()),
+        storeys: Some(storeys),
+        storey_height_m: None,
+    };
+    one_object(
+        &ObjectRequest {
+            object,
+            earthquake,
+            floor,
+            worlds,
+            seed: None,
+            units: UnitSystem::Si,
+        },
+        &|| false,
+    )
+    .unwrap()
 }
 
 fn json(report: &ObjectReport) -> serde_json::Value {
@@ -81,11 +117,22 @@ fn a_list_and_one_object_stand_in_the_same_building() {
         "id,floor,height [mm],thickness [mm]\nobject,roof,400,200\n",
     );
     for column in ["p_overturn", "p_overturn_low", "p_overturn_high"] {
-        assert_eq!(Some(listed.of("object", column).parse().unwrap()), one[column].as_f64(), "{column}");
+        assert_eq!(
+            Some(listed.of("object", column).parse().unwrap()),
+            one[column].as_f64(),
+            "{column}"
+        );
     }
     assert!(one["p_overturn"].as_f64().unwrap() < 0.1);
-    assert_eq!((listed.of("object", "decision"), &one["decision"]), ("leave", &"leave".into()));
-    assert!(!listed.report.place_is_assumed && !listed.report.building_is_assumed && listed.report.no_study.is_none());
+    assert_eq!(
+        (listed.of("object", "decision"), &one["decision"]),
+        ("leave", &"leave".into())
+    );
+    assert!(
+        !listed.report.place_is_assumed
+            && !listed.report.building_is_assumed
+            && listed.report.no_study.is_none()
+    );
 }
 
 const THREE: &str = "id,level_ratio,height [mm],thickness [mm],width [mm]\nground,0,500,400,600\nroof,1,500,400,600\n\
@@ -96,20 +143,61 @@ const THREE: &str = "id,level_ratio,height [mm],thickness [mm],width [mm]\ngroun
 #[test]
 fn what_nobody_stated_leaves_nothing_as_it_is() {
     for (text, ground, roof, keys) in [
-        ("[assessment]\n", "no-verdict", "no-verdict", "give place and storeys."),
-        ("[building]\nname = \"Our museum\"\n", "no-verdict", "no-verdict", "give place and storeys."),
-        ("[building]\nstoreys = 30\n", "no-verdict", "no-verdict", "give place."),
-        ("[ground]\nplace = \"Melbourne\"\n", "leave", "no-verdict", "give storeys."),
-        ("[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 30\n", "leave", "leave", ""),
+        (
+            "[assessment]\n",
+            "no-verdict",
+            "no-verdict",
+            "give place and storeys.",
+        ),
+        (
+            "[building]\nname = \"Our museum\"\n",
+            "no-verdict",
+            "no-verdict",
+            "give place and storeys.",
+        ),
+        (
+            "[building]\nstoreys = 30\n",
+            "no-verdict",
+            "no-verdict",
+            "give place.",
+        ),
+        (
+            "[ground]\nplace = \"Melbourne\"\n",
+            "leave",
+            "no-verdict",
+            "give storeys.",
+        ),
+        (
+            "[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 30\n",
+            "leave",
+            "leave",
+            "",
+        ),
     ] {
         let found = assess(&study(text), THREE);
-        assert_eq!((found.of("ground", "decision"), found.of("roof", "decision")), (ground, roof), "{text}");
+        assert_eq!(
+            (found.of("ground", "decision"), found.of("roof", "decision")),
+            (ground, roof),
+            "{text}"
+        );
         assert_eq!(found.of("tall", "decision"), "restrain", "{text}");
         let report = &found.report;
         let is_assumed = (report.place_is_assumed, report.building_is_assumed);
-        assert_eq!(is_assumed, (!text.contains("place"), !text.contains("storeys")), "{text}");
-        assert_eq!(report.no_study.is_some(), is_assumed != (false, false), "{text}");
-        assert!(found.how.get("roof").is_none_or(|how| how.ends_with(keys)), "{text}: {:?}", found.how);
+        assert_eq!(
+            is_assumed,
+            (!text.contains("place"), !text.contains("storeys")),
+            "{text}"
+        );
+        assert_eq!(
+            report.no_study.is_some(),
+            is_assumed != (false, false),
+            "{text}"
+        );
+        assert!(
+            found.how.get("roof").is_none_or(|how| how.ends_with(keys)),
+            "{text}: {:?}",
+            found.how
+        );
     }
 }
 
@@ -122,21 +210,50 @@ fn what_is_round_is_never_left_as_it_is() {
     let rows = "square,0,1000,400,400,box,,,\ncan,0,1000,400,400,cylinder,,,\ncart,0,1000,400,400,cylinder,free,,\n\
                 pads,0,1000,400,400,cylinder,,500,80\nneedle,0,2000,60,60,cylinder,,,\n";
     let found = assess(&study(text), &format!("{header}{rows}"));
-    assert_eq!((found.of("square", "decision"), found.of("square", "is_round")), ("leave", "false"));
+    assert_eq!(
+        (
+            found.of("square", "decision"),
+            found.of("square", "is_round")
+        ),
+        ("leave", "false")
+    );
     for id in ["can", "cart", "pads"] {
-        let row = ["decision", "falls", "close_call", "is_round"].map(|column| found.of(id, column));
+        let row =
+            ["decision", "falls", "close_call", "is_round"].map(|column| found.of(id, column));
         assert_eq!(row, ["restrain", "close", "true", "true"], "{id}");
-        assert!(found.of(id, "why").contains("not calculated in three dimensions"), "{}", found.of(id, "why"));
+        assert!(
+            found
+                .of(id, "why")
+                .contains("not calculated in three dimensions"),
+            "{}",
+            found.of(id, "why")
+        );
     }
     // The numbers are those of the prism.
-    assert_eq!(found.of("square", "p_overturn_high"), found.of("can", "p_overturn_high"));
+    assert_eq!(
+        found.of("square", "p_overturn_high"),
+        found.of("can", "p_overturn_high")
+    );
     // What falls as a prism falls.
-    assert_eq!((found.of("needle", "falls"), found.of("needle", "close_call")), ("falls", "false"));
+    assert_eq!(
+        (
+            found.of("needle", "falls"),
+            found.of("needle", "close_call")
+        ),
+        ("falls", "false")
+    );
     let [square, round] = [false, true].map(|is_round| object(is_round, ("Melbourne", 3), None));
-    assert_eq!((square.kind.name() == "may-fall", round.kind.name()), (false, "may-fall"));
-    assert_eq!((&json(&round)["close_call"], &json(&round)["decision"]), (&true.into(), &"restrain".into()));
+    assert_eq!(
+        (square.kind.name() == "may-fall", round.kind.name()),
+        (false, "may-fall")
+    );
+    assert_eq!(
+        (&json(&round)["close_call"], &json(&round)["decision"]),
+        (&true.into(), &"restrain".into())
+    );
     assert!(
-        round.answer.contains("not calculated in three dimensions") && round.warnings.len() > square.warnings.len()
+        round.answer.contains("not calculated in three dimensions")
+            && round.warnings.len() > square.warnings.len()
     );
 }
 
@@ -154,19 +271,37 @@ fn too_few_worlds_are_said_with_how_many_would_do() {
     };
     let few = with(40);
     let row = |found: &Assessed, id: &str| {
-        ["decision", "worlds", "worlds_needed", "close_call"].map(|column| found.of(id, column).to_owned())
+        ["decision", "worlds", "worlds_needed", "close_call"]
+            .map(|column| found.of(id, column).to_owned())
     };
     assert_eq!(row(&few, "unrated"), ["restrain", "40", "44", "true"]);
     assert_eq!(row(&few, "strict"), ["restrain", "40", "228", "true"]);
-    assert!(few.of("unrated", "why").contains("at least 44 would do"), "{}", few.of("unrated", "why"));
-    let warning = few.report.warnings.iter().find(|text| text.contains("40 worlds at most")).unwrap();
-    assert!(warning.contains("2 objects of 2") && warning.contains("most = 228"), "{warning}");
+    assert!(
+        few.of("unrated", "why").contains("at least 44 would do"),
+        "{}",
+        few.of("unrated", "why")
+    );
+    let warning = few
+        .report
+        .warnings
+        .iter()
+        .find(|text| text.contains("40 worlds at most"))
+        .unwrap();
+    assert!(
+        warning.contains("2 objects of 2") && warning.contains("most = 228"),
+        "{warning}"
+    );
     let enough = with(44);
     assert_eq!(row(&enough, "unrated"), ["leave", "44", "", "false"]);
     assert_eq!(enough.of("strict", "worlds_needed"), "228");
 
     let one = |worlds| object(false, ("Melbourne", 3), Some(worlds));
-    let warned = |report: &ObjectReport| report.warnings.iter().any(|text| text.contains("at least 44 are needed"));
+    let warned = |report: &ObjectReport| {
+        report
+            .warnings
+            .iter()
+            .any(|text| text.contains("at least 44 are needed"))
+    };
     assert_eq!([40, 44].map(|worlds| warned(&one(worlds))), [true, false]);
     assert_eq!(json(&one(40))["worlds_needed"], 44);
 }
@@ -177,15 +312,25 @@ fn what_was_assumed_is_listed() {
     let listed = assess(&builtin(&overrides("Christchurch", 2)).unwrap(), THREE);
     let report = &listed.report;
     let all = report.assumptions.join("\n");
-    for said in ["site class C", "a return period of 500 years", "storeys of 3.2 m", "5 % damping", "cg_height (3)"] {
+    for said in [
+        "site class C",
+        "a return period of 500 years",
+        "storeys of 3.2 m",
+        "5 % damping",
+        "cg_height (3)",
+    ] {
         assert!(all.contains(said), "{said}: {all}");
     }
     assert_eq!(
-        (&report.assumed_columns["cg_height"], &report.assumed_columns["width"]),
+        (
+            &report.assumed_columns["cg_height"],
+            &report.assumed_columns["width"]
+        ),
         (&3.into(), &serde_json::Value::Null)
     );
     assert!(
-        listed.of("roof", "assumed").contains("mass, stiffness") && !listed.of("roof", "assumed").contains("width")
+        listed.of("roof", "assumed").contains("mass, stiffness")
+            && !listed.of("roof", "assumed").contains("width")
     );
     assert_eq!(
         listed.of("roof", "assumed_count").parse::<usize>().unwrap(),
@@ -213,11 +358,35 @@ fn what_was_assumed_is_listed() {
 #[test]
 fn a_recorded_floor_needs_its_height() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("m.csv"), "time [s],a [g]\n0,0\n0.01,0.1\n0.02,0\n").unwrap();
-    fs::write(folder.path().join("list.csv"), "id,floor,height [mm],thickness [mm]\n1,ground,1800,500\n").unwrap();
+    fs::write(
+        folder.path().join("m.csv"),
+        "time [s],a [g]\n0,0\n0.01,0.1\n0.02,0\n",
+    )
+    .unwrap();
+    fs::write(
+        folder.path().join("list.csv"),
+        "id,floor,height [mm],thickness [mm]\n1,ground,1800,500\n",
+    )
+    .unwrap();
     let text = "[building]\nlevels = [{ name = \"ground\", motions = [\"m.csv\"] }]\n";
     let study = resolve_with(text, None, folder.path(), &Overrides::default()).unwrap();
-    let inventory = inventory_of(&study, Some(&folder.path().join("list.csv")), &ListRequest::default()).unwrap();
-    let refused = assess_into(&study, &inventory, &folder.path().join("out"), &Job::default(), &no_progress);
-    assert!(refused.unwrap_err().to_string().contains("has no level_ratio"));
+    let inventory = inventory_of(
+        &study,
+        Some(&folder.path().join("list.csv")),
+        &ListRequest::default(),
+    )
+    .unwrap();
+    let refused = assess_into(
+        &study,
+        &inventory,
+        &folder.path().join("out"),
+        &Job::default(),
+        &no_progress,
+    );
+    assert!(
+        refused
+            .unwrap_err()
+            .to_string()
+            .contains("has no level_ratio")
+    );
 }

@@ -34,10 +34,30 @@ fn cells(item: &Item) -> BTreeMap<&'static str, String> {
         ("width_m", number(item.width_m)),
         ("cg_height_m", number(item.cg_height_m)),
         ("mass_kg", number(item.mass_kg)),
-        ("stiffness_n_m", number(item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m()))),
-        ("tolerance_g", number(tolerance.and_then(|one| one.peak_m_s2).map(|peak| peak / G0_M_S2))),
-        ("tolerance_duration_s", number(tolerance.and_then(|one| one.duration_s))),
-        ("anchored", item.anchored.map_or_else(String::new, |is| is.to_string())),
+        (
+            "stiffness_n_m",
+            number(
+                item.cushion
+                    .as_ref()
+                    .and_then(|edge| edge.cushion.linear_stiffness_n_m()),
+            ),
+        ),
+        (
+            "tolerance_g",
+            number(
+                tolerance
+                    .and_then(|one| one.peak_m_s2)
+                    .map(|peak| peak / G0_M_S2),
+            ),
+        ),
+        (
+            "tolerance_duration_s",
+            number(tolerance.and_then(|one| one.duration_s)),
+        ),
+        (
+            "anchored",
+            item.anchored.map_or_else(String::new, |is| is.to_string()),
+        ),
         ("life_safety", rated(item.consequences.life_safety)),
         ("property", rated(item.consequences.property)),
         ("function", rated(item.consequences.function)),
@@ -56,7 +76,13 @@ fn is_same(found: &str, truth: &str) -> bool {
 }
 
 fn read(path: &Path, storeys: Option<usize>) -> Reading {
-    let options = ReadOptions { floors: Floors { storeys, ..Floors::default() }, ..ReadOptions::new(&Lookup::NONE) };
+    let options = ReadOptions {
+        floors: Floors {
+            storeys,
+            ..Floors::default()
+        },
+        ..ReadOptions::new(&Lookup::NONE)
+    };
     inspect_inventory(path, &options).unwrap()
 }
 
@@ -70,7 +96,10 @@ struct Truth {
 
 fn truths() -> Vec<Truth> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lists");
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
     paths.sort();
     let is_truth = |path: &&PathBuf| path.to_string_lossy().ends_with(".true.csv");
     paths
@@ -80,13 +109,21 @@ fn truths() -> Vec<Truth> {
             let text = std::fs::read_to_string(path).unwrap();
             let (first, table) = text.split_once('\n').unwrap();
             let mut reader = csv::Reader::from_reader(table.as_bytes());
-            let facts: BTreeMap<&str, &str> =
-                first.trim_start_matches("# ").split(' ').filter_map(|fact| fact.split_once('=')).collect();
-            let beside = || PathBuf::from(path.to_str().unwrap().strip_suffix(".true.csv").unwrap());
+            let facts: BTreeMap<&str, &str> = first
+                .trim_start_matches("# ")
+                .split(' ')
+                .filter_map(|fact| fact.split_once('='))
+                .collect();
+            let beside =
+                || PathBuf::from(path.to_str().unwrap().strip_suffix(".true.csv").unwrap());
             let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
             Truth {
-                list: facts.get("list").map_or_else(beside, |list| root.join(list)),
-                storeys: facts.get("storeys").and_then(|storeys| storeys.parse().ok()),
+                list: facts
+                    .get("list")
+                    .map_or_else(beside, |list| root.join(list)),
+                storeys: facts
+                    .get("storeys")
+                    .and_then(|storeys| storeys.parse().ok()),
                 rows: reader.deserialize().map(|row| row.unwrap()).collect(),
             }
         })
@@ -99,7 +136,12 @@ fn every_cell_of_every_list_is_read() {
     let mut said = Vec::new();
     let all = truths();
     assert!(all.len() >= 16, "a dozen lists, and those of the examples");
-    for Truth { list, storeys, rows } in all {
+    for Truth {
+        list,
+        storeys,
+        rows,
+    } in all
+    {
         let reading = read(&list, storeys);
         let name = list.file_name().unwrap().to_string_lossy().into_owned();
         let items = &reading.inventory.items;
@@ -119,7 +161,10 @@ fn every_cell_of_every_list_is_read() {
                     (false, false) => wrong_silently += 1,
                     (false, true) => others += 1,
                 }
-                said.push(format!("{name} row {}: {column} is \"{found}\", not \"{truth}\"", item.row));
+                said.push(format!(
+                    "{name} row {}: {column} is \"{found}\", not \"{truth}\"",
+                    item.row
+                ));
             }
         }
     }
@@ -130,7 +175,9 @@ fn every_cell_of_every_list_is_read() {
 #[test]
 fn what_is_wrong_in_the_lists_is_said_once() {
     let problems = |name: &str, storeys| -> Vec<String> {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lists").join(name);
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/lists")
+            .join(name);
         let reading = read(&path, storeys);
         let one = |finding: &freestand_assess::inventory::Finding| {
             format!("{} {}", finding.kind.name(), finding.cells().join(" "))
@@ -144,7 +191,12 @@ fn what_is_wrong_in_the_lists_is_said_once() {
     assert_eq!(problems("deutsch.csv", Some(4)), ["approximate C5"]);
     assert_eq!(
         problems("english_si.csv", Some(4)),
-        ["anchored-unclear J9", "approximate I9", "duplicate-id A11", "round B8"]
+        [
+            "anchored-unclear J9",
+            "approximate I9",
+            "duplicate-id A11",
+            "round B8"
+        ]
     );
     assert_eq!(problems("lwh_kn.csv", None), ["out-of-range H4"]);
     assert_eq!(
@@ -161,5 +213,11 @@ fn what_is_wrong_in_the_lists_is_said_once() {
     );
     // Floors of a list, and nothing that says how many storeys there are: one error.
     let all = problems("nihongo.csv", None);
-    assert_eq!(all.iter().filter(|line| line.starts_with("storeys-missing")).count(), 1, "{all:?}");
+    assert_eq!(
+        all.iter()
+            .filter(|line| line.starts_with("storeys-missing"))
+            .count(),
+        1,
+        "{all:?}"
+    );
 }

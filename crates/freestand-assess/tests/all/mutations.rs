@@ -9,7 +9,11 @@
 )]
 
 #[path = "../../../../fuzz/src/damage.rs"]
-#[allow(unreachable_pub, dead_code, reason = "other crates use it, and more of it")]
+#[allow(
+    unreachable_pub,
+    dead_code,
+    reason = "other crates use it, and more of it"
+)]
 mod damage;
 #[path = "../../../../fuzz/src/inventory.rs"]
 #[allow(unreachable_pub, reason = "the fuzz targets use it from another crate")]
@@ -22,11 +26,19 @@ use std::path::Path;
 #[test]
 fn damaged_inventories_are_refused_or_read_but_never_break() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
-    for (family, as_file) in [("inventory_csv", None), ("inventory_xlsx", Some(inventory::workbook))] {
+    for (family, as_file) in [
+        ("inventory_csv", None),
+        ("inventory_xlsx", Some(inventory::workbook)),
+    ] {
         let mut total = 0;
-        for path in std::fs::read_dir(folder.join(family)).unwrap().map(|entry| entry.unwrap().path()) {
+        for path in std::fs::read_dir(folder.join(family))
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+        {
             for mutation in mutations(&std::fs::read(&path).unwrap(), &mut Chance(1)) {
-                inventory::check_inventory(as_file.map_or_else(|| mutation.clone(), |file| file(&mutation)));
+                inventory::check_inventory(
+                    as_file.map_or_else(|| mutation.clone(), |file| file(&mutation)),
+                );
                 total += 1;
             }
         }

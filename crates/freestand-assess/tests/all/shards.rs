@@ -10,20 +10,23 @@ use std::path::{Path, PathBuf};
 
 use freestand_assess::inventory::Inventory;
 use freestand_assess::job::{
-    Job, ListRequest, Merged, PlanReport, PlanRequest, assess_into, inventory_of, merge_shards, plan_shards, run_shard,
+    Job, ListRequest, Merged, PlanReport, PlanRequest, assess_into, inventory_of, merge_shards,
+    plan_shards, run_shard,
 };
 use freestand_input::problem::Problems;
 use freestand_study::resolve::{Overrides, load};
 use freestand_study::run::{Step, no_progress};
 use freestand_study::study::Study;
 
-const STUDY: &str = "[ground]\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 3\nmost = 6\nshares = false\n";
+const STUDY: &str =
+    "[ground]\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 3\nmost = 6\nshares = false\n";
 
 /// Slender and squat objects on three floors, two with the same id, some with cells that cannot be read.
 fn list(rows: usize) -> String {
-    let mut text = "id,item,floor,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance \
+    let mut text =
+        "id,item,floor,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance \
                     [g],notes,Asset\n"
-        .to_owned();
+            .to_owned();
     for i in 0..rows {
         let (height, thickness) = (600 + 170 * (i % 11), 150 + 60 * (i % 7));
         let tolerance = ["", "2", "3", "4", "soft"][i % 5];
@@ -57,7 +60,11 @@ impl Place {
         let study = load(&path, &Overrides::default()).unwrap();
         let list = folder.path().join("objects-in.csv");
         let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
-        Self { folder, study, inventory }
+        Self {
+            folder,
+            study,
+            inventory,
+        }
     }
 
     fn path(&self, name: &str) -> PathBuf {
@@ -66,7 +73,11 @@ impl Place {
 
     /// The files of one process.
     fn whole(&self) -> BTreeMap<String, Vec<u8>> {
-        let job = Job { parquet: true, outcomes: true, ..Job::default() };
+        let job = Job {
+            parquet: true,
+            outcomes: true,
+            ..Job::default()
+        };
         let out = self.path("whole");
         assess_into(&self.study, &self.inventory, &out, &job, &no_progress).unwrap();
         contents(&out)
@@ -103,8 +114,17 @@ impl Place {
 
 /// Every file of a folder by its name.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries.map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(&path).unwrap())).collect()
+    let entries = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    entries
+        .map(|path| {
+            (
+                path.file_name().unwrap().to_str().unwrap().to_owned(),
+                fs::read(&path).unwrap(),
+            )
+        })
+        .collect()
 }
 
 /// Every file below a folder with its bytes.
@@ -122,19 +142,30 @@ fn tree(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 /// Compared file by file, so that a failure names the file.
 fn assert_same(whole: &BTreeMap<String, Vec<u8>>, merged: &BTreeMap<String, Vec<u8>>, what: &str) {
-    assert_eq!(whole.keys().collect::<Vec<_>>(), merged.keys().collect::<Vec<_>>(), "{what}");
+    assert_eq!(
+        whole.keys().collect::<Vec<_>>(),
+        merged.keys().collect::<Vec<_>>(),
+        "{what}"
+    );
     for (name, bytes) in whole {
         assert!(*bytes == merged[name], "{what}: {name} differs");
     }
 }
 
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .unwrap()
+        .install(work)
 }
 
 fn message(result: Result<impl std::fmt::Debug, Problems>) -> String {
     let problem = result.unwrap_err().problems.swap_remove(0);
-    format!("{problem} | {}", problem.hint.as_deref().unwrap_or_default())
+    format!(
+        "{problem} | {}",
+        problem.hint.as_deref().unwrap_or_default()
+    )
 }
 
 /// The merge has the files of one process, with report and manifest, to the byte.
@@ -146,7 +177,10 @@ fn shards_in_any_order_give_the_bytes_of_one_process() {
     for (shards, step, threads) in [(1, 1, 2), (7, 3, 1), (64, 27, 2)] {
         let plan = format!("plan-{shards}");
         let report = place.plan(&plan, shards).unwrap();
-        assert_eq!((report.rows, report.shards, report.problems.is_empty()), (30, shards, false));
+        assert_eq!(
+            (report.rows, report.shards, report.problems.is_empty()),
+            (30, shards, false)
+        );
         assert_eq!(place.merged(&plan).unwrap_err().len(), shards);
         // The step has no divisor in common with the number: every shard once, out of order.
         for shard in (0..shards).map(|i| (i * step + 5) % shards) {
@@ -191,7 +225,9 @@ fn shards_at_the_same_time_give_the_bytes_of_one_process() {
         }
     });
     assert_same(&whole, &place.merged("plan").unwrap(), "at once");
-    let left = tree(&dir).into_keys().filter(|path| path.to_string_lossy().contains("partial"));
+    let left = tree(&dir)
+        .into_keys()
+        .filter(|path| path.to_string_lossy().contains("partial"));
     assert_eq!(left.collect::<Vec<_>>(), Vec::<PathBuf>::new());
 }
 
@@ -202,13 +238,17 @@ fn a_plan_that_was_killed_is_made_again() {
     place.plan("plan", 2).unwrap();
     let dir = place.path("plan");
     let good = tree(&dir);
-    let mut manifest: serde_json::Value = serde_json::from_slice(&good[&dir.join("plan.json")]).unwrap();
+    let mut manifest: serde_json::Value =
+        serde_json::from_slice(&good[&dir.join("plan.json")]).unwrap();
     manifest["schema"] = "freestand.incomplete/1".into();
     manifest["command"] = "freestand.shard-plan".into();
     manifest["in_progress"] = manifest["files"].clone();
     fs::write(dir.join("plan.json"), manifest.to_string()).unwrap();
     fs::remove_file(dir.join("in/00001.jsonl")).unwrap();
-    assert!(message(place.run("plan", 0)).contains("plan.json is not a plan of freestand, or is damaged"));
+    assert!(
+        message(place.run("plan", 0))
+            .contains("plan.json is not a plan of freestand, or is damaged")
+    );
     assert!(!place.plan("plan", 2).unwrap().was_planned);
     assert_eq!(tree(&dir), good);
 }
@@ -220,11 +260,22 @@ fn a_plan_does_not_need_the_originals() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir_all(folder.path().join("records/north")).unwrap();
     fs::write(folder.path().join("objects-in.csv"), list(6)).unwrap();
-    for (i, name) in ["records/a.csv", "records/north/b.csv"].into_iter().enumerate() {
-        let samples =
-            (0..800).map(|k| format!("{},{}\n", 0.01 * f64::from(k), (0.05 * f64::from(k) * (1.0 + i as f64)).sin()));
-        fs::write(folder.path().join(name), "time [s],acceleration [m/s2]\n".to_owned() + &samples.collect::<String>())
-            .unwrap();
+    for (i, name) in ["records/a.csv", "records/north/b.csv"]
+        .into_iter()
+        .enumerate()
+    {
+        let samples = (0..800).map(|k| {
+            format!(
+                "{},{}\n",
+                0.01 * f64::from(k),
+                (0.05 * f64::from(k) * (1.0 + i as f64)).sin()
+            )
+        });
+        fs::write(
+            folder.path().join(name),
+            "time [s],acceleration [m/s2]\n".to_owned() + &samples.collect::<String>(),
+        )
+        .unwrap();
     }
     let from_root = folder.path().join("records/north/b.csv");
     let text = format!(
@@ -247,7 +298,10 @@ fn a_plan_does_not_need_the_originals() {
     }
     let mut merged = place.merged("moved").unwrap();
     // The manifest has the text of the study, in which the path from the root became relative.
-    assert_ne!(whole.remove("manifest.json"), merged.remove("manifest.json"));
+    assert_ne!(
+        whole.remove("manifest.json"),
+        merged.remove("manifest.json")
+    );
     assert_same(&whole, &merged, "moved");
 }
 
@@ -280,8 +334,14 @@ fn a_shard_that_is_not_intact_is_done_again() {
         fs::write(&path, with(&good[&path])).unwrap();
     };
     // Half a file, another number, a shard without its last file, a motion that no shard needs any more.
-    damage("out/00000-000.jsonl", &|bytes| bytes[..bytes.len() / 2].to_vec());
-    damage("out/00001-000.jsonl", &|bytes| String::from_utf8_lossy(bytes).replacen("0.", "1.", 1).into_bytes());
+    damage("out/00000-000.jsonl", &|bytes| {
+        bytes[..bytes.len() / 2].to_vec()
+    });
+    damage("out/00001-000.jsonl", &|bytes| {
+        String::from_utf8_lossy(bytes)
+            .replacen("0.", "1.", 1)
+            .into_bytes()
+    });
     fs::remove_file(dir.join("out/00002.json")).unwrap();
     damage("motions/000001-0.motion", &|bytes| bytes[..100].to_vec());
     assert_eq!(place.merged("plan").unwrap_err(), [0, 1, 2]);
@@ -290,7 +350,8 @@ fn a_shard_that_is_not_intact_is_done_again() {
     }
     assert_same(&whole, &place.merged("plan").unwrap(), "again");
     for (path, bytes) in tree(&dir) {
-        let is_timed = path.parent().unwrap().ends_with("out") && path.extension().unwrap() == "json";
+        let is_timed =
+            path.parent().unwrap().ends_with("out") && path.extension().unwrap() == "json";
         assert!(is_timed || good[&path] == bytes, "{}", path.display());
     }
 }
@@ -298,7 +359,10 @@ fn a_shard_that_is_not_intact_is_done_again() {
 #[test]
 fn what_does_not_fit_is_refused_and_nothing_is_lost() {
     let place = Place::new(STUDY, 6);
-    assert!(message(place.plan("plan", 0)).starts_with("`shards` must be a whole number from 1 to 100000, not 0"));
+    assert!(
+        message(place.plan("plan", 0))
+            .starts_with("`shards` must be a whole number from 1 to 100000, not 0")
+    );
     assert!(!place.plan("plan", 2).unwrap().was_planned);
     place.run("plan", 0).unwrap();
     let dir = place.path("plan");
@@ -313,7 +377,8 @@ fn what_does_not_fit_is_refused_and_nothing_is_lost() {
     assert!(message(place.run("nowhere", 0)).contains("there is no plan.json"));
     let refused = message(place.run("plan", 2));
     assert!(
-        refused.contains("must be from 0 to 1, not 2") && refused.contains("2 shards, counted from 0"),
+        refused.contains("must be from 0 to 1, not 2")
+            && refused.contains("2 shards, counted from 0"),
         "{refused}"
     );
     assert_eq!(tree(&dir), good);
@@ -323,14 +388,26 @@ fn what_does_not_fit_is_refused_and_nothing_is_lost() {
     for out in ["plan", "plan/out", "mine"] {
         merge_shards(&dir, &place.path(out), false, &no_progress).unwrap_err();
     }
-    assert_eq!((tree(&dir), fs::read(place.path("mine/thesis.txt")).unwrap()), (good.clone(), b"years".to_vec()));
+    assert_eq!(
+        (tree(&dir), fs::read(place.path("mine/thesis.txt")).unwrap()),
+        (good.clone(), b"years".to_vec())
+    );
     // The list was changed since.
     let original = fs::read(place.path("objects-in.csv")).unwrap();
     fs::write(place.path("objects-in.csv"), list(7)).unwrap();
-    let refused = message(merge_shards(&dir, &place.path("merged"), false, &no_progress));
-    assert!(refused.contains("objects-in.csv: was changed after the shards were planned"), "{refused}");
+    let refused = message(merge_shards(
+        &dir,
+        &place.path("merged"),
+        false,
+        &no_progress,
+    ));
     assert!(
-        refused.contains("plan again into another folder") && refused.contains("study/objects-in.csv"),
+        refused.contains("objects-in.csv: was changed after the shards were planned"),
+        "{refused}"
+    );
+    assert!(
+        refused.contains("plan again into another folder")
+            && refused.contains("study/objects-in.csv"),
         "{refused}"
     );
     fs::remove_file(dir.join("out/00001.json")).unwrap();
@@ -346,11 +423,19 @@ fn what_does_not_fit_is_refused_and_nothing_is_lost() {
         fs::write(&path, &good[&path]).unwrap();
         refused
     };
-    assert!(with("in/00001.jsonl", "80", "81").contains("in/00001.jsonl: is not as it was planned"));
-    assert!(with("study/study.toml", "seed = 3", "seed = 4").contains("study/study.toml: is not as it was planned"));
+    assert!(
+        with("in/00001.jsonl", "80", "81").contains("in/00001.jsonl: is not as it was planned")
+    );
+    assert!(
+        with("study/study.toml", "seed = 3", "seed = 4")
+            .contains("study/study.toml: is not as it was planned")
+    );
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
     let refused = with("plan.json", &version, "\"version\": \"0.0.1\"");
-    assert!(refused.contains("was planned by freestand 0.0.1, and this is"), "{refused}");
+    assert!(
+        refused.contains("was planned by freestand 0.0.1, and this is"),
+        "{refused}"
+    );
     assert!(refused.contains("use the version of the plan"), "{refused}");
     assert!(with("plan.json", "freestand.shard-plan/1", "freestand.run/1").contains("not a plan"));
     place.run("plan", 1).unwrap();

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use freestand_assess::inventory::{Inventory, problem_reports};
-use freestand_assess::job::{Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of};
+use freestand_assess::job::{
+    Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of,
+};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
@@ -167,7 +169,11 @@ enum Format {
     Pdf,
 }
 
-pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &AssessArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if args.format.contains(&Format::Pdf) {
         return Err(Failure::usage(
             "--format pdf: freestand does not write PDF files",
@@ -178,21 +184,43 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     args.write_title(&mut study.outputs);
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
-    let part_rows = printer.session().map(|_| watched_rows(inventory.items.len()));
-    let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
+    let part_rows = printer
+        .session()
+        .map(|_| watched_rows(inventory.items.len()));
+    let job = Job {
+        resume: args.resume,
+        force: global.force,
+        parquet,
+        outcomes: args.outcomes,
+        part_rows,
+    };
 
     if let Some(session) = printer.session() {
-        problem_reports(&inventory.findings, KeyStyle::Flag).iter().for_each(|problem| session.problem(problem));
+        problem_reports(&inventory.findings, KeyStyle::Flag)
+            .iter()
+            .for_each(|problem| session.problem(problem));
     }
-    let told = |row: &Map<String, Value>| printer.session().into_iter().for_each(|session| session.object(row));
+    let told = |row: &Map<String, Value>| {
+        printer
+            .session()
+            .into_iter()
+            .for_each(|session| session.object(row))
+    };
     let finished: Option<Finished> = printer.session().is_some().then_some(&told);
-    let report = watched(printer, |progress| assess_telling(&study, &inventory, &out, &job, (progress, finished)))?;
+    let report = watched(printer, |progress| {
+        assess_telling(&study, &inventory, &out, &job, (progress, finished))
+    })?;
     print(&report, &out, &inventory, printer)?;
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);
     }
-    let is_named = args.fail_on.iter().any(|verdict| report.count(verdict.decision()) > 0);
-    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
+    let is_named = args
+        .fail_on
+        .iter()
+        .any(|verdict| report.count(verdict.decision()) > 0);
+    Ok(Done {
+        criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named,
+    })
 }
 
 impl AssessArgs {
@@ -213,14 +241,19 @@ impl ListArgs {
         let given = [
             (hazard.get("place").is_some(), "--place"),
             (hazard.get("site").is_some(), "--site"),
-            (hazard.get("return_period_years").is_some(), "--return-period"),
+            (
+                hazard.get("return_period_years").is_some(),
+                "--return-period",
+            ),
             (self.storeys.is_some(), "--storeys"),
             (self.strict, "--strict"),
             (self.assess_anchored, "--assess-anchored"),
             (self.library.is_some(), "--library"),
             (self.cushion_library.is_some(), "--cushion-library"),
         ];
-        given.into_iter().find_map(|(is_given, flag)| is_given.then_some(flag))
+        given
+            .into_iter()
+            .find_map(|(is_given, flag)| is_given.then_some(flag))
     }
 
     /// The study with the flags in place of its keys, how the list is read, and the list.
@@ -229,8 +262,12 @@ impl ListArgs {
         global: &GlobalArgs,
         pages: Option<usize>,
     ) -> Result<(Study, ListRequest, Inventory), Failure> {
-        let overrides =
-            Overrides { seed: global.seed, hazard: self.hazard.words(), storeys: self.storeys, ..Overrides::default() };
+        let overrides = Overrides {
+            seed: global.seed,
+            hazard: self.hazard.words(),
+            storeys: self.storeys,
+            ..Overrides::default()
+        };
         let mut study = match &self.study {
             Some(path) => load(path, &overrides)?,
             None => builtin(&overrides)?,
@@ -239,7 +276,10 @@ impl ListArgs {
         settings.seed = global.seed.unwrap_or(settings.seed);
         settings.pages = pages.unwrap_or(settings.pages);
         settings.library = self.library.clone().or(settings.library.take());
-        settings.cushion_library = self.cushion_library.clone().or(settings.cushion_library.take());
+        settings.cushion_library = self
+            .cushion_library
+            .clone()
+            .or(settings.cushion_library.take());
         let request = ListRequest {
             cells: self.cells.request()?,
             storeys: self.storeys.map(usize::from),
@@ -252,7 +292,10 @@ impl ListArgs {
 }
 
 /// Long work with a bar of its progress, which Ctrl-C stops.
-pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Result<T, Problems>) -> Result<T, Problems> {
+pub(crate) fn watched<T>(
+    printer: &Printer,
+    work: impl FnOnce(Progress) -> Result<T, Problems>,
+) -> Result<T, Problems> {
     let stop = printer.stop();
     let bar = printer.progress_bar(false);
     let progress = |step: Step| {
@@ -264,7 +307,11 @@ pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Resul
                 session.progress(stage.name(), step.done, step.total);
             }
         }
-        if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if stop.wanted() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     };
     let done = work(&progress);
     bar.finish_and_clear();
@@ -272,7 +319,12 @@ pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Resul
 }
 
 /// Prints the result of an assessment whose files are in `out`.
-pub(crate) fn print(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
+pub(crate) fn print(
+    report: &JobReport,
+    out: &Path,
+    inventory: &Inventory,
+    printer: &Printer,
+) -> Result<(), Failure> {
     if let Some(session) = printer.session() {
         session.files(&report.files, report.interrupted);
     }
@@ -295,15 +347,23 @@ const PIECE_BYTES: usize = 1 << 16;
 /// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
 /// printed one by one, because a million of them do not fit into memory. A program that was sent
 /// each row when it was finished can ask for the document without them.
-fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
-    if printer.session().is_some_and(|session| !session.wants_told_rows()) {
+fn print_json(
+    report: &JobReport,
+    out: &Path,
+    inventory: &Inventory,
+    printer: &Printer,
+) -> Result<(), Failure> {
+    if printer
+        .session()
+        .is_some_and(|session| !session.wants_told_rows())
+    {
         return printer.print(&document(SCHEMA, report, &report.all_warnings())?);
     }
     let mut pending = rows_head(SCHEMA)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {
-        let row =
-            serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
+        let row = serde_json::to_string(row)
+            .map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
         pending.push_str(separator);
         pending.push_str(&row);
         separator = ",\n    ";
@@ -317,17 +377,32 @@ fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &P
 }
 
 fn text(report: &JobReport) -> String {
-    let mut text = report.no_study.as_ref().map_or_else(String::new, |no_study| format!("{no_study}\n\n"));
+    let mut text = report
+        .no_study
+        .as_ref()
+        .map_or_else(String::new, |no_study| format!("{no_study}\n\n"));
     text.push_str(&format!("{}\n\n", report.place));
-    let row = |one: &Decision| vec![one.name().to_owned(), report.count(*one).to_string(), advice(*one).to_owned()];
+    let row = |one: &Decision| {
+        vec![
+            one.name().to_owned(),
+            report.count(*one).to_string(),
+            advice(*one).to_owned(),
+        ]
+    };
     let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
     text.push_str(&table(&["action", "objects", ""], &rows));
     let done = report.resumed + report.computed;
-    text.push_str(&format!("\n{done} of {}", counted(report.objects, "object")));
+    text.push_str(&format!(
+        "\n{done} of {}",
+        counted(report.objects, "object")
+    ));
     if report.resumed > 0 {
         text.push_str(&format!(", {} of them from an earlier run", report.resumed));
     }
-    text.push_str(&format!("; {}\n", counted(report.histories as usize, "rocking history")));
+    text.push_str(&format!(
+        "; {}\n",
+        counted(report.histories as usize, "rocking history")
+    ));
     if report.only_falling > 0 {
         let objects = counted(report.only_falling, "object");
         text.push_str(&format!("{objects} to leave: only falling was assessed\n"));
@@ -339,7 +414,10 @@ fn text(report: &JobReport) -> String {
         text.push_str("\nProblems\n");
     }
     if report.failed > 0 {
-        text.push_str(&format!("{} with histories that failed\n", counted(report.failed, "object")));
+        text.push_str(&format!(
+            "{} with histories that failed\n",
+            counted(report.failed, "object")
+        ));
     }
     for problem in &report.problems {
         text.push_str(&format!("{}\n", one_line(&KeyStyle::Flag.shown(problem))));
@@ -366,14 +444,29 @@ fn first(report: &JobReport) -> String {
                 shorten(&one.floor),
                 one.action.name().to_owned(),
                 one.chance.clone(),
-                one.force_n.map_or_else(|| "-".to_owned(), |force_n| significant(force_n, 3)),
+                one.force_n
+                    .map_or_else(|| "-".to_owned(), |force_n| significant(force_n, 3)),
             ]
         })
         .collect();
-    let mut text = table(&["rank", "id", "item", "floor", "action", "probability", "force [N]"], &rows);
+    let mut text = table(
+        &[
+            "rank",
+            "id",
+            "item",
+            "floor",
+            "action",
+            "probability",
+            "force [N]",
+        ],
+        &rows,
+    );
     let done = report.resumed + report.computed;
     if done > report.first.len() {
-        text.push_str(&format!("… and {} more: worklist.csv, objects.csv\n", done - report.first.len()));
+        text.push_str(&format!(
+            "… and {} more: worklist.csv, objects.csv\n",
+            done - report.first.len()
+        ));
     }
     text
 }

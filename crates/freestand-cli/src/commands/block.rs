@@ -38,14 +38,22 @@ impl RockingArgs {
             ("--restitution-factor", self.restitution_factor.is_some()),
             ("--model linear", self.model == RockingModel::Linearised),
         ];
-        flags.into_iter().find_map(|(name, given)| given.then_some(name))
+        flags
+            .into_iter()
+            .find_map(|(name, given)| given.then_some(name))
     }
 
     /// The restitution of these blocks; problems are added to `values`.
     pub(crate) fn restitution(&self, blocks: &[Block], values: &mut Values) -> Restitution {
-        let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
-        let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
-        values.take(checked(restitution, blocks)).unwrap_or_default()
+        let factor = values
+            .read(&self.restitution_factor)
+            .map_or(Restitution::Housner, Restitution::Factor);
+        let restitution = values
+            .read(&self.restitution)
+            .map_or(factor, Restitution::Value);
+        values
+            .take(checked(restitution, blocks))
+            .unwrap_or_default()
     }
 }
 
@@ -77,7 +85,9 @@ impl ShapeArgs {
             ("--cg-offset", self.cg_offset.is_some()),
             ("--inertia", self.inertia.is_some()),
         ];
-        flags.into_iter().find_map(|(name, given)| given.then_some(name))
+        flags
+            .into_iter()
+            .find_map(|(name, given)| given.then_some(name))
     }
 
     /// The block; problems are added to `values`.
@@ -95,6 +105,8 @@ impl ShapeArgs {
             inertia_kg_m2: inertia.zip(mass_kg),
         };
         let block = shape.block(height_m, thickness_m);
-        values.take(block.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object")))
+        values.take(block.map_err(|error| {
+            Problem::value(error.to_string(), "check the dimensions of the object")
+        }))
     }
 }

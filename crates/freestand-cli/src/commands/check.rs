@@ -28,15 +28,34 @@ pub(crate) struct CheckArgs {
     hazard: HazardArgs,
 }
 
-pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), ..Overrides::default() };
+pub(crate) fn run(
+    args: &CheckArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    let overrides = Overrides {
+        seed: global.seed,
+        hazard: args.hazard.words(),
+        ..Overrides::default()
+    };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
-    let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let inputs: Vec<PathBuf> = args
+        .study
+        .iter()
+        .cloned()
+        .chain(motion_paths(&study))
+        .collect();
     let files = Files::begin(global, &inputs)?;
     let facts = freestand_study::check::check(&study);
-    files.print(printer, "freestand.check/1", &facts, &study.warnings, || lines(&facts))?;
+    files.print(
+        printer,
+        "freestand.check/1",
+        &facts,
+        &study.warnings,
+        || lines(&facts),
+    )?;
     Ok(Done::OK)
 }

@@ -25,12 +25,23 @@ pub(crate) struct CompletionsArgs {
     shell: Shell,
 }
 
-pub(crate) fn run(args: &CompletionsArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &CompletionsArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let files = Files::begin(global, &[])?;
     let mut script = Vec::new();
-    generate(args.shell, &mut finished(Cli::command()), "freestand", &mut script);
+    generate(
+        args.shell,
+        &mut finished(Cli::command()),
+        "freestand",
+        &mut script,
+    );
     let script = String::from_utf8_lossy(&script).into_owned();
-    let facts = Facts::default().key("shell", args.shell.to_string()).key("script", script.clone());
+    let facts = Facts::default()
+        .key("shell", args.shell.to_string())
+        .key("script", script.clone());
     files.print(printer, "freestand.completions/1", &facts, &[], || script)?;
     Ok(Done::OK)
 }

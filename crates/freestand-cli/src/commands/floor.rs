@@ -12,8 +12,8 @@ use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
 use freestand_study::building;
 use freestand_study::floor::{
-    DEFAULT_LEVELS, FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floor_response_figure,
-    floors, spectra_table,
+    DEFAULT_LEVELS, FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor,
+    floor_response_figure, floors, spectra_table,
 };
 use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 
@@ -103,9 +103,21 @@ impl KeySet for BuildingKeys {
         "Building",
         &[
             key("storeys", "N", "Number of storeys [default: 30]"),
-            key("storey_height", "LENGTH", "Height of a storey [default: 3.2 m]"),
-            key("height", "LENGTH", "Height of the building, in place of --storey-height"),
-            key("period", "TIME", "Fundamental period [default: from the height, by the code]"),
+            key(
+                "storey_height",
+                "LENGTH",
+                "Height of a storey [default: 3.2 m]",
+            ),
+            key(
+                "height",
+                "LENGTH",
+                "Height of the building, in place of --storey-height",
+            ),
+            key(
+                "period",
+                "TIME",
+                "Fundamental period [default: from the height, by the code]",
+            ),
             key(
                 "frame",
                 "FRAME",
@@ -117,14 +129,26 @@ impl KeySet for BuildingKeys {
                 "CODE",
                 "Code of the formula for the period: as1170.4, nzs1170.5, asce7, eurocode8 [default: --code]",
             ),
-            key("damping", "RATIO", "Damping ratio of every mode for which a table states none [default: 5 %]"),
-            key("rayleigh_modes", "N, N", "Rayleigh damping, with that ratio at two modes, such as \"1, 3\""),
+            key(
+                "damping",
+                "RATIO",
+                "Damping ratio of every mode for which a table states none [default: 5 %]",
+            ),
+            key(
+                "rayleigh_modes",
+                "N, N",
+                "Rayleigh damping, with that ratio at two modes, such as \"1, 3\"",
+            ),
             key(
                 "shear_flexure",
                 "RATIO",
                 "α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame [default: 5]",
             ),
-            key("modes", "N", "Number of modes [default: 10, or the number of storeys]"),
+            key(
+                "modes",
+                "N",
+                "Number of modes [default: 10, or the number of storeys]",
+            ),
             key(
                 "storey_table",
                 "FILE",
@@ -142,8 +166,16 @@ impl KeySet for BuildingKeys {
                 "Fundamental period along the second axis [default: the same as along the first]",
             ),
             key("across_shear_flexure", "RATIO", "α₀ along the second axis"),
-            key("across_storey_table", "FILE", "Table of storeys for the second axis"),
-            key("across_mode_table", "FILE", "Table of modes for the second axis"),
+            key(
+                "across_storey_table",
+                "FILE",
+                "Table of storeys for the second axis",
+            ),
+            key(
+                "across_mode_table",
+                "FILE",
+                "Table of modes for the second axis",
+            ),
         ],
     )];
 }
@@ -153,17 +185,31 @@ const SCHEMA: &str = "freestand.floor/1";
 /// The largest number of levels of one call: each is a motion in memory.
 const MAX_LEVELS: usize = 1000;
 
-pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &FloorArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if args.second.rotation_step.is_some() {
-        let hint = "leave --rotation-step out: the largest value of all directions is found without steps";
-        return Err(Failure::usage("--rotation-step applies to objects, not to floors", hint));
+        let hint =
+            "leave --rotation-step out: the largest value of all directions is found without steps";
+        return Err(Failure::usage(
+            "--rotation-step applies to objects, not to floors",
+            hint,
+        ));
     }
     let mut values = Values::default();
-    let building = values.take(building::resolve(&args.building.words, Path::new(""), args.target.period_code()));
+    let building = values.take(building::resolve(
+        &args.building.words,
+        Path::new(""),
+        args.target.period_code(),
+    ));
     let tail_s = values.read(&args.tail).unwrap_or(0.0);
     let levels = values.read(&args.levels).flatten();
     let spectra = args.spectra.then(|| SpectraRequest {
-        damping_ratios: values.read(&args.spectrum_damping).unwrap_or_else(|| vec![DAMPING_RATIO]),
+        damping_ratios: values
+            .read(&args.spectrum_damping)
+            .unwrap_or_else(|| vec![DAMPING_RATIO]),
         periods_s: super::motion::periods(&args.periods, &mut values),
     });
     let vertical = upward(args, &mut values);
@@ -175,7 +221,11 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     };
     let building = values.finish_with(building)?;
     let is_storeys = levels.is_none();
-    let target = if args.target.is_given() { Some(args.target.target()?) } else { None };
+    let target = if args.target.is_given() {
+        Some(args.target.target()?)
+    } else {
+        None
+    };
     let request = FloorRequest {
         levels_ratio: levels.unwrap_or_else(|| every_floor(&building.along, building.storeys)),
         is_storeys,
@@ -186,7 +236,9 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         building,
         code: target.as_ref().map(|target| target.spectrum.clone()),
     };
-    if request.building.across.is_some() && matches!(motions.second, freestand_study::recorded::Second::None) {
+    if request.building.across.is_some()
+        && matches!(motions.second, freestand_study::recorded::Second::None)
+    {
         return Err(Failure::usage(
             "a second axis of the building needs a second component of the motion",
             "name it with --components both, or --across FILE",
@@ -198,7 +250,13 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     if let Upward::Files(files) = &motions.vertical {
         inputs.extend(files.iter().cloned());
     }
-    inputs.extend(request.building.tables.iter().map(|(_, table)| table.file.path.clone()));
+    inputs.extend(
+        request
+            .building
+            .tables
+            .iter()
+            .map(|(_, table)| table.file.path.clone()),
+    );
     inputs.extend(args.target.inputs());
     let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
@@ -215,9 +273,15 @@ fn upward(args: &FloorArgs, values: &mut Values) -> Upward {
         [only] if only.as_os_str() == "record" => Upward::SameFile,
         files => {
             if files.len() != args.motion.len() {
-                let message =
-                    format!("--vertical has {}, --motion {}", counted(files.len(), "file"), args.motion.len());
-                values.push(Problem::value(message, "name one file for each file of --motion, in the same order"));
+                let message = format!(
+                    "--vertical has {}, --motion {}",
+                    counted(files.len(), "file"),
+                    args.motion.len()
+                );
+                values.push(Problem::value(
+                    message,
+                    "name one file for each file of --motion, in the same order",
+                ));
             }
             Upward::Files(files.to_vec())
         }
@@ -225,15 +289,27 @@ fn upward(args: &FloorArgs, values: &mut Values) -> Upward {
 }
 
 /// Calculates one motion at a time, so that only its floors are in memory, and writes the files.
-fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<(FloorReport, Vec<String>), Failure> {
+fn report(
+    read: &[ReadMotion],
+    request: &FloorRequest,
+    files: &Files,
+) -> Result<(FloorReport, Vec<String>), Failure> {
     let (mut motions, mut spectra_g, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for one in read {
         let mut done = floors(one, request)?;
         let mut verticals = done.verticals.iter();
         for (level, floor) in done.report.levels.iter_mut().zip(&done.floors) {
-            let folder = if read.len() > 1 { format!("{}/", done.report.motion) } else { String::new() };
+            let folder = if read.len() > 1 {
+                format!("{}/", done.report.motion)
+            } else {
+                String::new()
+            };
             // Floors of a table may be at any level; levels that the user gave keep their digits.
-            let ratio = if request.is_storeys { number(level.level_ratio, 4) } else { level.level_ratio.to_string() };
+            let ratio = if request.is_storeys {
+                number(level.level_ratio, 4)
+            } else {
+                level.level_ratio.to_string()
+            };
             let name = format!("{folder}level-{ratio}.csv");
             level.path = files.write(&name, || floor.csv())?;
             if let Some(vertical) = verticals.next() {
@@ -245,15 +321,18 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         motions.push(done.report);
         spectra_g.push(done.spectra_g);
     }
-    let spectra =
-        request.spectra.as_ref().map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
+    let spectra = request
+        .spectra
+        .as_ref()
+        .map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
     let report = FloorReport::new(request, motions, spectra)
         .ok_or_else(|| Failure::computation("the files were read but contain no motion"))?;
     files.table("profile", || report.profile_table())?;
     files.figure("profile", || report.profile_figure())?;
     if let Some(spectra) = &report.spectra {
         files.table("spectra", || spectra_table(spectra))?;
-        let draw = || floor_response_figure(spectra, report.building_height_m, report.motions.len());
+        let draw =
+            || floor_response_figure(spectra, report.building_height_m, report.motions.len());
         files.figure("spectra", draw)?;
     }
     let notes = grouped(notes.iter().map(|(name, note)| (name, note)));
@@ -274,7 +353,10 @@ fn levels(text: &str) -> Result<Option<Vec<f64>>, Problem> {
     }
     if levels.len() > MAX_LEVELS {
         let hint = format!("give at most {MAX_LEVELS} levels");
-        return Err(Problem::value(format!("{} levels are too many", levels.len()), hint));
+        return Err(Problem::value(
+            format!("{} levels are too many", levels.len()),
+            hint,
+        ));
     }
     Ok(Some(levels))
 }
@@ -289,19 +371,36 @@ const MODES: [Column; 5] = [
 
 fn text(report: &FloorReport) -> String {
     let several = report.motions.len() > 1;
-    let has = |name: &str| report.levels.iter().any(|level| level.facts.number(name).is_some());
+    let has = |name: &str| {
+        report
+            .levels
+            .iter()
+            .any(|level| level.facts.number(name).is_some())
+    };
     let mut columns = vec![("level_ratio", "level", 4), ("height_m", "height [m]", 4)];
-    columns.push(("pfa_g", if several { "median PFA [g]" } else { "PFA [g]" }, 4));
+    columns.push((
+        "pfa_g",
+        if several { "median PFA [g]" } else { "PFA [g]" },
+        4,
+    ));
     if several {
         columns.extend([("pfa_g_p16", "16 % [g]", 4), ("pfa_g_p84", "84 % [g]", 4)]);
     }
     columns.extend([("pfv_m_s", "PFV [m/s]", 4), ("pfd_m", "PFD [m]", 4)]);
     columns.extend(has("drift_ratio").then_some(("drift_ratio", "drift [%]", 4)));
     columns.extend(has("pfa_vertical_g").then_some(("pfa_vertical_g", "vertical PFA [g]", 4)));
-    columns.extend(report.code_clause.map(|_| ("code_part_g", "code part [g]", 4)));
+    columns.extend(
+        report
+            .code_clause
+            .map(|_| ("code_part_g", "code part [g]", 4)),
+    );
     columns.extend((!several).then_some(("path", "file", 0)));
-    let levels = report.levels.iter().map(|level| level.facts.clone().key("path", level.path.clone()));
-    let numbered = |(i, mode): (usize, &Facts<'static>)| Facts::default().key("mode", i + 1).and(mode.clone());
+    let levels = report
+        .levels
+        .iter()
+        .map(|level| level.facts.clone().key("path", level.path.clone()));
+    let numbered =
+        |(i, mode): (usize, &Facts<'static>)| Facts::default().key("mode", i + 1).and(mode.clone());
     let modes: Vec<Facts> = report.modes.iter().enumerate().map(numbered).collect();
     facts_table(&modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
 }

@@ -7,8 +7,8 @@ use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export, export};
 use freestand_assess::fragility::{
-    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, HazardGiven, HazardSource,
-    ShockLimits, fragility_watched,
+    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, HazardGiven,
+    HazardSource, ShockLimits, fragility_watched,
 };
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
@@ -94,7 +94,12 @@ pub(crate) struct FragilityArgs {
     #[arg(long, value_parser = choice(FORMATS), help_heading = "Other programs")]
     format: Vec<ExportFormat>,
     /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
-    #[arg(long, value_name = "INTENSITY", requires = "format", help_heading = "Other programs")]
+    #[arg(
+        long,
+        value_name = "INTENSITY",
+        requires = "format",
+        help_heading = "Other programs"
+    )]
     demand: Option<String>,
     /// Realizations of pelicun with --demand [default: 10000]
     #[arg(long, value_name = "N", requires = "format", help_heading = "Other programs", value_parser = clap::value_parser!(u32).range(1..))]
@@ -105,12 +110,17 @@ pub(crate) struct FragilityArgs {
     /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
     #[arg(long, requires = "format", help_heading = "Other programs")]
     discrete: bool,
-    #[command(flatten, next_help_heading = "Hazard (for --method stripes and --format openquake)")]
+    #[command(
+        flatten,
+        next_help_heading = "Hazard (for --method stripes and --format openquake)"
+    )]
     pub(super) curve: CurveArgs,
 }
 
-pub(crate) const PLACES: Choices<At> =
-    &[(At::Ground, "ground", "of the ground motion"), (At::Floor, "floor", "of the floor motion")];
+pub(crate) const PLACES: Choices<At> = &[
+    (At::Ground, "ground", "of the ground motion"),
+    (At::Floor, "floor", "of the floor motion"),
+];
 
 const COLUMNS: [Column; 9] = [
     ("id", "object", 0),
@@ -124,9 +134,16 @@ const COLUMNS: [Column; 9] = [
     ("upper", "all above", 4),
 ];
 
-pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &FragilityArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if !args.format.is_empty() && global.out.is_none() {
-        return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
+        return Err(Failure::usage(
+            "--format writes a folder, and --out is not given",
+            "give --out DIR",
+        ));
     }
     match &args.outcomes {
         Some(_) if args.runs.is_given_beside_outcomes() => Err(Failure::usage(
@@ -150,34 +167,64 @@ fn run_table(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     // The inventory has quantities and costs for --format; everything else describes runs.
-    let idle = args.runs.given.iter().map(String::as_str).filter(|flag| *flag != "inventory");
+    let idle = args
+        .runs
+        .given
+        .iter()
+        .map(String::as_str)
+        .filter(|flag| *flag != "inventory");
     refuse_idle(idle, "--outcomes contains the runs, so nothing is run")?;
     let mut values = Values::default();
     let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
     if args.tolerance.is_some() && args.ceiling.is_none() {
         let message = "--tolerance with --outcomes needs the ceiling of the shocks";
-        values.push(Problem::value(message, "give --ceiling, the ceiling_g that freestand shock states"));
+        values.push(Problem::value(
+            message,
+            "give --ceiling, the ceiling_g that freestand shock states",
+        ));
     } else if args.tolerance.is_none() && args.fit == FitMethod::TwoStage {
-        let message = "--fit two-stage with --outcomes needs the tolerance and the ceiling of the shocks";
-        values
-            .push(Problem::value(message, "give --tolerance and --ceiling, the ceiling_g that freestand shock states"));
+        let message =
+            "--fit two-stage with --outcomes needs the tolerance and the ceiling of the shocks";
+        values.push(Problem::value(
+            message,
+            "give --tolerance and --ceiling, the ceiling_g that freestand shock states",
+        ));
     }
     values.finish()?;
     let shock = tolerance
         .zip(ceiling)
-        .map(|(tolerance, ceiling)| ShockLimits { tolerance_g: tolerance / G0_M_S2, ceiling_g: ceiling / G0_M_S2 });
+        .map(|(tolerance, ceiling)| ShockLimits {
+            tolerance_g: tolerance / G0_M_S2,
+            ceiling_g: ceiling / G0_M_S2,
+        });
     let costs = args.runs.inventory();
     if costs.is_some() && args.format.is_empty() {
-        let message = "--inventory with --outcomes has quantities and costs for --format, which is not given";
-        return Err(Failure::usage(message, "give --format, or leave out --inventory"));
+        let message =
+            "--inventory with --outcomes has quantities and costs for --format, which is not given";
+        return Err(Failure::usage(
+            message,
+            "give --format, or leave out --inventory",
+        ));
     }
     let mut exports = Exports::new(args, costs)?;
     if exports.hazard.is_some() && !exports.takes_hazard() {
-        return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
+        return Err(Failure::usage(
+            "only OpenQuake takes a hazard curve",
+            "add --format openquake",
+        ));
     }
-    let inputs: Vec<PathBuf> =
-        [Some(outcomes), costs, args.curve.hazard.as_ref()].into_iter().flatten().cloned().collect();
-    let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
+    let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.curve.hazard.as_ref()]
+        .into_iter()
+        .flatten()
+        .cloned()
+        .collect();
+    let files = Files::with_tables(
+        global,
+        &inputs,
+        &args.tables,
+        FRAGILITY_SCHEMA,
+        Some(global.seed()),
+    )?;
     let request = FragilityRequest {
         outcomes: outcomes.clone(),
         at: args.at,
@@ -188,7 +235,13 @@ fn run_table(
     };
     // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
-    let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
+    let go_on = || {
+        if stop.wanted() {
+            Err(Failure::Stopped { printed: false })
+        } else {
+            Ok(())
+        }
+    };
     let found = watched(printer, |progress| fragility_watched(request, progress));
     let mut report = found.map_err(stopped)?;
     // Before anything is written, so that what cannot be exported leaves no folder.
@@ -208,13 +261,19 @@ fn run_table(
         exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
-    printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
+    printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || {
+        curves_text(&report)
+    })?;
     Ok(Done::OK)
 }
 
 /// The failure of a calculation, which a signal may have stopped.
 pub(super) fn stopped(problems: Problems) -> Failure {
-    if problems.is_stopped() { Failure::Stopped { printed: false } } else { problems.into() }
+    if problems.is_stopped() {
+        Failure::Stopped { printed: false }
+    } else {
+        problems.into()
+    }
 }
 
 /// The folders for other programs.
@@ -235,20 +294,56 @@ impl Exports {
         let site_deg = values.read(&args.curve.site_coordinates);
         let hazard = args.curve.given(&mut values);
         values.finish()?;
-        let hazard = if hazard == HazardGiven::default() { None } else { Some(hazard.source()?) };
+        let hazard = if hazard == HazardGiven::default() {
+            None
+        } else {
+            Some(hazard.source()?)
+        };
         let has = |format| args.format.contains(&format);
         let idle = [
-            (args.realizations.is_some() && !(has(ExportFormat::Pelicun) && args.demand.is_some()), "realizations"),
             (
-                args.curve.site_coordinates.is_some() && args.curve.hazard.is_none() && !has(ExportFormat::OpenQuake),
+                args.realizations.is_some()
+                    && !(has(ExportFormat::Pelicun) && args.demand.is_some()),
+                "realizations",
+            ),
+            (
+                args.curve.site_coordinates.is_some()
+                    && args.curve.hazard.is_none()
+                    && !has(ExportFormat::OpenQuake),
                 "site-coordinates",
             ),
-            (args.demand.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "demand"),
-            (args.beta.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "beta"),
-            (args.discrete && args.format.iter().all(|format| *format == ExportFormat::Csv), "discrete"),
+            (
+                args.demand.is_some()
+                    && args
+                        .format
+                        .iter()
+                        .all(|format| *format == ExportFormat::Csv),
+                "demand",
+            ),
+            (
+                args.beta.is_some()
+                    && args
+                        .format
+                        .iter()
+                        .all(|format| *format == ExportFormat::Csv),
+                "beta",
+            ),
+            (
+                args.discrete
+                    && args
+                        .format
+                        .iter()
+                        .all(|format| *format == ExportFormat::Csv),
+                "discrete",
+            ),
         ];
-        let idle = idle.into_iter().filter_map(|(is_idle, flag)| is_idle.then_some(flag));
-        refuse_idle(idle, "no program of --format uses it (--realizations is for pelicun with --demand)")?;
+        let idle = idle
+            .into_iter()
+            .filter_map(|(is_idle, flag)| is_idle.then_some(flag));
+        refuse_idle(
+            idle,
+            "no program of --format uses it (--realizations is for pelicun with --demand)",
+        )?;
         let list = args.runs.cells().request()?;
         let request = |&format| ExportRequest {
             format,
@@ -263,19 +358,35 @@ impl Exports {
         };
         let requests: Vec<ExportRequest> = args.format.iter().map(request).collect();
         requests.iter().try_for_each(check_export)?;
-        Ok(Self { requests, hazard, made: Vec::new(), warnings: Vec::new() })
+        Ok(Self {
+            requests,
+            hazard,
+            made: Vec::new(),
+            warnings: Vec::new(),
+        })
     }
 
     /// Whether a program reads the hazard.
     pub(super) fn takes_hazard(&self) -> bool {
-        self.requests.iter().any(|request| request.format == ExportFormat::OpenQuake)
+        self.requests
+            .iter()
+            .any(|request| request.format == ExportFormat::OpenQuake)
     }
 
     /// Makes the files.
     pub(super) fn make(&mut self, report: &FragilityReport) -> Result<(), Failure> {
         for request in &self.requests {
-            let hazard = self.hazard.clone().filter(|_| request.format == ExportFormat::OpenQuake);
-            let folder = export(report, &ExportRequest { hazard, ..request.clone() })?;
+            let hazard = self
+                .hazard
+                .clone()
+                .filter(|_| request.format == ExportFormat::OpenQuake);
+            let folder = export(
+                report,
+                &ExportRequest {
+                    hazard,
+                    ..request.clone()
+                },
+            )?;
             for warning in folder.warnings {
                 // Two programs may say the same of an object.
                 if !report.warnings.contains(&warning) && !self.warnings.contains(&warning) {
@@ -289,7 +400,9 @@ impl Exports {
 
     /// Writes them.
     pub(super) fn write(self, files: &Files) -> Result<(), Failure> {
-        self.made.into_iter().try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
+        self.made
+            .into_iter()
+            .try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
     }
 }
 
@@ -297,5 +410,9 @@ impl Exports {
 pub(super) fn curves_text(report: &FragilityReport) -> String {
     let measure = report.table.measure.with_unit();
     let rows = report.rows();
-    format!("Intensities: {measure} of the {}\n\n{}", report.at.name(), facts_table(&rows, &COLUMNS))
+    format!(
+        "Intensities: {measure} of the {}\n\n{}",
+        report.at.name(),
+        facts_table(&rows, &COLUMNS)
+    )
 }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::rocking::{Base, Restitution};
 use freestand_assess::fragility::{
-    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS, Measure, Method,
-    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS,
+    Measure, Method, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures,
+    scales,
 };
 use freestand_assess::risk::{LEFT_OUT, load_changed};
 use freestand_input::file::{InputFile, load};
@@ -90,14 +91,24 @@ pub(crate) struct RunArgs {
     /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
     /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
     /// "0.1 m/s:2 m/s:12" [default: adaptive]
-    #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
+    #[arg(
+        long,
+        conflicts_with = "outcomes",
+        value_name = "adaptive|GRID",
+        help_heading = "The runs"
+    )]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]
     #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     max_scale: Option<Given>,
     /// Options (CSV), as for freestand risk: objects whose stiffness, base thickness or mass an option
     /// changes are also run as changed, with the id ID/option
-    #[arg(long, conflicts_with = "outcomes", value_name = "FILE", help_heading = "The runs")]
+    #[arg(
+        long,
+        conflicts_with = "outcomes",
+        value_name = "FILE",
+        help_heading = "The runs"
+    )]
     options: Option<PathBuf>,
     /// Continue the runs of an inventory that Ctrl-C or a crash ended, in the same --out
     #[arg(long, conflicts_with = "outcomes", help_heading = "The runs")]
@@ -129,7 +140,10 @@ impl RunArgs {
 
     /// As [`RunArgs::is_given`] with a table of outcomes, for which the inventory has costs.
     pub(crate) fn is_given_beside_outcomes(&self) -> bool {
-        self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.list.study.is_some()
+        self.height.is_some()
+            || self.thickness.is_some()
+            || !self.motion.is_empty()
+            || self.list.study.is_some()
     }
 
     /// How the cells of the list are read.
@@ -146,7 +160,11 @@ impl RunArgs {
         self.list.study.is_some() || self.list.inventory.is_some()
     }
 
-    fn given_object(&self, args: &FragilityArgs, values: &mut Values) -> Result<GivenObject, Failure> {
+    fn given_object(
+        &self,
+        args: &FragilityArgs,
+        values: &mut Values,
+    ) -> Result<GivenObject, Failure> {
         if self.motion.is_empty() {
             return Err(Failure::usage(
                 "there are no motions to run",
@@ -156,19 +174,33 @@ impl RunArgs {
         let (height, thickness) = (values.read(&self.height), values.read(&self.thickness));
         if self.height.is_none() || self.thickness.is_none() {
             let message = "the size of the object is missing";
-            return Err(Failure::usage(message, "give --height and --thickness, or an inventory with --inventory"));
+            return Err(Failure::usage(
+                message,
+                "give --height and --thickness, or an inventory with --inventory",
+            ));
         }
         let mass = values.read(&self.mass);
         let cushion = self.cushion.edge(mass, values)?;
         if self.mass.is_none() && self.cushion.is_given() {
             let message = "the shock needs both the mass and the cushion of the object";
-            values.push(Problem::value(message, "give --mass, or leave the cushion out"));
+            values.push(Problem::value(
+                message,
+                "give --mass, or leave the cushion out",
+            ));
         }
-        let block = height.zip(thickness).and_then(|size| self.shape.block(size, mass, values));
-        let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
-        let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
+        let block = height
+            .zip(thickness)
+            .and_then(|size| self.shape.block(size, mass, values));
+        let factor = values
+            .read(&self.restitution_factor)
+            .map_or(Restitution::Housner, Restitution::Factor);
+        let restitution = values
+            .read(&self.restitution)
+            .map_or(factor, Restitution::Value);
         let blocks: Vec<_> = block.into_iter().collect();
-        let restitution = values.take(checked(restitution, &blocks)).unwrap_or_default();
+        let restitution = values
+            .take(checked(restitution, &blocks))
+            .unwrap_or_default();
         let limits = Limits {
             peak_m_s2: values.read(&args.tolerance),
             duration_s: values.read(&self.tolerance_duration),
@@ -177,7 +209,10 @@ impl RunArgs {
         };
         std::mem::take(values).finish()?;
         let Some(block) = block else {
-            return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
+            return Err(Failure::usage(
+                "the size of the object is missing",
+                "give --height and --thickness",
+            ));
         };
         Ok(GivenObject {
             block,
@@ -196,8 +231,15 @@ impl RunArgs {
         let mut notes = grouped(read.iter().flat_map(ReadMotion::named_notes));
         for read in read {
             let name = read.motion.name;
-            files.push(InputFile { path: read.motion.path, sha256: read.motion.sha256 });
-            motions.push(FloorMotion { name, horizontal: read.motion.motion, vertical: None });
+            files.push(InputFile {
+                path: read.motion.path,
+                sha256: read.motion.sha256,
+            });
+            motions.push(FloorMotion {
+                name,
+                horizontal: read.motion.motion,
+                vertical: None,
+            });
         }
         let count = self.vertical.len();
         if count == 0 {
@@ -205,19 +247,31 @@ impl RunArgs {
         }
         if count != motions.len() {
             return Err(Failure::usage(
-                format!("--vertical has {}, --motion {}", counted(count, "file"), motions.len()),
+                format!(
+                    "--vertical has {}, --motion {}",
+                    counted(count, "file"),
+                    motions.len()
+                ),
                 "give one vertical record for each horizontal one, in the same order, or none",
             ));
         }
         let verticals = self.vertically.read_all(&self.read, &self.vertical)?;
         let named = verticals.iter().flat_map(ReadMotion::named_notes);
-        notes.extend(grouped(named.map(|(name, note)| (format!("vertical {name}"), note))));
+        notes.extend(grouped(
+            named.map(|(name, note)| (format!("vertical {name}"), note)),
+        ));
         for (motion, read) in motions.iter_mut().zip(verticals) {
-            files.push(InputFile { path: read.motion.path.clone(), sha256: read.motion.sha256.clone() });
+            files.push(InputFile {
+                path: read.motion.path.clone(),
+                sha256: read.motion.sha256.clone(),
+            });
             motion.vertical = Some(read.motion.motion);
-            Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }
-                .check()
-                .map_err(problem)?;
+            Base {
+                horizontal: Some(&motion.horizontal),
+                vertical: motion.vertical.as_ref(),
+            }
+            .check()
+            .map_err(problem)?;
         }
         Ok((motions, notes, files))
     }
@@ -226,10 +280,18 @@ impl RunArgs {
     pub(super) fn refuse_list(&self) -> Result<(), Failure> {
         let flag = self.list.of_list().or(self.worlds.map(|_| "--worlds"));
         // Beside outcomes, an inventory has the costs.
-        let flag = flag.or(self.list.cells.given().filter(|_| self.list.inventory.is_none()));
+        let flag = flag.or(self
+            .list
+            .cells
+            .given()
+            .filter(|_| self.list.inventory.is_none()));
         flag.map_or(Ok(()), |flag| {
-            let message = format!("{flag} is for an inventory in the building of a study, and none is run");
-            Err(Failure::usage(message, "leave it out, or give --inventory or a study in place of one object"))
+            let message =
+                format!("{flag} is for an inventory in the building of a study, and none is run");
+            Err(Failure::usage(
+                message,
+                "leave it out, or give --inventory or a study in place of one object",
+            ))
         })
     }
 
@@ -243,11 +305,17 @@ impl RunArgs {
             (self.restitution.is_some(), "--restitution"),
             (self.restitution_factor.is_some(), "--restitution-factor"),
             (args.tolerance.is_some(), "--tolerance"),
-            (self.tolerance_velocity_change.is_some(), "--tolerance-velocity-change"),
+            (
+                self.tolerance_velocity_change.is_some(),
+                "--tolerance-velocity-change",
+            ),
             (self.tolerance_edge_lift.is_some(), "--tolerance-edge-lift"),
             (!self.motion.is_empty(), "--motion"),
         ];
-        let found = given.into_iter().find_map(|(is_given, name)| is_given.then_some(name)).or(self.shape.given());
+        let found = given
+            .into_iter()
+            .find_map(|(is_given, name)| is_given.then_some(name))
+            .or(self.shape.given());
         found.map_or(Ok(()), |name| {
             Err(Failure::usage(
                 format!("{name} describes one object, but an inventory or a study is given"),
@@ -259,7 +327,11 @@ impl RunArgs {
 }
 
 /// The runs of the command, and their fit.
-pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &FragilityArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let runs = &args.runs;
     let mut values = Values::default();
     let asked = values.read(&runs.im).unwrap_or_default();
@@ -273,35 +345,75 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let listed = runs.names_list();
     if runs.options.is_some() && !listed {
         let message = "--options changes objects of an inventory, and none is given";
-        values.push(Problem::value(message, "give --inventory, or the changed size in the flags"));
+        values.push(Problem::value(
+            message,
+            "give --inventory, or the changed size in the flags",
+        ));
     }
     if runs.resume && !(listed && global.out.is_some()) {
         let message = "--resume continues runs of an inventory in their folder";
-        values.push(Problem::value(message, "give --inventory and --out, as in the earlier command"));
+        values.push(Problem::value(
+            message,
+            "give --inventory and --out, as in the earlier command",
+        ));
     }
     if listed {
         runs.refuse_object(args)?;
-        runs.read
-            .refuse_without_record(|_| "leave it out: the motions of an inventory are those of its study".into())?;
+        runs.read.refuse_without_record(|_| {
+            "leave it out: the motions of an inventory are those of its study".into()
+        })?;
     } else {
         runs.refuse_list()?;
     }
-    let given = if listed { None } else { Some(runs.given_object(args, &mut values)?) };
-    let first = asked.first().copied().unwrap_or(if listed { Measure::Pgv } else { Measure::Pfv });
-    let grid = runs.scales.as_deref().map(|text| scales(text, runs.method, first)).transpose();
-    let grid = values.take(grid.map_err(|problem| problem.named("scales"))).flatten().flatten();
+    let given = if listed {
+        None
+    } else {
+        Some(runs.given_object(args, &mut values)?)
+    };
+    let first = asked
+        .first()
+        .copied()
+        .unwrap_or(if listed { Measure::Pgv } else { Measure::Pfv });
+    let grid = runs
+        .scales
+        .as_deref()
+        .map(|text| scales(text, runs.method, first))
+        .transpose();
+    let grid = values
+        .take(grid.map_err(|problem| problem.named("scales")))
+        .flatten()
+        .flatten();
     values.finish()?;
 
     let mut exports = Exports::new(args, runs.inventory())?;
     // Stripes take it, or else a program; if nothing does, the runs say so.
-    let hazard = exports.hazard.clone().filter(|_| runs.method == Method::Stripes || !exports.takes_hazard());
+    let hazard = exports
+        .hazard
+        .clone()
+        .filter(|_| runs.method == Method::Stripes || !exports.takes_hazard());
     let (mut notes, mut sources) = (Vec::new(), Vec::new());
-    let mut inputs: Vec<PathBuf> =
-        runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
-    inputs.extend(
-        runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).chain(&args.curve.hazard).cloned(),
+    let mut inputs: Vec<PathBuf> = runs.read.inputs(
+        runs.motion
+            .iter()
+            .chain(&runs.vertical)
+            .chain(&runs.cushion.inputs()),
     );
-    let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
+    inputs.extend(
+        runs.list
+            .study
+            .iter()
+            .chain(&runs.list.inventory)
+            .chain(&runs.options)
+            .chain(&args.curve.hazard)
+            .cloned(),
+    );
+    let files = Files::with_tables(
+        global,
+        &inputs,
+        &args.tables,
+        FRAGILITY_SCHEMA,
+        Some(global.seed()),
+    )?;
     let (study, inventory);
     let mut has_errors = false;
     let objects = match given {
@@ -317,21 +429,36 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             if let Some(path) = &study.source {
                 sources.push(InputFile::new(path, &load(path)?));
             }
-            sources.push(InputFile { path: inventory.path.clone(), sha256: inventory.sha256.clone() });
+            sources.push(InputFile {
+                path: inventory.path.clone(),
+                sha256: inventory.sha256.clone(),
+            });
             sources.extend(inventory.libraries.iter().cloned());
             let recorded = study.ground.recorded(&study.levels);
-            sources.extend(recorded.map(|one| InputFile { path: one.path.clone(), sha256: one.sha256.clone() }));
+            sources.extend(recorded.map(|one| InputFile {
+                path: one.path.clone(),
+                sha256: one.sha256.clone(),
+            }));
             let mut changed = Vec::new();
             if let Some(path) = &runs.options {
                 let (file, objects) = load_changed(path)?;
                 sources.push(file);
                 changed = objects;
             }
-            RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds, changed }
+            RunObjects::Listed {
+                study: &study,
+                inventory: &inventory,
+                worlds: runs.worlds,
+                changed,
+            }
         }
     };
     let keep = global.out.clone().filter(|_| listed);
-    let keep = keep.map(|folder| KeepRuns { folder, resume: runs.resume, force: global.force });
+    let keep = keep.map(|folder| KeepRuns {
+        folder,
+        resume: runs.resume,
+        force: global.force,
+    });
     let is_kept = keep.is_some();
     let request = RunsRequest {
         objects,
@@ -375,9 +502,14 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
     // The text begins with that sentence.
     let is_said = |warning: &String| !printer.json() && report.no_study() == Some(warning);
-    let told: Vec<String> = warnings.into_iter().filter(|warning| !is_said(warning)).collect();
+    let told: Vec<String> = warnings
+        .into_iter()
+        .filter(|warning| !is_said(warning))
+        .collect();
     printer.result(FRAGILITY_SCHEMA, &facts, &told, || text(&report))?;
-    Ok(Done { criterion_met: !has_errors })
+    Ok(Done {
+        criterion_met: !has_errors,
+    })
 }
 
 /// Writes the files. Before each of them it asks whether to continue, because tables and figures of
@@ -390,7 +522,11 @@ fn write(
     go_on: impl Fn() -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     for (place, (fit, outcomes)) in report.reports.iter().zip(&report.outcomes).enumerate() {
-        let name = |what: &str| file_name(what, place, fit.table.measure).trim_end_matches(".csv").to_owned();
+        let name = |what: &str| {
+            file_name(what, place, fit.table.measure)
+                .trim_end_matches(".csv")
+                .to_owned()
+        };
         go_on()?;
         files.table(&name("outcomes"), || Ok(outcomes.clone()))?;
         go_on()?;

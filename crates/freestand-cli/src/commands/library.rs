@@ -70,18 +70,33 @@ pub(crate) fn print<E: Serialize>(
         (Wanted::WithId(_), entries) => entries.iter().map(|entry| shown(*entry, layout)).collect(),
         (_, []) => "no entry contains all of these words\n".to_owned(),
         (_, entries) => {
-            let rows: Vec<_> = entries.iter().map(|entry| (layout.cells)(entry).to_vec()).collect();
-            table(&layout.headings, &rows) + &format!("{}; {}\n", counted(rows.len(), "entry"), layout.remark)
+            let rows: Vec<_> = entries
+                .iter()
+                .map(|entry| (layout.cells)(entry).to_vec())
+                .collect();
+            table(&layout.headings, &rows)
+                + &format!("{}; {}\n", counted(rows.len(), "entry"), layout.remark)
         }
     };
-    files.print(printer, layout.schema, &Listed { entries: &entries }, &library.warnings, text)?;
+    files.print(
+        printer,
+        layout.schema,
+        &Listed { entries: &entries },
+        &library.warnings,
+        text,
+    )?;
     Ok(Done::OK)
 }
 
 fn shown<E>(entry: &E, layout: &Layout<E>) -> String {
     let fields = (layout.fields)(entry).into_iter();
-    let given = fields.filter_map(|(name, value)| Some((name, value.filter(|value| !value.is_empty())?)));
+    let given =
+        fields.filter_map(|(name, value)| Some((name, value.filter(|value| !value.is_empty())?)));
     let notice = (layout.notice)(entry);
-    let notice = if notice.is_empty() { String::new() } else { format!("\n{notice}\n") };
+    let notice = if notice.is_empty() {
+        String::new()
+    } else {
+        format!("\n{notice}\n")
+    };
     pairs(&given.collect::<Vec<_>>()) + &notice
 }

@@ -28,7 +28,8 @@ impl CellsArgs {
     /// What is not a cell and its text.
     pub(crate) fn edits(&self) -> Result<Vec<Edit>, Problems> {
         let mut problems = Problems::default();
-        let read = |text: &String| problems.keep(Edit::parse(text).map_err(|one| one.named("edit")));
+        let read =
+            |text: &String| problems.keep(Edit::parse(text).map_err(|one| one.named("edit")));
         let edits = self.edit.iter().filter_map(read).collect();
         problems.finish(Some(edits))
     }
@@ -38,7 +39,11 @@ impl CellsArgs {
     /// # Errors
     /// What is not a cell and its text.
     pub(crate) fn request(&self) -> Result<CellsRequest, Problems> {
-        Ok(CellsRequest { sheet: self.sheet.clone(), columns: self.columns.clone(), edits: self.edits()? })
+        Ok(CellsRequest {
+            sheet: self.sheet.clone(),
+            columns: self.columns.clone(),
+            edits: self.edits()?,
+        })
     }
 
     /// A flag that is given.
@@ -48,6 +53,8 @@ impl CellsArgs {
             (self.columns.is_some(), "--columns"),
             (!self.edit.is_empty(), "--edit"),
         ];
-        given.into_iter().find_map(|(is_given, flag)| is_given.then_some(flag))
+        given
+            .into_iter()
+            .find_map(|(is_given, flag)| is_given.then_some(flag))
     }
 }

@@ -45,12 +45,19 @@ pub(crate) struct Done {
 
 impl Done {
     /// Nothing failed and no criterion is exceeded.
-    pub(crate) const OK: Self = Self { criterion_met: true };
+    pub(crate) const OK: Self = Self {
+        criterion_met: true,
+    };
 }
 
 /// How hard an earthquake knocks a free-standing object, and whether it falls.
 #[derive(Debug, Parser)]
-#[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
+#[command(
+    name = "freestand",
+    version,
+    propagate_version = false,
+    subcommand_required = true
+)]
 #[command(after_help = "\
 Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
 Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;

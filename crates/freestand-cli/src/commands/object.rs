@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use freestand_assess::inventory::{CASTERS, Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood,
-    one_object_shown,
+    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA,
+    StudySource, Withstood, one_object_shown,
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
@@ -95,7 +95,11 @@ pub(crate) struct ObjectArgs {
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The earthquake (one of four)")]
     pga: Option<Given>,
     /// Study file (TOML) with the ground motions and the building
-    #[arg(long, value_name = "FILE.toml", help_heading = "The earthquake (one of four)")]
+    #[arg(
+        long,
+        value_name = "FILE.toml",
+        help_heading = "The earthquake (one of four)"
+    )]
     study: Option<PathBuf>,
     /// Records of the motion of its floor
     #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
@@ -182,9 +186,13 @@ struct AroundArgs {
 impl AroundArgs {
     /// What is around the object; problems are added to `values`.
     fn read(&self, values: &mut Values) -> Surroundings {
-        let upper =
-            (values.read(&self.upper_height), values.read(&self.upper_thickness), values.read(&self.upper_mass));
-        let is_given = [&self.upper_height, &self.upper_thickness, &self.upper_mass].map(Option::is_some);
+        let upper = (
+            values.read(&self.upper_height),
+            values.read(&self.upper_thickness),
+            values.read(&self.upper_mass),
+        );
+        let is_given =
+            [&self.upper_height, &self.upper_thickness, &self.upper_mass].map(Option::is_some);
         if is_given.contains(&true) && !(is_given[0] && is_given[1]) {
             let message = "what stands on the object lacks its height or its thickness";
             values.push(Problem::value(
@@ -202,7 +210,11 @@ impl AroundArgs {
             rolling_resistance_ratio: values.read(&self.rolling_resistance),
             clearance_m: values.read(&self.clearance),
             upper: match upper {
-                (Some(height_m), Some(thickness_m), mass_kg) => Some(UpperBody { height_m, thickness_m, mass_kg }),
+                (Some(height_m), Some(thickness_m), mass_kg) => Some(UpperBody {
+                    height_m,
+                    thickness_m,
+                    mass_kg,
+                }),
                 _ => None,
             },
         }
@@ -218,7 +230,10 @@ fn ratios(text: &str) -> Result<(f64, f64), Problem> {
         .unwrap_or((text, text));
     let (low, high) = (positive(low)?, positive(high)?);
     if low > high {
-        return Err(Problem::value(format!("the range from {low} to {high} falls"), "write the smaller value first"));
+        return Err(Problem::value(
+            format!("the range from {low} to {high} falls"),
+            "write the smaller value first",
+        ));
     }
     Ok((low, high))
 }
@@ -230,9 +245,17 @@ impl KeySet for HazardKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
         "The earthquake (one of four)",
         &[
-            key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
+            key(
+                "place",
+                "NAME",
+                "Place, with its code and hazard; see freestand place list",
+            ),
             key("site", "CLASS", "Site class of the code"),
-            key("return_period_years", "YEARS", "Return period in years, of AS 1170.4 and NZS 1170.5"),
+            key(
+                "return_period_years",
+                "YEARS",
+                "Return period in years, of AS 1170.4 and NZS 1170.5",
+            ),
         ],
     )];
 }
@@ -253,28 +276,56 @@ fn rests_on(text: &str) -> Result<RestsOn, Problem> {
 fn withstood(text: &str) -> Result<Withstood, Problem> {
     let peak = |text: &str| quantity::parse_positive(text, Dimension::Acceleration, "the value");
     let problem = match peak(text) {
-        Ok(peak_m_s2) => return Ok(Withstood { peak_m_s2, duration_s: None }),
+        Ok(peak_m_s2) => {
+            return Ok(Withstood {
+                peak_m_s2,
+                duration_s: None,
+            });
+        }
         Err(problem) => problem,
     };
     // The duration is the last number, where what is before it is a peak.
-    let begins = |at: usize| !text.get(..at).unwrap_or_default().ends_with(|c: char| c.is_ascii_digit() || c == '.');
-    let numbers = text.char_indices().rev().filter(|(at, c)| c.is_ascii_digit() && begins(*at));
+    let begins = |at: usize| {
+        !text
+            .get(..at)
+            .unwrap_or_default()
+            .ends_with(|c: char| c.is_ascii_digit() || c == '.')
+    };
+    let numbers = text
+        .char_indices()
+        .rev()
+        .filter(|(at, c)| c.is_ascii_digit() && begins(*at));
     for (first, second) in numbers.map(|(at, _)| text.split_at(at)) {
         if let Ok(peak_m_s2) = peak(first.trim_end_matches([' ', ','])) {
             let duration_s = quantity::parse_positive(second, Dimension::Time, "the duration")?;
-            return Ok(Withstood { peak_m_s2, duration_s: Some(duration_s) });
+            return Ok(Withstood {
+                peak_m_s2,
+                duration_s: Some(duration_s),
+            });
         }
     }
     Err(problem)
 }
 
-pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ObjectArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let request = request(args, global)?;
-    let inputs: Vec<PathBuf> = args.read.inputs(&args.motion).into_iter().chain(args.study.clone()).collect();
+    let inputs: Vec<PathBuf> = args
+        .read
+        .inputs(&args.motion)
+        .into_iter()
+        .chain(args.study.clone())
+        .collect();
     let files = Files::begin(global, &inputs)?;
     let stop = printer.stop();
     let session = printer.session();
-    let (memory, follow) = (session.map(Session::memory).unwrap_or_default(), session.and_then(Session::follow));
+    let (memory, follow) = (
+        session.map(Session::memory).unwrap_or_default(),
+        session.and_then(Session::follow),
+    );
     let shown = one_object_shown(&request, &memory, follow.as_ref(), &|| stop.wanted());
     let (report, shown) = shown.map_err(|problems| match problems.is_stopped() {
         true => Failure::Stopped { printed: false },
@@ -283,7 +334,9 @@ pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> 
     if let Some((session, shown)) = session.zip(shown.as_ref()) {
         session.beside(shown);
     }
-    files.print(printer, SCHEMA, &report.facts, &report.warnings, || text(&report, request.units))?;
+    files.print(printer, SCHEMA, &report.facts, &report.warnings, || {
+        text(&report, request.units)
+    })?;
     Ok(Done::OK)
 }
 
@@ -293,7 +346,8 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     let (width, cg_height) = (values.read(&args.width), values.read(&args.cg_height));
     let mass = values.read(&args.mass);
     let (rests_on, tolerance) = (values.read(&args.on), values.read(&args.tolerance));
-    let (friction_ratio, surroundings) = (values.read(&args.friction), args.around.read(&mut values));
+    let (friction_ratio, surroundings) =
+        (values.read(&args.friction), args.around.read(&mut values));
     let peak_m_s2 = values.read(&args.pga);
     let scales = values.read(&args.scales);
     let storey_height_m = values.read(&args.storey_height);
@@ -310,18 +364,31 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     check_earthquake(args, &mut values);
     values.finish()?;
     let Some((height, thickness)) = height.zip(thickness) else {
-        return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
+        return Err(Failure::usage(
+            "the size of the object is missing",
+            "give --height and --thickness",
+        ));
     };
     let earthquake = if let Some(path) = &args.study {
-        Earthquake::Study { source: StudySource::File(path.clone()), hazard: args.hazard.words.clone() }
+        Earthquake::Study {
+            source: StudySource::File(path.clone()),
+            hazard: args.hazard.words.clone(),
+        }
     } else if let Some(peak_m_s2) = peak_m_s2 {
         Earthquake::GroundAcceleration(peak_m_s2)
     } else if args.motion.is_empty() {
         Earthquake::Place(args.hazard.words.clone())
     } else {
-        Earthquake::Motions { motions: args.read.read_all(&args.motion)?, scales: scales.unwrap_or_default() }
+        Earthquake::Motions {
+            motions: args.read.read_all(&args.motion)?,
+            scales: scales.unwrap_or_default(),
+        }
     };
-    let typed = [mass.and_then(|mass| mass.system), height.system, thickness.system];
+    let typed = [
+        mass.and_then(|mass| mass.system),
+        height.system,
+        thickness.system,
+    ];
     Ok(ObjectRequest {
         object: Object {
             height_m: height.value_si,
@@ -336,8 +403,14 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
             surroundings,
         },
         earthquake,
-        floor: Floor { place, storeys: args.storeys, storey_height_m },
-        worlds: args.worlds.map(|worlds| u32::try_from(worlds.get()).unwrap_or(u32::MAX)),
+        floor: Floor {
+            place,
+            storeys: args.storeys,
+            storey_height_m,
+        },
+        worlds: args
+            .worlds
+            .map(|worlds| u32::try_from(worlds.get()).unwrap_or(u32::MAX)),
         seed: global.seed,
         units: args.units.unwrap_or(UnitSystem::of_most_systems(typed)),
     })
@@ -353,7 +426,10 @@ fn check_earthquake(args: &ObjectArgs, values: &mut Values) {
         (args.study.is_some(), "--study"),
         (!args.motion.is_empty(), "--motion"),
     ];
-    let given: Vec<&str> = given.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag)).collect();
+    let given: Vec<&str> = given
+        .into_iter()
+        .filter_map(|(is_given, flag)| is_given.then_some(flag))
+        .collect();
     match given.as_slice() {
         [] => values.push(Problem::value(
             "no earthquake is named",
@@ -373,12 +449,18 @@ fn check_earthquake(args: &ObjectArgs, values: &mut Values) {
     if args.motion.is_empty() {
         if args.scales.is_some() {
             let message = "--scales applies to motions of the floor";
-            values.push(Problem::value(message, "name them with --motion, or leave --scales out"));
+            values.push(Problem::value(
+                message,
+                "name them with --motion, or leave --scales out",
+            ));
         }
-        if let Err(Failure::Problems(problems)) =
-            args.read.refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())
+        if let Err(Failure::Problems(problems)) = args
+            .read
+            .refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())
         {
-            problems.into_iter().for_each(|problem| values.push(problem));
+            problems
+                .into_iter()
+                .for_each(|problem| values.push(problem));
         }
     }
 }
@@ -389,7 +471,18 @@ fn scale_headings(units: UnitSystem) -> (&'static str, [&'static str; 7]) {
         UnitSystem::Si => ("mm", "uplift [mm]"),
         UnitSystem::Us => ("in", "uplift [in]"),
     };
-    (unit, ["scale", "median PFA [g]", "largest PFA [g]", "lift an edge", "overturn it", uplift, "shock [g]"])
+    (
+        unit,
+        [
+            "scale",
+            "median PFA [g]",
+            "largest PFA [g]",
+            "lift an edge",
+            "overturn it",
+            uplift,
+            "shock [g]",
+        ],
+    )
 }
 
 /// A row of that table.
@@ -403,7 +496,9 @@ fn at_scale(row: &Facts, length: &str) -> Vec<String> {
         ("uplift_m_max", length, 3),
         ("landing_acceleration_g_max", "", 3),
     ];
-    columns.map(|(name, unit, digits)| row.cell(name, unit, digits)).to_vec()
+    columns
+        .map(|(name, unit, digits)| row.cell(name, unit, digits))
+        .to_vec()
 }
 
 /// The most lines of a table below the sentence.
@@ -416,10 +511,18 @@ fn text(report: &ObjectReport, units: UnitSystem) -> String {
         return text;
     }
     let (length, headings) = scale_headings(units);
-    let rows: Vec<Vec<String>> = report.scales.iter().take(MAX_ROWS).map(|row| at_scale(row, length)).collect();
+    let rows: Vec<Vec<String>> = report
+        .scales
+        .iter()
+        .take(MAX_ROWS)
+        .map(|row| at_scale(row, length))
+        .collect();
     text.push_str(&table(&headings, &rows));
     if report.scales.len() > MAX_ROWS {
-        text.push_str(&format!("and {} more: --json\n", report.scales.len() - MAX_ROWS));
+        text.push_str(&format!(
+            "and {} more: --json\n",
+            report.scales.len() - MAX_ROWS
+        ));
     }
     text
 }

@@ -56,7 +56,11 @@ Examples:
 
 const SCHEMA: &str = "freestand.place/1";
 
-pub(crate) fn run(args: &PlaceArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &PlaceArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let found: Vec<&Place> = match &args.command {
         PlaceCommand::List { of: None } => places().iter().collect(),
         PlaceCommand::List { of: Some(word) } => listed(word)?,
@@ -69,21 +73,33 @@ pub(crate) fn run(args: &PlaceArgs, global: &GlobalArgs, printer: &Printer) -> R
     let facts: Vec<Facts> = found.iter().map(|place| place.facts()).collect();
     let document = Facts::default().key("places", facts);
     let files = Files::begin(global, &[])?;
-    files.print(printer, SCHEMA, &document, &warnings, || match (&args.command, found.as_slice()) {
-        (PlaceCommand::Show { .. }, [place]) => one(place),
-        _ => list(&found),
+    files.print(printer, SCHEMA, &document, &warnings, || {
+        match (&args.command, found.as_slice()) {
+            (PlaceCommand::Show { .. }, [place]) => one(place),
+            _ => list(&found),
+        }
     })?;
     Ok(Done::OK)
 }
 
 /// The places of a country or a code.
 fn listed(word: &str) -> Result<Vec<&'static Place>, Failure> {
-    let plain = |text: &str| text.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect::<String>();
+    let plain = |text: &str| {
+        text.to_lowercase()
+            .chars()
+            .filter(|c| c.is_alphanumeric())
+            .collect::<String>()
+    };
     let wanted = plain(word);
     let is_of = |place: &&Place| {
-        [place.country, place.region, place.hazard.code(), place.hazard.code_title()]
-            .iter()
-            .any(|one| !one.is_empty() && plain(one) == wanted)
+        [
+            place.country,
+            place.region,
+            place.hazard.code(),
+            place.hazard.code_title(),
+        ]
+        .iter()
+        .any(|one| !one.is_empty() && plain(one) == wanted)
     };
     let found: Vec<&Place> = places().iter().filter(is_of).collect();
     if found.is_empty() {
@@ -101,21 +117,36 @@ fn shown(name: &str) -> Result<&'static Place, Failure> {
             [] => "freestand place list shows all of them".to_owned(),
             names => format!("did you mean {}?", names.join(" or ")),
         };
-        Problem::value(format!("\"{}\" is not in the table of places", shorten(name)), hint).into()
+        Problem::value(
+            format!("\"{}\" is not in the table of places", shorten(name)),
+            hint,
+        )
+        .into()
     })
 }
 
 fn list(found: &[&Place]) -> String {
     let row = |place: &&Place| {
         let (code, values) = (place.hazard.code_title().to_owned(), place.hazard.words());
-        vec![place.name.to_owned(), place.whereabouts(), code, values, place.confidence.name().to_owned()]
+        vec![
+            place.name.to_owned(),
+            place.whereabouts(),
+            code,
+            values,
+            place.confidence.name().to_owned(),
+        ]
     };
     let rows: Vec<Vec<String>> = found.iter().map(row).collect();
     let mut text = table(&["place", "in", "code", "hazard", "confidence"], &rows);
     text.push_str(&format!("\n{}", counted(found.len(), "place")));
-    let approximate = found.iter().filter(|place| place.confidence == Confidence::Approximate).count();
+    let approximate = found
+        .iter()
+        .filter(|place| place.confidence == Confidence::Approximate)
+        .count();
     if approximate > 0 {
-        text.push_str(&format!("; {approximate} approximate: confirm those values before you rely on them"));
+        text.push_str(&format!(
+            "; {approximate} approximate: confirm those values before you rely on them"
+        ));
     }
     text.push('\n');
     text
@@ -125,7 +156,10 @@ fn one(place: &Place) -> String {
     let rows = [
         ("place", place.name.to_owned()),
         ("in", place.whereabouts()),
-        ("code", format!("{} ({})", place.hazard.code_title(), place.hazard.code())),
+        (
+            "code",
+            format!("{} ({})", place.hazard.code_title(), place.hazard.code()),
+        ),
         ("hazard", place.hazard.words()),
         ("source", place.source.to_owned()),
         ("confidence", place.confidence.name().to_owned()),

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
-    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListReport, RestrainListRequest,
-    RestrainReport, RestrainRequest, ToConfirm, restrain, restrain_list,
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListReport,
+    RestrainListRequest, RestrainReport, RestrainRequest, ToConfirm, restrain, restrain_list,
 };
 use freestand_input::file::load as load_file;
 use freestand_input::keys::{KeyStyle, Words};
@@ -143,8 +143,16 @@ impl KeySet for HazardKeys {
         (
             "The earthquake (one of --place, --code, --study, --floor-acceleration)",
             &[
-                key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
-                key("code", "CODE", "Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5"),
+                key(
+                    "place",
+                    "NAME",
+                    "Place, with its code and hazard; see freestand place list",
+                ),
+                key(
+                    "code",
+                    "CODE",
+                    "Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5",
+                ),
             ],
         ),
         (
@@ -157,16 +165,44 @@ impl KeySet for HazardKeys {
                     "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016, in California 2022]",
                 ),
                 key("sds", "ACCELERATION", "S_DS of ASCE 7"),
-                key("ss", "ACCELERATION", "Mapped acceleration S_s of ASCE 7, with --fa, or with --s1 and --site"),
+                key(
+                    "ss",
+                    "ACCELERATION",
+                    "Mapped acceleration S_s of ASCE 7, with --fa, or with --s1 and --site",
+                ),
                 key("s1", "ACCELERATION", "Mapped acceleration S_1 of ASCE 7"),
-                key("fa", "RATIO", "Site coefficient F_a of ASCE 7 [default: that of --site]"),
-                key("fv", "RATIO", "Site coefficient F_v of ASCE 7 [default: that of --site]"),
-                key("hazard_factor", "RATIO", "Hazard factor Z of AS 1170.4 or NZS 1170.5"),
-                key("return_period_years", "YEARS", "Return period of AS 1170.4 or NZS 1170.5 [default: 500]"),
+                key(
+                    "fa",
+                    "RATIO",
+                    "Site coefficient F_a of ASCE 7 [default: that of --site]",
+                ),
+                key(
+                    "fv",
+                    "RATIO",
+                    "Site coefficient F_v of ASCE 7 [default: that of --site]",
+                ),
+                key(
+                    "hazard_factor",
+                    "RATIO",
+                    "Hazard factor Z of AS 1170.4 or NZS 1170.5",
+                ),
+                key(
+                    "return_period_years",
+                    "YEARS",
+                    "Return period of AS 1170.4 or NZS 1170.5 [default: 500]",
+                ),
                 key("ground_acceleration", "ACCELERATION", "a_gR of Eurocode 8"),
                 key("spectrum_type", "1|2", "Type of spectrum of Eurocode 8"),
-                key("importance_factor", "RATIO", "Importance factor γ_I of the building in Eurocode 8 [default: 1]"),
-                key("soil_factor", "RATIO", "Soil factor S of a national annex to Eurocode 8"),
+                key(
+                    "importance_factor",
+                    "RATIO",
+                    "Importance factor γ_I of the building in Eurocode 8 [default: 1]",
+                ),
+                key(
+                    "soil_factor",
+                    "RATIO",
+                    "Soil factor S of a national annex to Eurocode 8",
+                ),
             ],
         ),
     ];
@@ -179,7 +215,11 @@ const SCHEMA: &str = "freestand.restrain/1";
 
 const SHEET: &str = "restraint.html";
 
-pub(crate) fn run(args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RestrainArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if let Some(list) = &args.list {
         return run_list(list, args, global, printer);
     }
@@ -195,18 +235,26 @@ pub(crate) fn run(args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -
     let files = Files::begin(global, &inputs)?;
     let sheet = files.write(SHEET, || &report.sheet)?;
     let document = report.facts.clone().key("sheet", sheet.clone());
-    files.print(printer, SCHEMA, &document, &report.warnings, || text(&report, sheet.as_deref()))?;
+    files.print(printer, SCHEMA, &document, &report.warnings, || {
+        text(&report, sheet.as_deref())
+    })?;
     Ok(Done::OK)
 }
 
-fn run_list(list: &Path, args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+fn run_list(
+    list: &Path,
+    args: &RestrainArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let acceleration = values.read(&args.floor_acceleration);
     let (floor, factors) = (floor(args, &mut values), factors(args, &mut values));
     let anchor_inset_m = values.read(&args.anchor_inset);
     values.finish()?;
     // Where the list cannot be read either, that is what to mend first. It is read once more only here.
-    let hazard = hazard(args, acceleration).map_err(|failure| load_file(list).err().map_or(failure, Failure::from))?;
+    let hazard = hazard(args, acceleration)
+        .map_err(|failure| load_file(list).err().map_or(failure, Failure::from))?;
     let request = RestrainListRequest {
         list: list.to_owned(),
         cells: args.cells.request()?,
@@ -218,19 +266,34 @@ fn run_list(list: &Path, args: &RestrainArgs, global: &GlobalArgs, printer: &Pri
         units: args.units,
     };
     let report = restrain_list(&request)?;
-    let inputs: Vec<PathBuf> =
-        [list.to_owned()].into_iter().chain(args.study.iter().chain(&args.cells.columns).cloned()).collect();
+    let inputs: Vec<PathBuf> = [list.to_owned()]
+        .into_iter()
+        .chain(args.study.iter().chain(&args.cells.columns).cloned())
+        .collect();
     let files = Files::begin(global, &inputs)?;
     files.table("restraint", || report.table())?;
-    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || list_text(&report))?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
+        list_text(&report)
+    })?;
     Ok(Done::OK)
 }
 
 fn list_text(report: &RestrainListReport) -> String {
-    let headings = ["row", "object", "force", "force/weight", "tension of an edge", "in concrete"];
+    let headings = [
+        "row",
+        "object",
+        "force",
+        "force/weight",
+        "tension of an edge",
+        "in concrete",
+    ];
     let rows: Vec<Vec<String>> = report.lines.iter().map(|row| row.to_vec()).collect();
     let mut text = table(&headings, &rows);
-    text.push_str(&format!("\n{} of {} objects have a force\n", report.held, report.lines.len()));
+    text.push_str(&format!(
+        "\n{} of {} objects have a force\n",
+        report.held,
+        report.lines.len()
+    ));
     text.push_str(&open_text(&report.to_confirm, &report.assumptions));
     for problem in &report.problems {
         text.push_str(&format!("in the list: {}\n", KeyStyle::Flag.shown(problem)));
@@ -294,22 +357,34 @@ fn hazard(args: &RestrainArgs, acceleration_m_s2: Option<f64>) -> Result<Restrai
         words.next().map(|key| KeyStyle::Flag.name(key))
     };
     match (&args.study, acceleration_m_s2) {
-        (Some(_), Some(_)) => {
-            Err(Failure::usage("--study and --floor-acceleration exclude each other", "keep one of them"))
-        }
+        (Some(_), Some(_)) => Err(Failure::usage(
+            "--study and --floor-acceleration exclude each other",
+            "keep one of them",
+        )),
         (None, Some(acceleration)) => match flags(&mut words.entries().map(|(key, _)| key)) {
-            Some(flag) => {
-                Err(Failure::usage(format!("{flag} and --floor-acceleration exclude each other"), "keep one of them"))
-            }
+            Some(flag) => Err(Failure::usage(
+                format!("{flag} and --floor-acceleration exclude each other"),
+                "keep one of them",
+            )),
             None => Ok(RestrainHazard::FloorAcceleration(acceleration / G0_M_S2)),
         },
         (Some(path), None) => {
-            let mut strangers = words.entries().map(|(key, _)| key).filter(|key| !BESIDE_STUDY.contains(key));
+            let mut strangers = words
+                .entries()
+                .map(|(key, _)| key)
+                .filter(|key| !BESIDE_STUDY.contains(key));
             if let Some(flag) = flags(&mut strangers) {
-                let hint = "leave it out: beside a study stand --place, --site and --return-period alone";
-                return Err(Failure::usage(format!("{flag} has no meaning beside --study"), hint));
+                let hint =
+                    "leave it out: beside a study stand --place, --site and --return-period alone";
+                return Err(Failure::usage(
+                    format!("{flag} has no meaning beside --study"),
+                    hint,
+                ));
             }
-            let overrides = Overrides { hazard: words.clone(), ..Overrides::default() };
+            let overrides = Overrides {
+                hazard: words.clone(),
+                ..Overrides::default()
+            };
             Ok(RestrainHazard::Study(Arc::new(load(path, &overrides)?)))
         }
         (None, None) if Words::is_empty(words) => Err(Failure::usage(
@@ -323,7 +398,11 @@ fn hazard(args: &RestrainArgs, acceleration_m_s2: Option<f64>) -> Result<Restrai
 /// What an engineer must confirm, and what was assumed.
 fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
     let confirm = |open: &ToConfirm| {
-        let value = if open.value.is_empty() { String::new() } else { format!(" (used: {})", open.value) };
+        let value = if open.value.is_empty() {
+            String::new()
+        } else {
+            format!(" (used: {})", open.value)
+        };
         format!("an engineer must confirm: {}{value}\n", open.what)
     };
     let mut text = String::new();
@@ -333,7 +412,11 @@ fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
     }
     if !assumptions.is_empty() {
         text.push('\n');
-        text.extend(assumptions.iter().map(|assumption| format!("assumed: {assumption}\n")));
+        text.extend(
+            assumptions
+                .iter()
+                .map(|assumption| format!("assumed: {assumption}\n")),
+        );
     }
     text
 }
@@ -343,7 +426,13 @@ fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
     let rows: Vec<Vec<String>> = report.factors.iter().map(|row| row.to_vec()).collect();
     text.push_str(&table(&["factor", "value", "who says so"], &rows));
     if !report.others.is_empty() {
-        let headings = ["for comparison", "force", "force/weight", "tension of an edge", "in concrete"];
+        let headings = [
+            "for comparison",
+            "force",
+            "force/weight",
+            "tension of an edge",
+            "in concrete",
+        ];
         let rows: Vec<Vec<String>> = report.others.iter().map(|row| row.to_vec()).collect();
         text.push('\n');
         text.push_str(&table(&headings, &rows));

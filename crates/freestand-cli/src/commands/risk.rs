@@ -4,8 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::fragility::FitKind;
-use freestand_assess::fragility::{At, FITS, FragilityRequest, HAZARD_CODES, HazardCode, HazardGiven};
-use freestand_assess::risk::{RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk, yearly_rate, years};
+use freestand_assess::fragility::{
+    At, FITS, FragilityRequest, HAZARD_CODES, HazardCode, HazardGiven,
+};
+use freestand_assess::risk::{
+    RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk, yearly_rate, years,
+};
 use freestand_input::quantity::Dimension;
 use freestand_output::json::document;
 
@@ -63,13 +67,20 @@ pub(crate) struct RiskArgs {
     #[arg(long, value_parser = choice(PLACES), help_heading = "Fragility")]
     at: Option<At>,
 
-    #[command(flatten, next_help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    #[command(
+        flatten,
+        next_help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)"
+    )]
     curve: CurveArgs,
     /// Return periods of a code, for pga or sa(T)
     #[arg(long, value_parser = choice(HAZARD_CODES), help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard_code: Option<HazardCode>,
     /// Site class of the code
-    #[arg(long, value_name = "CLASS", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    #[arg(
+        long,
+        value_name = "CLASS",
+        help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)"
+    )]
     site: Option<String>,
     /// Hazard factor Z of the code
     #[arg(long, positive = Dimension::Ratio, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
@@ -106,18 +117,40 @@ pub(crate) struct RiskArgs {
     tables: TableArgs,
 }
 
-pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RiskArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     refuse_unread(args)?;
     let request = request(args, global)?;
-    let inputs: Vec<PathBuf> = [&args.fragility, &args.outcomes, &args.curve.hazard, &args.inventory, &args.options]
-        .into_iter()
-        .flatten()
-        .cloned()
-        .collect();
-    let files = Files::with_tables(global, &inputs, &args.tables, RISK_SCHEMA, Some(global.seed()))?;
+    let inputs: Vec<PathBuf> = [
+        &args.fragility,
+        &args.outcomes,
+        &args.curve.hazard,
+        &args.inventory,
+        &args.options,
+    ]
+    .into_iter()
+    .flatten()
+    .cloned()
+    .collect();
+    let files = Files::with_tables(
+        global,
+        &inputs,
+        &args.tables,
+        RISK_SCHEMA,
+        Some(global.seed()),
+    )?;
     // Before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
-    let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
+    let go_on = || {
+        if stop.wanted() {
+            Err(Failure::Stopped { printed: false })
+        } else {
+            Ok(())
+        }
+    };
     let report = watched(printer, |progress| risk(&request, progress)).map_err(stopped)?;
     let facts = report.facts();
     if files.wanted() {
@@ -134,25 +167,46 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
     }
     files.finish_result(RISK_SCHEMA, &report.warnings)?;
     printer.result(RISK_SCHEMA, &facts, &report.warnings, || report.text())?;
-    Ok(Done { criterion_met: report.is_accepted() })
+    Ok(Done {
+        criterion_met: report.is_accepted(),
+    })
 }
 
 /// Refuses flags that nothing reads beside the others.
 fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
-    let of_fit = [("fit", args.fit.is_some()), ("bootstrap", args.bootstrap.is_some())];
-    let of_options = [("horizon", args.horizon.is_some()), ("discount", args.discount.is_some())];
+    let of_fit = [
+        ("fit", args.fit.is_some()),
+        ("bootstrap", args.bootstrap.is_some()),
+    ];
+    let of_options = [
+        ("horizon", args.horizon.is_some()),
+        ("discount", args.discount.is_some()),
+    ];
     let of_file = [("site-coordinates", args.curve.site_coordinates.is_some())];
     let given = |flags: &[(&'static str, bool)]| -> Vec<&'static str> {
-        flags.iter().filter(|(_, is_given)| *is_given).map(|(flag, _)| *flag).collect()
+        flags
+            .iter()
+            .filter(|(_, is_given)| *is_given)
+            .map(|(flag, _)| *flag)
+            .collect()
     };
     if args.fragility.is_some() {
-        refuse_idle(given(&of_fit), "the curves of --fragility are fitted already")?;
+        refuse_idle(
+            given(&of_fit),
+            "the curves of --fragility are fitted already",
+        )?;
     }
     if args.options.is_none() {
-        refuse_idle(given(&of_options), "there are no --options whose savings would count over years")?;
+        refuse_idle(
+            given(&of_options),
+            "there are no --options whose savings would count over years",
+        )?;
     }
     if args.curve.hazard.is_none() {
-        refuse_idle(given(&of_file), "it chooses a site of a file of --hazard, and none is given")?;
+        refuse_idle(
+            given(&of_file),
+            "it chooses a site of a file of --hazard, and none is given",
+        )?;
     }
     Ok(())
 }
@@ -169,19 +223,27 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
     let fault_distance_m = values.read(&args.fault_distance);
     let site_deg = values.read(&args.curve.site_coordinates);
     let (budget, horizon_years) = (values.read(&args.budget), values.read(&args.horizon));
-    let (discount_ratio, accepted_rate) = (values.read(&args.discount), values.read(&args.accepted));
+    let (discount_ratio, accepted_rate) =
+        (values.read(&args.discount), values.read(&args.accepted));
     let years = values.read(&args.years);
     values.finish()?;
-    let hazard =
-        HazardGiven { code: args.hazard_code, site: args.site.clone(), hazard_factor, fault_distance_m, ..given };
+    let hazard = HazardGiven {
+        code: args.hazard_code,
+        site: args.site.clone(),
+        hazard_factor,
+        fault_distance_m,
+        ..given
+    };
     let hazard = hazard.source()?;
-    let curves = RiskCurves::given(args.fragility.clone(), args.outcomes.clone(), |outcomes| FragilityRequest {
-        outcomes,
-        at: args.at,
-        fit: args.fit.unwrap_or(FitKind::Ordered),
-        shock: None,
-        replicates: args.bootstrap,
-        seed: global.seed(),
+    let curves = RiskCurves::given(args.fragility.clone(), args.outcomes.clone(), |outcomes| {
+        FragilityRequest {
+            outcomes,
+            at: args.at,
+            fit: args.fit.unwrap_or(FitKind::Ordered),
+            shock: None,
+            replicates: args.bootstrap,
+            seed: global.seed(),
+        }
     })?;
     Ok(RiskRequest {
         curves,

@@ -11,7 +11,9 @@ use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
-use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
+use freestand_study::resolve::{
+    Overrides, builtin, builtin_toml, is_study_file, load, motion_paths,
+};
 use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
 use freestand_study::run::{Stage, Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
@@ -90,7 +92,10 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         return dump_study(global, printer);
     }
     // In `--motion a.AT2 study.toml`, clap takes the study for a second record.
-    if let (None, Some(study)) = (&args.study, args.motion.iter().find(|path| is_study_file(path))) {
+    if let (None, Some(study)) = (
+        &args.study,
+        args.motion.iter().find(|path| is_study_file(path)),
+    ) {
         let study = study.display();
         return Err(Failure::usage(
             format!("--motion: {study} is a study, not a record"),
@@ -104,7 +109,10 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         ..args.read.files(&args.motion, &mut values)
     });
     let rotation_step_deg = args.second.rotation_step_deg(&mut values);
-    let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
+    let variations = args
+        .vary
+        .as_ref()
+        .map(|texts| variations(texts, &mut values));
     values.finish()?;
     let overrides = Overrides {
         seed: global.seed,
@@ -119,9 +127,15 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     };
     study.outputs.parquet |= args.parquet;
     let out = global.folder(FOLDER);
-    let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let inputs: Vec<PathBuf> = args
+        .study
+        .iter()
+        .cloned()
+        .chain(motion_paths(&study))
+        .collect();
     let stop = printer.stop();
-    let folder = OutputFolder::stage(&out, global.force, &inputs)?.of_command(freestand_study::summary::SCHEMA)?;
+    let folder = OutputFolder::stage(&out, global.force, &inputs)?
+        .of_command(freestand_study::summary::SCHEMA)?;
     folder.check(&expected_names(&study, variations.is_some()))?;
 
     let bar = printer.progress_bar(false);
@@ -129,9 +143,19 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let progress = |step: Step| {
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
-        let change = change.lock().map_or_else(|_| String::new(), |words| words.clone());
-        bar.set_message(if change.is_empty() { step.stage.map_or("", Stage::name).to_owned() } else { change });
-        if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let change = change
+            .lock()
+            .map_or_else(|_| String::new(), |words| words.clone());
+        bar.set_message(if change.is_empty() {
+            step.stage.map_or("", Stage::name).to_owned()
+        } else {
+            change
+        });
+        if stop.wanted() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     };
     let tell = |index: usize, count: usize, words: &str| {
         if let Ok(mut change) = change.lock() {
@@ -140,7 +164,9 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     };
     let result = run_study(&study, &progress).and_then(|mut result| {
         if let Some(variations) = &variations {
-            result.sensitivity = Some(vary(&study, &result, variations, &overrides, &tell, &progress)?);
+            result.sensitivity = Some(vary(
+                &study, &result, variations, &overrides, &tell, &progress,
+            )?);
         }
         Ok(result)
     });
@@ -160,18 +186,43 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let failed: usize = levels.iter().map(|level| level.failed).sum();
     let mut body = written.body;
     if let Value::Object(keys) = &mut body {
-        keys.insert("out".to_owned(), Value::from(written.folder.display().to_string()));
+        keys.insert(
+            "out".to_owned(),
+            Value::from(written.folder.display().to_string()),
+        );
     }
-    printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
-        let files = written.files.iter().filter(|name| !name.contains('/')).count();
-        text(&levels, result.motions.len(), start.elapsed().as_secs_f64())
-            + &result.sensitivity.as_ref().map_or_else(String::new, sensitivity_text)
-            + &format!("{files} files and motions/ in {}\n", out.display())
-    })?;
-    let varied = result.sensitivity.iter().flat_map(|sensitivity| &sensitivity.rows);
-    let failed = failed + varied.filter(|row| matches!(row.reason, Some(NoResult::Failed(_)))).count();
-    let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
-    Ok(Done { criterion_met: failed == 0 && !exceeded })
+    printer.result(
+        freestand_study::summary::SCHEMA,
+        &body,
+        &result.warnings,
+        || {
+            let files = written
+                .files
+                .iter()
+                .filter(|name| !name.contains('/'))
+                .count();
+            text(&levels, result.motions.len(), start.elapsed().as_secs_f64())
+                + &result
+                    .sensitivity
+                    .as_ref()
+                    .map_or_else(String::new, sensitivity_text)
+                + &format!("{files} files and motions/ in {}\n", out.display())
+        },
+    )?;
+    let varied = result
+        .sensitivity
+        .iter()
+        .flat_map(|sensitivity| &sensitivity.rows);
+    let failed = failed
+        + varied
+            .filter(|row| matches!(row.reason, Some(NoResult::Failed(_))))
+            .count();
+    let exceeded = levels
+        .iter()
+        .any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
+    Ok(Done {
+        criterion_met: failed == 0 && !exceeded,
+    })
 }
 
 /// The variations: those that the user named, or the default ones.
@@ -179,13 +230,20 @@ fn variations(texts: &[String], values: &mut Values) -> Vec<Variation> {
     if texts.is_empty() {
         return default_variations();
     }
-    texts.iter().filter_map(|text| values.keep("vary", parse_variation(text))).collect()
+    texts
+        .iter()
+        .filter_map(|text| values.keep("vary", parse_variation(text)))
+        .collect()
 }
 
 /// The variations at the highest level; `vary.csv` has those of all levels.
 fn sensitivity_text(sensitivity: &Sensitivity) -> String {
     let height = |row: &VariedLevel| row.level_ratio.unwrap_or(-1.0);
-    let Some(highest) = sensitivity.rows.iter().max_by(|a, b| height(a).total_cmp(&height(b))) else {
+    let Some(highest) = sensitivity
+        .rows
+        .iter()
+        .max_by(|a, b| height(a).total_cmp(&height(b)))
+    else {
         return String::new();
     };
     let rows: Vec<Vec<String>> = sensitivity
@@ -201,14 +259,25 @@ fn sensitivity_text(sensitivity: &Sensitivity) -> String {
             vec![
                 changed,
                 optional(row.pfa_g_median, 3, ""),
-                row.overturned_share.map_or_else(|| "-".to_owned(), |share| format!("{:.1} %", 100.0 * share)),
+                row.overturned_share
+                    .map_or_else(|| "-".to_owned(), |share| format!("{:.1} %", 100.0 * share)),
                 optional(row.edge_acceleration_g_median, 3, ""),
                 optional(row.edge_acceleration_ratio, 3, ""),
             ]
         })
         .collect();
-    let headings = ["changed", "median PFA g", "overturned", "largest median shock g", "shock ratio"];
-    let mut text = format!("\n{}, one value changed at a time:\n{}", highest.level, table(&headings, &rows));
+    let headings = [
+        "changed",
+        "median PFA g",
+        "overturned",
+        "largest median shock g",
+        "shock ratio",
+    ];
+    let mut text = format!(
+        "\n{}, one value changed at a time:\n{}",
+        highest.level,
+        table(&headings, &rows)
+    );
     text.push_str(
         "shock ratio: sum of the median shocks divided by that of the unchanged study, without objects that overturn in either\n",
     );
@@ -252,10 +321,23 @@ fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {
             row
         })
         .collect();
-    let mut headings =
-        vec!["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
+    let mut headings = vec![
+        "level",
+        "median PFA g",
+        "uplift",
+        "overturned",
+        "largest median shock g",
+        "largest shock g",
+        "failed",
+    ];
     headings.extend(criterion.then_some("objects above tolerance"));
     let histories: usize = levels.iter().map(|level| level.histories).sum();
-    let (motions, histories) = (counted(motions, "motion"), counted(histories, "rocking history"));
-    format!("{}\n{motions}, {histories}, {seconds:.1} s\n", table(&headings, &rows))
+    let (motions, histories) = (
+        counted(motions, "motion"),
+        counted(histories, "rocking history"),
+    );
+    format!(
+        "{}\n{motions}, {histories}, {seconds:.1} s\n",
+        table(&headings, &rows)
+    )
 }

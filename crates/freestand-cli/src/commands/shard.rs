@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use freestand_assess::job::{
-    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
+    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
+    plan_shards, run_shard,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
@@ -111,7 +112,11 @@ struct MergeArgs {
     dir: PathBuf,
 }
 
-pub(crate) fn run(args: &ShardArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ShardArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     match &args.command {
         ShardCommand::Plan(args) => plan(args, global, printer),
         ShardCommand::Run(args) => shard(args, global, printer),
@@ -126,7 +131,10 @@ fn out<'g>(global: &'g GlobalArgs, hint: &str) -> Result<&'g Path, Failure> {
 }
 
 fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let out = out(global, "name the folder of the plan: one that all machines can read and write")?;
+    let out = out(
+        global,
+        "name the folder of the plan: one that all machines can read and write",
+    )?;
     let (study, list, inventory) = args.list.read(global, args.pages)?;
     let request = PlanRequest {
         study: &study,
@@ -137,15 +145,38 @@ fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done,
         outcomes: args.outcomes,
     };
     let report = plan_shards(&request, out, global.force)?;
-    let said = report.problems.iter().map(|line| format!("in the list: {line}"));
-    let warnings: Vec<String> = report.no_study.iter().cloned().chain(said).chain(report.warnings.clone()).collect();
+    let said = report
+        .problems
+        .iter()
+        .map(|line| format!("in the list: {line}"));
+    let warnings: Vec<String> = report
+        .no_study
+        .iter()
+        .cloned()
+        .chain(said)
+        .chain(report.warnings.clone())
+        .collect();
     printer.result(PLAN_SCHEMA, &report, &warnings, || planned(&report))?;
-    Ok(Done { criterion_met: !inventory.has_errors() })
+    Ok(Done {
+        criterion_met: !inventory.has_errors(),
+    })
 }
 
 fn planned(report: &PlanReport) -> String {
-    let PlanReport { out, shards, rows, rows_most, was_planned, place, .. } = report;
-    let again = if *was_planned { " (planned before; nothing was written)" } else { "" };
+    let PlanReport {
+        out,
+        shards,
+        rows,
+        rows_most,
+        was_planned,
+        place,
+        ..
+    } = report;
+    let again = if *was_planned {
+        " (planned before; nothing was written)"
+    } else {
+        ""
+    };
     let dir = quoted(out);
     let last = shards - 1;
     format!(
@@ -161,18 +192,47 @@ fn planned(report: &PlanReport) -> String {
 fn shard(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if global.out.is_some() || global.seed.is_some() {
         let hint = "leave it out: the folder of the plan has the seed, and gets the results";
-        return Err(Failure::usage("shard run takes neither --out nor --seed", hint));
+        return Err(Failure::usage(
+            "shard run takes neither --out nor --seed",
+            hint,
+        ));
     }
-    let report = watched(printer, |progress| run_shard(&args.dir, args.shard, progress))
-        .map_err(|error| if error.is_stopped() { Failure::StoppedInShard } else { error.into() })?;
+    let report = watched(printer, |progress| {
+        run_shard(&args.dir, args.shard, progress)
+    })
+    .map_err(|error| {
+        if error.is_stopped() {
+            Failure::StoppedInShard
+        } else {
+            error.into()
+        }
+    })?;
     printer.result(SHARD_SCHEMA, &report, &[], || {
-        let ShardReport { index, rows, seconds, failed, was_finished, .. } = &report;
-        let when = if *was_finished { "was finished before" } else { "is finished" };
+        let ShardReport {
+            index,
+            rows,
+            seconds,
+            failed,
+            was_finished,
+            ..
+        } = &report;
+        let when = if *was_finished {
+            "was finished before"
+        } else {
+            "is finished"
+        };
         let failed = match failed {
             0 => String::new(),
-            failed => format!("; {} with histories that failed", counted(*failed, "object")),
+            failed => format!(
+                "; {} with histories that failed",
+                counted(*failed, "object")
+            ),
         };
-        format!("shard {index} {when}: {}, {} s{failed}\n", counted(*rows, "object"), significant(*seconds, 3))
+        format!(
+            "shard {index} {when}: {}, {} s{failed}\n",
+            counted(*rows, "object"),
+            significant(*seconds, 3)
+        )
     })?;
     Ok(Done::OK)
 }
@@ -183,30 +243,51 @@ const LISTED: usize = 20;
 fn merge(args: &MergeArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let out = out(global, "name the folder for the results")?;
     if global.seed.is_some() {
-        return Err(Failure::usage("shard merge takes no --seed", "leave it out: the plan has the seed"));
+        return Err(Failure::usage(
+            "shard merge takes no --seed",
+            "leave it out: the plan has the seed",
+        ));
     }
-    let merged = watched(printer, |progress| merge_shards(&args.dir, out, global.force, progress));
-    match merged.map_err(|error| if error.is_stopped() { Failure::Stopped { printed: false } } else { error.into() })? {
+    let merged = watched(printer, |progress| {
+        merge_shards(&args.dir, out, global.force, progress)
+    });
+    match merged.map_err(|error| {
+        if error.is_stopped() {
+            Failure::Stopped { printed: false }
+        } else {
+            error.into()
+        }
+    })? {
         Merged::Missing(missing) => {
             let dir = quoted(&args.dir.display().to_string());
-            let commands: Vec<String> =
-                missing.iter().map(|shard| format!("freestand shard run {dir} --shard {shard}")).collect();
+            let commands: Vec<String> = missing
+                .iter()
+                .map(|shard| format!("freestand shard run {dir} --shard {shard}"))
+                .collect();
             if printer.json() {
                 let body = json!({"missing": missing, "commands": commands});
                 printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
             } else {
                 printer.print(&format!(
                     "{} not finished, so nothing was written. Run them:\n{}",
-                    if missing.len() == 1 { "1 shard is".to_owned() } else { format!("{} shards are", missing.len()) },
+                    if missing.len() == 1 {
+                        "1 shard is".to_owned()
+                    } else {
+                        format!("{} shards are", missing.len())
+                    },
                     listed(&commands, &missing, &dir)
                 ))?;
             }
-            Ok(Done { criterion_met: false })
+            Ok(Done {
+                criterion_met: false,
+            })
         }
         Merged::Done(done) => {
             let (report, inventory) = *done;
             print(&report, out, &inventory, printer)?;
-            Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() })
+            Ok(Done {
+                criterion_met: report.failed == 0 && !inventory.has_errors(),
+            })
         }
     }
 }
@@ -217,10 +298,16 @@ const MERGE_SCHEMA: &str = "freestand.shard-merge/1";
 /// A command for each missing shard, or one loop where they are many.
 fn listed(commands: &[String], missing: &[usize], dir: &str) -> String {
     if commands.len() <= LISTED {
-        return commands.iter().map(|command| format!("  {command}\n")).collect();
+        return commands
+            .iter()
+            .map(|command| format!("  {command}\n"))
+            .collect();
     }
     let numbers: Vec<String> = missing.iter().map(usize::to_string).collect();
-    format!("  for shard in {}; do freestand shard run {dir} --shard $shard; done\n", numbers.join(" "))
+    format!(
+        "  for shard in {}; do freestand shard run {dir} --shard $shard; done\n",
+        numbers.join(" ")
+    )
 }
 
 /// A path as a shell reads it.

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::impact::ImpactModel;
 use freestand_input::quantity::Dimension;
-use freestand_study::shock::{Energy, MODELS, SCENARIOS, Scenario, ShockRequest, Verdict, boundary_tests, shock};
+use freestand_study::shock::{
+    Energy, MODELS, SCENARIOS, Scenario, ShockRequest, Verdict, boundary_tests, shock,
+};
 
 use super::Done;
 use super::block::ShapeArgs;
@@ -127,17 +129,36 @@ pub(crate) struct ShockArgs {
     component_capacity: Option<Given>,
 }
 
-pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ShockArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let request = request(args)?;
-    let inputs: Vec<PathBuf> = args.cushion.inputs().into_iter().chain(args.damage_boundary.clone()).collect();
+    let inputs: Vec<PathBuf> = args
+        .cushion
+        .inputs()
+        .into_iter()
+        .chain(args.damage_boundary.clone())
+        .collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
     if let Some(boundary) = report.damage_boundary {
-        files.figure("damage-boundary", || boundary.figure(request.boundary_tests.as_ref()))?;
+        files.figure("damage-boundary", || {
+            boundary.figure(request.boundary_tests.as_ref())
+        })?;
     }
     let facts = &report.facts;
-    files.print(printer, "freestand.shock/1", facts, &report.warnings, || lines(facts))?;
-    Ok(Done { criterion_met: report.verdict != Verdict::Exceeded })
+    files.print(
+        printer,
+        "freestand.shock/1",
+        facts,
+        &report.warnings,
+        || lines(facts),
+    )?;
+    Ok(Done {
+        criterion_met: report.verdict != Verdict::Exceeded,
+    })
 }
 
 fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
@@ -159,14 +180,23 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
     // Wrong values are reported with the other flags; missing and contradictory ones, by `shock`.
-    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some()) {
+    if ["law", "stiffness", "pad_stiffness"]
+        .iter()
+        .any(|key| cushion.get(key).is_some())
+    {
         values.take(freestand_study::cushion::resolve(&cushion, mass));
     }
-    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let block = height
+        .zip(thickness)
+        .and_then(|size| args.shape.block(size, mass, &mut values));
     let at_m = values.read(&args.at);
     let energy = energy(args, &mut values);
     values.finish()?;
-    let boundary_tests = args.damage_boundary.as_deref().map(boundary_tests).transpose()?;
+    let boundary_tests = args
+        .damage_boundary
+        .as_deref()
+        .map(boundary_tests)
+        .transpose()?;
     let (Some(block), Some(mass_kg)) = (block, mass) else {
         return Err(Failure::usage(
             "the size or the mass of the object is missing",

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockSpectrumOptions};
+use freestand::shock_response::{
+    Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockSpectrumOptions,
+};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
-    DEFAULT_FREQUENCIES, KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit,
-    pulse_shock_spectrum, recorded_shock_spectra,
+    DEFAULT_FREQUENCIES, KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest,
+    acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
 };
 
 use super::Done;
@@ -38,7 +40,11 @@ the input, displacements in m, velocities in m/s. --out writes shock_spectrum.cs
 #[command(mut_arg("component", |arg| arg.visible_alias("column")))]
 pub(crate) struct ShockSpectrumArgs {
     /// Record files
-    #[arg(value_name = "FILE", required_unless_present = "pulse", conflicts_with = "pulse")]
+    #[arg(
+        value_name = "FILE",
+        required_unless_present = "pulse",
+        conflicts_with = "pulse"
+    )]
     files: Vec<PathBuf>,
     /// A classical pulse instead of files
     #[arg(
@@ -88,13 +94,23 @@ const PULSE_SAMPLES: usize = 1_000_000;
 /// What a record counts as at least: many samples are added to a short one.
 const LEAST_SAMPLES: usize = 20_000;
 
-pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ShockSpectrumArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let request = request(args, &mut values);
     let pulse = pulse(args, &mut values);
     values.finish()?;
     let stop = printer.stop();
-    let go_on = || if stop.wanted() { Err(Problem::stopped()) } else { Ok(()) };
+    let go_on = || {
+        if stop.wanted() {
+            Err(Problem::stopped())
+        } else {
+            Ok(())
+        }
+    };
     let check = |samples: usize| match printer.session() {
         Some(session) => session.check_oscillators(request.frequencies_hz.len(), samples),
         None => Ok(()),
@@ -102,7 +118,8 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
     let inputs = args.read.inputs(&args.files);
     let (report, files) = match pulse {
         Some((pulse, unit)) => {
-            args.read.refuse_without_record(|_| "leave it out: --pulse reads no file".to_owned())?;
+            args.read
+                .refuse_without_record(|_| "leave it out: --pulse reads no file".to_owned())?;
             check(PULSE_SAMPLES)?;
             (
                 pulse_shock_spectrum(&pulse, unit, &request, go_on)?,
@@ -111,7 +128,12 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
         }
         None => {
             let motions = args.read.read_shocks(&args.files)?;
-            check(motions.iter().map(|read| read.motion.motion.accel_m_s2().len().max(LEAST_SAMPLES)).sum())?;
+            check(
+                motions
+                    .iter()
+                    .map(|read| read.motion.motion.accel_m_s2().len().max(LEAST_SAMPLES))
+                    .sum(),
+            )?;
             (
                 recorded_shock_spectra(&motions, &request, go_on)?,
                 Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?,
@@ -127,7 +149,9 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
 fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumRequest {
     let damping = values.read(&args.damping);
     let q = values.read(&args.q);
-    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(ShockSpectrumOptions::default().damping_ratio);
+    let damping_ratio = damping
+        .or(q.map(|q| 0.5 / q))
+        .unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
         let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");
@@ -150,14 +174,20 @@ fn frequencies(text: &str) -> Result<Vec<f64>, Problem> {
     let frequencies_hz = parse_grid(text, Dimension::Frequency)?;
     let hint = "give frequencies such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"";
     match frequencies_hz.iter().find(|f| **f <= 0.0) {
-        Some(wrong) => Err(Problem::value(format!("{wrong} Hz is not above zero"), hint)),
+        Some(wrong) => Err(Problem::value(
+            format!("{wrong} Hz is not above zero"),
+            hint,
+        )),
         None => Ok(frequencies_hz),
     }
 }
 
 /// The peak \[m/s²\] and the unit that it is given in.
 fn peak(text: &str) -> Result<(f64, &'static str), Problem> {
-    Ok((parse(text, Dimension::Acceleration)?, acceleration_unit(text)))
+    Ok((
+        parse(text, Dimension::Acceleration)?,
+        acceleration_unit(text),
+    ))
 }
 
 /// The pulse and the unit that its peak is given in.
@@ -167,20 +197,33 @@ fn pulse(args: &ShockSpectrumArgs, values: &mut Values) -> Option<(Pulse, &'stat
     let (shape, (peak_m_s2, unit)) = (args.pulse?, peak?);
     let hint = "give a peak and a duration, such as \"30 g\" and \"11 ms\"";
     let wrong = |error: PulseError| Problem::value(error.to_string(), hint);
-    let pulse = values.keep("pulse", Pulse::new(shape, peak_m_s2, duration_s?).map_err(wrong))?;
+    let pulse = values.keep(
+        "pulse",
+        Pulse::new(shape, peak_m_s2, duration_s?).map_err(wrong),
+    )?;
     Some((pulse, unit))
 }
 
 fn text(report: &ShockSpectrumReport) -> String {
     let mut headings = vec!["f [Hz]".to_owned()];
-    headings.extend(report.spectra.iter().map(|one| format!("{} [{}]", one.name, one.unit)));
-    let frequencies = report.spectra.first().map_or(&[][..], |one| &one.frequencies_hz);
+    headings.extend(
+        report
+            .spectra
+            .iter()
+            .map(|one| format!("{} [{}]", one.name, one.unit)),
+    );
+    let frequencies = report
+        .spectra
+        .first()
+        .map_or(&[][..], |one| &one.frequencies_hz);
     let rows: Vec<Vec<String>> = frequencies
         .iter()
         .enumerate()
         .map(|(i, &f)| {
             let values = report.spectra.iter().filter_map(|one| one.values.get(i));
-            std::iter::once(significant(f, 5)).chain(values.map(|&value| significant(value, 5))).collect()
+            std::iter::once(significant(f, 5))
+                .chain(values.map(|&value| significant(value, 5)))
+                .collect()
         })
         .collect();
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();

@@ -62,14 +62,26 @@ impl SlidingArgs {
     pub(crate) fn surface(&self, friction: Option<f64>, values: &mut Values) -> Option<Surface> {
         let contact = self.contact()?;
         // clap does not ask for --casters where --sliding excludes them.
-        let of_casters = [(self.rolling_resistance.is_some(), "rolling-resistance"), (self.brakes, "brakes")];
-        if let Some((_, flag)) = of_casters.into_iter().find(|(is_given, _)| *is_given && contact == Contact::Base) {
+        let of_casters = [
+            (self.rolling_resistance.is_some(), "rolling-resistance"),
+            (self.brakes, "brakes"),
+        ];
+        if let Some((_, flag)) = of_casters
+            .into_iter()
+            .find(|(is_given, _)| *is_given && contact == Contact::Base)
+        {
             let message = format!("--{flag} applies only to an object on casters");
-            values.push(Problem::value(message, "give --casters in place of --sliding, or leave it out"));
+            values.push(Problem::value(
+                message,
+                "give --casters in place of --sliding, or leave it out",
+            ));
         }
         if contact == Contact::Casters && (friction.is_some() || self.friction_kinetic.is_some()) {
             let message = "--friction and --friction-kinetic are those of a base or of braked wheels, and these roll";
-            values.push(Problem::value(message, "give --rolling-resistance, or add --brakes"));
+            values.push(Problem::value(
+                message,
+                "give --rolling-resistance, or add --brakes",
+            ));
         }
         let given = SurfaceGiven {
             contact,
@@ -91,10 +103,17 @@ impl Named<SlidingArgs> {
         let first = self.given.first()?;
         if is_compliant {
             let hint = "leave it out: on cushions, --friction decides whether the object slides";
-            return Some(Failure::usage(format!("--{first} applies only to a rigid base"), hint));
+            return Some(Failure::usage(
+                format!("--{first} applies only to a rigid base"),
+                hint,
+            ));
         }
         let hint = "add --sliding, or --casters";
-        (!self.is_given())
-            .then(|| Failure::usage(format!("--{first} applies only to objects that slide or roll"), hint))
+        (!self.is_given()).then(|| {
+            Failure::usage(
+                format!("--{first} applies only to objects that slide or roll"),
+                hint,
+            )
+        })
     }
 }

@@ -16,7 +16,9 @@ use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::restitution::checked;
 use freestand_study::rock::{RockReport, RockRequest, problem, rock, until};
-use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
+use freestand_study::spectrum::{
+    Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum,
+};
 use serde::Serialize;
 
 use super::Done;
@@ -145,9 +147,17 @@ impl KeySet for HazardKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
         "A place instead of records",
         &[
-            key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
+            key(
+                "place",
+                "NAME",
+                "Place, with its code and hazard; see freestand place list",
+            ),
             key("site", "CLASS", "Site class of the code"),
-            key("return_period_years", "YEARS", "Return period in years, of AS 1170.4 and NZS 1170.5"),
+            key(
+                "return_period_years",
+                "YEARS",
+                "Return period in years, of AS 1170.4 and NZS 1170.5",
+            ),
         ],
     )];
 }
@@ -176,7 +186,11 @@ struct Reading {
     warnings: Vec<String>,
 }
 
-pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &SpectrumArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let request = request(args)?;
     let stop = printer.stop();
     let reading = match args.motion.as_slice() {
@@ -184,14 +198,28 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
         _ => read(args)?,
     };
     let mut warnings = reading.warnings;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
+    let inputs = args.read.inputs(
+        args.motion
+            .iter()
+            .chain(&args.vertical)
+            .chain(&args.cushion.inputs()),
+    );
     let files = Files::begin(global, &inputs)?;
-    let mut rows = Rows::begin(SCHEMA, printer, &files, (args.csv.as_deref(), args.parquet.as_deref()), &inputs)?;
+    let mut rows = Rows::begin(
+        SCHEMA,
+        printer,
+        &files,
+        (args.csv.as_deref(), args.parquet.as_deref()),
+        &inputs,
+    )?;
     let total = request.grid.objects() * reading.motions.len();
     if let Some(session) = printer.session() {
         session.check_histories(total)?;
     }
-    if let Some((session, follow)) = printer.session().and_then(|session| Some((session, session.follow()?))) {
+    if let Some((session, follow)) = printer
+        .session()
+        .and_then(|session| Some((session, session.follow()?)))
+    {
         session.beside(&followed(&request, &reading.motions, &follow)?);
     }
     let mut seen = Seen::new(reading.motions.len(), total, &request);
@@ -202,18 +230,34 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
         rows.write(chunk)?;
         seen.add(chunk);
         bar.inc(chunk.objects() as u64);
-        if stop.wanted() { Err(Failure::Stopped { printed: printer.json() }) } else { Ok(()) }
+        if stop.wanted() {
+            Err(Failure::Stopped {
+                printed: printer.json(),
+            })
+        } else {
+            Ok(())
+        }
     });
     bar.finish_and_clear();
     let timing = solved?;
 
     warnings.extend(request.warnings(&seen.tallies));
     let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
-    let place = args.csv.as_deref().or(args.parquet.as_deref()).map(path_text).or_else(|| files.path(ROWS));
+    let place = args
+        .csv
+        .as_deref()
+        .or(args.parquet.as_deref())
+        .map(path_text)
+        .or_else(|| files.path(ROWS));
     let text = || seen.text(&reading.motions, place.as_deref(), &timing);
-    let others = Others { processing: reading.processing, timing };
+    let others = Others {
+        processing: reading.processing,
+        timing,
+    };
     rows.finish(files, printer, &others, &warnings, text)?;
-    Ok(Done { criterion_met: !failed })
+    Ok(Done {
+        criterion_met: !failed,
+    })
 }
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
@@ -227,11 +271,19 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let cushion = args.cushion.edge(mass, &mut values)?;
     if args.mass.is_some() != (args.cushion.is_given() || args.walls.needs_mass()) {
         let message = "the shock needs both the mass and the cushion of the objects";
-        values.push(Problem::value(message, "give --mass and --stiffness (or another cushion), or neither"));
+        values.push(Problem::value(
+            message,
+            "give --mass and --stiffness (or another cushion), or neither",
+        ));
     }
     // Whether walls are refused does not depend on the size of the objects.
-    let first = heights.first().zip(thicknesses.first()).and_then(|(&h, &t)| Block::uniform(h, t).ok());
-    let (walls, wall) = args.walls.read(first.as_ref(), mass, args.rocking.model, &mut values);
+    let first = heights
+        .first()
+        .zip(thicknesses.first())
+        .and_then(|(&h, &t)| Block::uniform(h, t).ok());
+    let (walls, wall) = args
+        .walls
+        .read(first.as_ref(), mass, args.rocking.model, &mut values);
     let options = RockingOptions {
         model: args.rocking.model,
         restitution: args.rocking.restitution(&[], &mut values),
@@ -241,12 +293,16 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         ..RockingOptions::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {
-        values.push(Problem::value("--friction is used by objects that slide", "add --sliding, or --casters --brakes"));
+        values.push(Problem::value(
+            "--friction is used by objects that slide",
+            "add --sliding, or --casters --brakes",
+        ));
     }
     let friction = values.read(&args.friction);
     let surface = args.sliding.surface(friction, &mut values);
     if args.sliding.stop_stiffness.is_some() {
-        let message = "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
+        let message =
+            "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
         values.push(Problem::value(message, "leave it out"));
     }
     if let Some(flag) = args.place.given.first().filter(|_| !args.motion.is_empty()) {
@@ -254,8 +310,12 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         values.push(Problem::value(message, "leave out one of the two"));
     }
     if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
-        let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
-        values.push(Problem::value(message, "leave --mass, the cushion and --sensitivity out"));
+        let message =
+            "the shock and the sensitivity are those of rocking objects, and these slide or roll";
+        values.push(Problem::value(
+            message,
+            "leave --mass, the cushion and --sensitivity out",
+        ));
     }
     if args.sliding.is_given() && !options.walls.is_none() {
         let message = "walls stop objects that rock, and these slide or roll";
@@ -268,7 +328,10 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let (motions, verticals) = (args.motion.len(), args.vertical.len());
     if verticals > 0 && verticals != motions {
         return Err(Failure::usage(
-            format!("--vertical has {}, --motion {motions}", counted(verticals, "file")),
+            format!(
+                "--vertical has {}, --motion {motions}",
+                counted(verticals, "file")
+            ),
             "give one vertical record for each horizontal one, in the same order, or none",
         ));
     }
@@ -276,7 +339,14 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
     let cushion = mass.zip(cushion);
-    let request = SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface };
+    let request = SpectrumRequest {
+        grid,
+        options,
+        cushion,
+        wall,
+        sensitivity: args.sensitivity,
+        surface,
+    };
     if let Some(flag) = args.rocking.of_rigid_base()
         && request.none_rocks()
     {
@@ -292,9 +362,13 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
         let hint = "name records of the floor with --motion FILE, or a place with --place NAME";
         return Err(Failure::usage("no motion is named", hint));
     }
-    args.read.refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())?;
+    args.read
+        .refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())?;
     let mut values = Values::default();
-    let (level_ratio, storey_height_m) = (values.read(&place.level_ratio), values.read(&place.storey_height));
+    let (level_ratio, storey_height_m) = (
+        values.read(&place.level_ratio),
+        values.read(&place.storey_height),
+    );
     values.finish()?;
     let place = AtPlace {
         hazard: place.hazard.words.clone(),
@@ -304,11 +378,24 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
         level_ratio: level_ratio.unwrap_or(0.0),
         seed: global.seed,
     };
-    let go_on = || if stop.wanted() { Err(Problem::stopped().into()) } else { Ok(()) };
+    let go_on = || {
+        if stop.wanted() {
+            Err(Problem::stopped().into())
+        } else {
+            Ok(())
+        }
+    };
     let made = motions_at(&place, &LAST, go_on)?;
-    let processed = |motion: &SpectrumMotion| Processed { motion: motion.name.clone(), steps: made.processing.clone() };
+    let processed = |motion: &SpectrumMotion| Processed {
+        motion: motion.name.clone(),
+        steps: made.processing.clone(),
+    };
     let processing = made.motions.iter().map(processed).collect();
-    Ok(Reading { motions: made.motions, processing, warnings: made.warnings })
+    Ok(Reading {
+        motions: made.motions,
+        processing,
+        warnings: made.warnings,
+    })
 }
 
 /// What the page gets next to the document to draw the history of an object.
@@ -319,13 +406,27 @@ struct Followed {
 }
 
 /// The history of the only object under one of the motions.
-fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Follow) -> Result<Followed, Failure> {
-    let [block] = request.grid.blocks(0..request.grid.objects().min(2)).collect::<Vec<_>>()[..] else {
+fn followed(
+    request: &SpectrumRequest,
+    motions: &[SpectrumMotion],
+    follow: &Follow,
+) -> Result<Followed, Failure> {
+    let [block] = request
+        .grid
+        .blocks(0..request.grid.objects().min(2))
+        .collect::<Vec<_>>()[..]
+    else {
         let hint = "give one height and one thickness, or leave the history out";
-        return Err(Failure::usage("a history can be calculated for one object only", hint));
+        return Err(Failure::usage(
+            "a history can be calculated for one object only",
+            hint,
+        ));
     };
     if request.surface.is_some() {
-        return Err(Failure::usage("an object that slides has no rocking history", "leave the history out"));
+        return Err(Failure::usage(
+            "an object that slides has no rocking history",
+            "leave the history out",
+        ));
     }
     let at = |motion: &SpectrumMotion| -> Result<(String, RockReport), Failure> {
         let request = RockRequest {
@@ -341,16 +442,32 @@ fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Foll
     };
     let farthest = |report: &RockReport| report.facts.number("peak_rotation_rad").unwrap_or(0.0);
     let reports = match follow {
-        Follow::Named(name) => motions.iter().filter(|motion| motion.name == *name).map(at).take(1).collect(),
+        Follow::Named(name) => motions
+            .iter()
+            .filter(|motion| motion.name == *name)
+            .map(at)
+            .take(1)
+            .collect(),
         Follow::Telling => motions.iter().map(at).collect::<Result<Vec<_>, _>>(),
     }?;
-    let found = reports.into_iter().max_by(|a, b| farthest(&a.1).total_cmp(&farthest(&b.1)));
+    let found = reports
+        .into_iter()
+        .max_by(|a, b| farthest(&a.1).total_cmp(&farthest(&b.1)));
     let (name, report) = found.ok_or_else(|| {
         let names: Vec<&str> = motions.iter().map(|motion| motion.name.as_str()).collect();
-        Failure::usage("no motion has this name", format!("choose one of {}", names.join(", ")))
+        Failure::usage(
+            "no motion has this name",
+            format!("choose one of {}", names.join(", ")),
+        )
     })?;
-    let floor = motions.iter().find(|motion| motion.name == name).map(|motion| &motion.horizontal);
-    Ok(Followed { history: drawn(&report, floor), followed: name })
+    let floor = motions
+        .iter()
+        .find(|motion| motion.name == name)
+        .map(|motion| &motion.horizontal);
+    Ok(Followed {
+        history: drawn(&report, floor),
+        followed: name,
+    })
 }
 
 /// Reads all records before the calculation, so that a problem in the last one is found early.
@@ -360,8 +477,15 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     reading.warnings = grouped(read.iter().flat_map(ReadMotion::named_notes));
     for read in read {
         let name = read.motion.name;
-        reading.processing.push(Processed { motion: name.clone(), steps: read.motion.processing });
-        reading.motions.push(SpectrumMotion { name, horizontal: read.motion.motion, vertical: None });
+        reading.processing.push(Processed {
+            motion: name.clone(),
+            steps: read.motion.processing,
+        });
+        reading.motions.push(SpectrumMotion {
+            name,
+            horizontal: read.motion.motion,
+            vertical: None,
+        });
     }
     if args.vertical.is_empty() {
         return Ok(reading);
@@ -369,13 +493,30 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let verticals = args.vertically.read_all(&args.read, &args.vertical)?;
     let named = |text: &str| format!("vertical {text}");
     let notes = verticals.iter().flat_map(ReadMotion::named_notes);
-    reading.warnings.extend(grouped(notes.map(|(name, note)| (named(name), note))));
-    for ((motion, processed), read) in reading.motions.iter_mut().zip(&mut reading.processing).zip(verticals) {
+    reading
+        .warnings
+        .extend(grouped(notes.map(|(name, note)| (named(name), note))));
+    for ((motion, processed), read) in reading
+        .motions
+        .iter_mut()
+        .zip(&mut reading.processing)
+        .zip(verticals)
+    {
         let name = named(&read.motion.name);
-        processed.steps.extend(read.motion.processing.iter().map(|step| format!("{name}: {step}")));
+        processed.steps.extend(
+            read.motion
+                .processing
+                .iter()
+                .map(|step| format!("{name}: {step}")),
+        );
         motion.vertical = Some(read.motion.motion);
         // Once, not for every object.
-        Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }.check().map_err(problem)?;
+        Base {
+            horizontal: Some(&motion.horizontal),
+            vertical: motion.vertical.as_ref(),
+        }
+        .check()
+        .map_err(problem)?;
     }
     Ok(reading)
 }

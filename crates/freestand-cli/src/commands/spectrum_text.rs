@@ -2,7 +2,9 @@
 //! where to find the others, and a summary of each motion.
 
 use freestand_input::words::counted;
-use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming};
+use freestand_study::spectrum::{
+    SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming,
+};
 
 use crate::printer::{Column, cells, headings, optional, significant, table};
 
@@ -21,7 +23,11 @@ const COLUMNS: [Column; 8] = [
     ("outcome", "outcome", 0),
     ("uplift_m", "uplift [mm]", 4),
     ("edge_acceleration_g", "shock, uplift [g]", 4),
-    ("edge_acceleration_impact_velocity_g", "shock, impact velocity [g]", 4),
+    (
+        "edge_acceleration_impact_velocity_g",
+        "shock, impact velocity [g]",
+        4,
+    ),
     ("ceiling_g", "ceiling [g]", 4),
 ];
 
@@ -39,7 +45,10 @@ const SLIDING_COLUMNS: [Column; 7] = [
 const OF_WALLS: [Column; 1] = [("wall_speed_max_m_s", "speed at a wall [m/s]", 4)];
 
 /// Shown with `--sensitivity`.
-const OF_SENSITIVITY: [Column; 2] = [("sensitivity_ratio", "sensitivity", 3), ("sensitive", "sensitive", 0)];
+const OF_SENSITIVITY: [Column; 2] = [
+    ("sensitivity_ratio", "sensitivity", 3),
+    ("sensitive", "sensitive", 0),
+];
 
 /// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
@@ -60,7 +69,15 @@ impl Seen {
         let tallies = vec![SpectrumTally::default(); motions];
         let (walls, slides) = (!request.options.walls.is_none(), request.surface.is_some());
         let has_pads = request.cushion.is_some();
-        Self { tallies, rows: Vec::new(), total, walls, sensitivity: request.sensitivity, slides, has_pads }
+        Self {
+            tallies,
+            rows: Vec::new(),
+            total,
+            walls,
+            sensitivity: request.sensitivity,
+            slides,
+            has_pads,
+        }
     }
 
     fn columns(&self) -> Vec<Column> {
@@ -69,18 +86,33 @@ impl Seen {
         }
         let walls = OF_WALLS.iter().filter(|_| self.walls);
         let sensitivity = OF_SENSITIVITY.iter().filter(|_| self.sensitivity);
-        COLUMNS.iter().chain(walls).chain(sensitivity).copied().collect()
+        COLUMNS
+            .iter()
+            .chain(walls)
+            .chain(sensitivity)
+            .copied()
+            .collect()
     }
 
     pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
-        let keep = if self.total > MAX_SHOWN_ROWS { FIRST_ROWS } else { self.total };
+        let keep = if self.total > MAX_SHOWN_ROWS {
+            FIRST_ROWS
+        } else {
+            self.total
+        };
         chunk.add_to(&mut self.tallies[chunk.motion]);
         let (columns, missing) = (self.columns(), keep - self.rows.len().min(keep));
-        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, &columns)));
+        self.rows
+            .extend(chunk.rows().take(missing).map(|row| cells(&row, &columns)));
     }
 
     /// The text; `place` is the file with all rows.
-    pub(crate) fn text(&self, motions: &[SpectrumMotion], place: Option<&str>, timing: &SpectrumTiming) -> String {
+    pub(crate) fn text(
+        &self,
+        motions: &[SpectrumMotion],
+        place: Option<&str>,
+        timing: &SpectrumTiming,
+    ) -> String {
         let mut text = table(&headings(&self.columns()), &self.rows);
         let more = self.total - self.rows.len();
         if more > 0 {
@@ -92,10 +124,14 @@ impl Seen {
             text += &self.motions(motions);
         }
         if self.has_pads {
-            text += "\nbase: rigid; on its pads, which give the shock alone, an object may lift more\n";
+            text +=
+                "\nbase: rigid; on its pads, which give the shock alone, an object may lift more\n";
         }
         let steps = timing.block_steps;
-        text += &format!("\n{steps} block-steps in {} s", significant(timing.solve_s, 3));
+        text += &format!(
+            "\n{steps} block-steps in {} s",
+            significant(timing.solve_s, 3)
+        );
         if let Some(seconds) = timing.sensitivity_s {
             text += &format!(", sensitivity in {} s", significant(seconds, 3));
         }
@@ -115,22 +151,37 @@ impl Seen {
         ];
         headings.extend(self.walls.then_some("leaned"));
         headings.extend(self.sensitivity.then_some("sensitive"));
-        headings.extend(self.slides.then_some(["slid", "largest slide [mm]"]).iter().flatten());
-        let rows = motions.iter().zip(&self.tallies).take(MAX_SHOWN_MOTIONS).map(|(motion, tally)| {
-            let mut row = vec![motion.name.clone()];
-            row.extend([tally.objects, tally.rocked, tally.overturned, tally.failed].map(|count| count.to_string()));
-            row.push(millimetres(tally.largest_uplift_m));
-            row.push(optional(tally.largest_edge_acceleration_g, 4, ""));
-            row.extend(self.walls.then(|| tally.leaned.to_string()));
-            row.extend(self.sensitivity.then(|| tally.sensitive.to_string()));
-            if self.slides {
-                row.extend([tally.slid.to_string(), millimetres(tally.largest_slide_m)]);
-            }
-            row
-        });
+        headings.extend(
+            self.slides
+                .then_some(["slid", "largest slide [mm]"])
+                .iter()
+                .flatten(),
+        );
+        let rows = motions
+            .iter()
+            .zip(&self.tallies)
+            .take(MAX_SHOWN_MOTIONS)
+            .map(|(motion, tally)| {
+                let mut row = vec![motion.name.clone()];
+                row.extend(
+                    [tally.objects, tally.rocked, tally.overturned, tally.failed]
+                        .map(|count| count.to_string()),
+                );
+                row.push(millimetres(tally.largest_uplift_m));
+                row.push(optional(tally.largest_edge_acceleration_g, 4, ""));
+                row.extend(self.walls.then(|| tally.leaned.to_string()));
+                row.extend(self.sensitivity.then(|| tally.sensitive.to_string()));
+                if self.slides {
+                    row.extend([tally.slid.to_string(), millimetres(tally.largest_slide_m)]);
+                }
+                row
+            });
         let mut text = table(&headings, &rows.collect::<Vec<_>>());
         if motions.len() > MAX_SHOWN_MOTIONS {
-            text += &format!("… and {}\n", counted(motions.len() - MAX_SHOWN_MOTIONS, "more motion"));
+            text += &format!(
+                "… and {}\n",
+                counted(motions.len() - MAX_SHOWN_MOTIONS, "more motion")
+            );
         }
         text
     }

@@ -77,21 +77,41 @@ const LAYOUT: Layout<ToleranceEntry> = Layout {
     schema: "freestand.tolerance/1",
     headings: ["id", "withstands", "state", "confidence", "class", "source"],
     cells: |entry| {
-        let (state, confidence) = (entry.state.name().to_owned(), entry.confidence.name().to_owned());
-        [entry.id.clone(), entry.words(), state, confidence, entry.class.clone(), entry.source_words()]
+        let (state, confidence) = (
+            entry.state.name().to_owned(),
+            entry.confidence.name().to_owned(),
+        );
+        [
+            entry.id.clone(),
+            entry.words(),
+            state,
+            confidence,
+            entry.class.clone(),
+            entry.source_words(),
+        ]
     },
     remark: "recalled entries do not decide verdicts, and medians are not tolerances",
     fields,
     notice: |entry| &entry.notice,
 };
 
-pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ToleranceArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let (library, wanted) = match &args.command {
         ToleranceCommand::List { library } => (library, Wanted::All),
         ToleranceCommand::Show { id, library } => (library, Wanted::WithId(id)),
         ToleranceCommand::Search { words, library } => (library, Wanted::WithWords(words)),
     };
-    print(ToleranceLibrary::builtin(), library, wanted, &LAYOUT, (global, printer))
+    print(
+        ToleranceLibrary::builtin(),
+        library,
+        wanted,
+        &LAYOUT,
+        (global, printer),
+    )
 }
 
 fn fields(entry: &ToleranceEntry) -> Fields {
@@ -109,14 +129,34 @@ fn fields(entry: &ToleranceEntry) -> Fields {
         ("state", text(entry.state.name())),
         ("axis", text(&entry.axis)),
         ("peak", si(entry.peak_m_s2, Dimension::Acceleration)),
-        ("peak, high end", si(entry.peak_high_m_s2, Dimension::Acceleration)),
+        (
+            "peak, high end",
+            si(entry.peak_high_m_s2, Dimension::Acceleration),
+        ),
         ("duration", si(entry.duration_s, Dimension::Time)),
-        ("shape", entry.shape.map(|shape| name_of(SHAPES, shape).to_owned())),
-        ("velocity change of the pulse", entry.pulse_velocity_change_m_s.map(|v| format!("{} m/s", number(v, 3)))),
-        ("critical velocity change", si(entry.velocity_change_m_s, Dimension::Velocity)),
+        (
+            "shape",
+            entry.shape.map(|shape| name_of(SHAPES, shape).to_owned()),
+        ),
+        (
+            "velocity change of the pulse",
+            entry
+                .pulse_velocity_change_m_s
+                .map(|v| format!("{} m/s", number(v, 3))),
+        ),
+        (
+            "critical velocity change",
+            si(entry.velocity_change_m_s, Dimension::Velocity),
+        ),
         ("uplift", si(entry.edge_lift_m, Dimension::Length)),
-        ("median peak floor acceleration", si(entry.pfa_median_m_s2, Dimension::Acceleration)),
-        ("median peak floor velocity", si(entry.pfv_median_m_s, Dimension::Velocity)),
+        (
+            "median peak floor acceleration",
+            si(entry.pfa_median_m_s2, Dimension::Acceleration),
+        ),
+        (
+            "median peak floor velocity",
+            si(entry.pfv_median_m_s, Dimension::Velocity),
+        ),
         ("beta", entry.beta.map(|beta| number(beta, 4))),
         ("shocks", entry.n_shocks.map(|count| count.to_string())),
         ("source", text(&entry.source)),
@@ -124,7 +164,14 @@ fn fields(entry: &ToleranceEntry) -> Fields {
         ("clause", text(&entry.clause)),
         ("page", text(&entry.page)),
         ("licence", text(&entry.licence)),
-        ("confidence", Some(format!("{}: {}", entry.confidence.name(), entry.confidence.description()))),
+        (
+            "confidence",
+            Some(format!(
+                "{}: {}",
+                entry.confidence.name(),
+                entry.confidence.description()
+            )),
+        ),
         ("use", text(decides)),
         ("note", text(&entry.note)),
         ("origin", text(&entry.origin)),

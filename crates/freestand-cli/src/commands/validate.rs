@@ -26,10 +26,21 @@ pub(crate) fn run(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failur
     let failed = validation.checks.iter().filter(|check| !check.ok).count();
     let mut warnings = Vec::new();
     if failed > 0 {
-        warnings.push(format!("{failed} of {} checks failed", validation.checks.len()));
+        warnings.push(format!(
+            "{failed} of {} checks failed",
+            validation.checks.len()
+        ));
     }
-    files.print(printer, "freestand.validate/1", &validation, &warnings, || text(&validation))?;
-    Ok(Done { criterion_met: validation.ok() })
+    files.print(
+        printer,
+        "freestand.validate/1",
+        &validation,
+        &warnings,
+        || text(&validation),
+    )?;
+    Ok(Done {
+        criterion_met: validation.ok(),
+    })
 }
 
 fn text(validation: &Validation) -> String {
@@ -61,7 +72,10 @@ fn text(validation: &Validation) -> String {
         "on cushions [g]",
         "5 % damped [g]",
     ];
-    let mut text = format!("Table I of Al Abadi et al., g = {} m/s²\n", validation.table_one_gravity_m_s2);
+    let mut text = format!(
+        "Table I of Al Abadi et al., g = {} m/s²\n",
+        validation.table_one_gravity_m_s2
+    );
     text += &table(&headings, &rows);
     let rows: Vec<Vec<String>> = validation
         .checks
@@ -78,7 +92,17 @@ fn text(validation: &Validation) -> String {
         })
         .collect();
     text += "\n";
-    text += &table(&["", "check", "computed", "expected", "difference", "tolerance"], &rows);
+    text += &table(
+        &[
+            "",
+            "check",
+            "computed",
+            "expected",
+            "difference",
+            "tolerance",
+        ],
+        &rows,
+    );
     text + &format!(
         "\n{} of {} checks passed\n",
         validation.checks.iter().filter(|check| check.ok).count(),

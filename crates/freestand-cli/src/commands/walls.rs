@@ -58,18 +58,35 @@ impl WallArgs {
         let stiffness_n_m = values.read(&self.wall_stiffness);
         if self.wall_gap_left.is_none() && self.wall_gap_right.is_none() {
             // Where only the height or the restitution is given, `GivenWalls` says so.
-            if self.wall_stiffness.is_some() && given.height_m.is_none() && given.restitution_ratio.is_none() {
+            if self.wall_stiffness.is_some()
+                && given.height_m.is_none()
+                && given.restitution_ratio.is_none()
+            {
                 values.push(needs_a_gap());
             }
         } else if model == RockingModel::Linearised {
             let message = "the linearised equation of motion has no walls";
-            values.push(Problem::value(message, "leave --model linear out, or the flags of the walls"));
+            values.push(Problem::value(
+                message,
+                "leave --model linear out, or the flags of the walls",
+            ));
         }
         if stiffness_n_m.is_some() && mass_kg.is_none() {
             let message = "the stiffness of the walls is used for the shock, which also needs the mass of the object";
-            values.push(Problem::value(message, "add --mass, or leave --wall-stiffness out"));
+            values.push(Problem::value(
+                message,
+                "add --mass, or leave --wall-stiffness out",
+            ));
         }
-        let walls = block.and_then(|block| values.take(given.walls(block))).unwrap_or_default();
-        (walls, WallStiffness { mass_kg, stiffness_n_m })
+        let walls = block
+            .and_then(|block| values.take(given.walls(block)))
+            .unwrap_or_default();
+        (
+            walls,
+            WallStiffness {
+                mass_kg,
+                stiffness_n_m,
+            },
+        )
     }
 }

@@ -9,22 +9,36 @@ fn decisions(example: &str) -> Vec<(String, u64)> {
     let from = root().join("examples").join(example);
     let study = std::fs::read_to_string(from.join("study.toml")).unwrap();
     let worlds = |study: &str| study.replacen("[worlds]\n", "[worlds]\nshares = false\n", 1);
-    let study = if study.contains("[worlds]") { worlds(&study) } else { worlds(&(study + "\n[worlds]\n")) };
+    let study = if study.contains("[worlds]") {
+        worlds(&study)
+    } else {
+        worlds(&(study + "\n[worlds]\n"))
+    };
     for entry in std::fs::read_dir(from).unwrap() {
         let entry = entry.unwrap();
         std::fs::copy(entry.path(), folder.path().join(entry.file_name())).unwrap();
     }
     std::fs::write(folder.path().join("study.toml"), study).unwrap();
-    let done = execute(folder.path(), &["assess", "study.toml", "--quiet", "--json", "--out", "out"]);
-    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let done = execute(
+        folder.path(),
+        &["assess", "study.toml", "--quiet", "--json", "--out", "out"],
+    );
+    assert!(
+        done.status.success(),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
     let report = json(&done);
     let count = |name: &str| (name.to_owned(), report["decisions"][name].as_u64().unwrap());
-    ["restrain", "soften", "lock", "no-verdict", "leave"].map(count).to_vec()
+    ["restrain", "soften", "lock", "no-verdict", "leave"]
+        .map(count)
+        .to_vec()
 }
 
 /// The same as the README's table has it.
 fn as_told(example: &str) -> Vec<(String, u64)> {
-    let readme = std::fs::read_to_string(root().join(format!("examples/{example}/README.md"))).unwrap();
+    let readme =
+        std::fs::read_to_string(root().join(format!("examples/{example}/README.md"))).unwrap();
     let row = |line: &str| {
         let mut cells = line.strip_prefix("| ")?.split(" | ");
         Some((cells.next()?.to_owned(), cells.next()?.parse().ok()?))

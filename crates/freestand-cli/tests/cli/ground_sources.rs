@@ -11,25 +11,46 @@ const OBJECTS: &str = "[objects]\nheights = \"1 m, 2 m\"\nthicknesses = \"300 mm
 
 fn done(folder: &Path, args: &[&str]) -> Vec<u8> {
     let output = execute(folder, &[args, &["--quiet"]].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     output.stdout
 }
 
 /// Runs the study, the study once more, and the study in the first output folder: the same bytes;
 /// gives `summary.json`.
 fn run_three_times(folder: &Path, ground: &str) -> (Value, String) {
-    fs::write(folder.join("s.toml"), format!("[ground]\n{ground}{OBJECTS}")).unwrap();
+    fs::write(
+        folder.join("s.toml"),
+        format!("[ground]\n{ground}{OBJECTS}"),
+    )
+    .unwrap();
     done(folder, &["run", "s.toml", "--out", "first"]);
-    done(folder, &["run", "s.toml", "--out", "again", "--threads", "1"]);
+    done(
+        folder,
+        &["run", "s.toml", "--out", "again", "--threads", "1"],
+    );
     done(folder, &["run", "first/study.toml", "--out", "rerun"]);
     let read = |name: &str| fs::read(folder.join(name)).unwrap();
     assert!(read("first/report.html") == read("again/report.html"));
     for name in ["srs.csv", "urs.csv", "statistics.csv", "study.toml"] {
-        assert!(read(&format!("first/{name}")) == read(&format!("again/{name}")), "{name}");
-        assert!(read(&format!("first/{name}")) == read(&format!("rerun/{name}")), "{name}");
+        assert!(
+            read(&format!("first/{name}")) == read(&format!("again/{name}")),
+            "{name}"
+        );
+        assert!(
+            read(&format!("first/{name}")) == read(&format!("rerun/{name}")),
+            "{name}"
+        );
     }
     let summary = serde_json::from_slice(&read("first/summary.json")).unwrap();
-    (summary, String::from_utf8(read("first/report.html")).unwrap())
+    (
+        summary,
+        String::from_utf8(read("first/report.html")).unwrap(),
+    )
 }
 
 #[test]
@@ -38,40 +59,69 @@ fn a_point_source_gives_the_motions_of_motion_simulate() {
     let ground = "point_source = { magnitude = 6, distance = \"28 km\", window = \"saragoni-hart\" }\nsite = \"Ce\"\n\
                   count = 2\nseed = 3\n";
     let (summary, report) = run_three_times(folder.path(), ground);
-    let flags =
-        "motion simulate --magnitude 6 --distance 28km --window saragoni-hart --site Ce --count 2 --seed 3 --out m";
+    let flags = "motion simulate --magnitude 6 --distance 28km --window saragoni-hart --site Ce --count 2 --seed 3 --out m";
     done(folder.path(), &flags.split(' ').collect::<Vec<_>>());
     let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
     for name in ["m6.0-28km-01.csv", "m6.0-28km-02.csv"] {
-        assert!(read(&format!("first/motions/{name}")) == read(&format!("m/{name}")), "{name}");
+        assert!(
+            read(&format!("first/motions/{name}")) == read(&format!("m/{name}")),
+            "{name}"
+        );
     }
     let ground = &summary["inputs"]["ground"];
-    assert_eq!((&ground["preset"], &ground["site"], &ground["seed"]), (&"victoria".into(), &"Ce".into(), &3.into()));
+    assert_eq!(
+        (&ground["preset"], &ground["site"], &ground["seed"]),
+        (&"victoria".into(), &"Ce".into(), &3.into())
+    );
     assert_eq!(ground["parameters"]["window"], "saragoni-hart");
     assert_eq!(summary["seeds"]["ground"], 3);
     // f₀ of the reference in docs/motions.md, five digits.
     let earthquake = &ground["earthquakes"][0];
     assert!((earthquake["corner_frequencies_hz"][0].as_f64().unwrap() - 0.44854).abs() < 5e-6);
-    for words in ["a simulated earthquake of magnitude 6 at 28 km", "ChaCha12", "0.449", "no soil column", "20 MPa"] {
+    for words in [
+        "a simulated earthquake of magnitude 6 at 28 km",
+        "ChaCha12",
+        "0.449",
+        "no soil column",
+        "20 MPa",
+    ] {
         assert!(report.contains(words), "{words}");
     }
-    assert!(!report.contains("How well the motions meet"), "there is no target");
-    let check: Value = serde_json::from_slice(&done(folder.path(), &["check", "s.toml", "--json"])).unwrap();
-    assert_eq!(check["ground"], "2 simulated motions, seed 3, victoria, site Ce: M 6.0 at 28.0 km");
+    assert!(
+        !report.contains("How well the motions meet"),
+        "there is no target"
+    );
+    let check: Value =
+        serde_json::from_slice(&done(folder.path(), &["check", "s.toml", "--json"])).unwrap();
+    assert_eq!(
+        check["ground"],
+        "2 simulated motions, seed 3, victoria, site Ce: M 6.0 at 28.0 km"
+    );
 }
 
 #[test]
 fn pairs_of_a_city_are_those_of_motion_simulate() {
     let folder = tempfile::tempdir().unwrap();
-    let ground =
-        "city = \"Adelaide\"\nsite = \"De\"\ncount = 2\nseed = 5\npoint_source = { pairs = true, magnitude = 6.5 }\n";
+    let ground = "city = \"Adelaide\"\nsite = \"De\"\ncount = 2\nseed = 5\npoint_source = { pairs = true, magnitude = 6.5 }\n";
     let (summary, report) = run_three_times(folder.path(), ground);
-    let flags = "motion simulate --city Adelaide --magnitude 6.5 --site De --count 2 --seed 5 --json";
-    let flags: Value = serde_json::from_slice(&done(folder.path(), &flags.split(' ').collect::<Vec<_>>())).unwrap();
-    let (one, other) = (&summary["inputs"]["ground"]["earthquakes"][0], &flags["earthquakes"][0]);
-    assert_eq!((&one["distance_m"], &one["duration_s"]), (&other["distance_m"], &other["duration_s"]));
+    let flags =
+        "motion simulate --city Adelaide --magnitude 6.5 --site De --count 2 --seed 5 --json";
+    let flags: Value =
+        serde_json::from_slice(&done(folder.path(), &flags.split(' ').collect::<Vec<_>>()))
+            .unwrap();
+    let (one, other) = (
+        &summary["inputs"]["ground"]["earthquakes"][0],
+        &flags["earthquakes"][0],
+    );
+    assert_eq!(
+        (&one["distance_m"], &one["duration_s"]),
+        (&other["distance_m"], &other["duration_s"])
+    );
     assert_eq!(summary["inputs"]["ground"]["kpz_g"], flags["kpz_g"]);
-    assert_eq!(summary["inputs"]["motions"][1]["pga_g"], other["motions"][1]["pga_g"]);
+    assert_eq!(
+        summary["inputs"]["motions"][1]["pga_g"],
+        other["motions"][1]["pga_g"]
+    );
     for words in [
         "simulated earthquakes equivalent to a 500-year earthquake: Adelaide",
         "Distances fitted to",
@@ -95,18 +145,32 @@ fn matched_records_are_those_of_motion_match() {
             let _ = fs::remove_dir_all(folder.path().join(name));
         }
         let (summary, report) = run_three_times(folder.path(), &ground);
-        let flags = format!("motion match rock/synthetic-02.csv --site De --method {method} --out m");
+        let flags =
+            format!("motion match rock/synthetic-02.csv --site De --method {method} --out m");
         done(folder.path(), &flags.split(' ').collect::<Vec<_>>());
         let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
-        assert!(read("first/motions/synthetic-02.csv") == read("m/synthetic-02-matched.csv"), "{method}");
+        assert!(
+            read("first/motions/synthetic-02.csv") == read("m/synthetic-02-matched.csv"),
+            "{method}"
+        );
         let one = &summary["inputs"]["ground"][0];
-        let check: Value = serde_json::from_slice(&done(folder.path(), &["check", "s.toml", "--json"])).unwrap();
+        let check: Value =
+            serde_json::from_slice(&done(folder.path(), &["check", "s.toml", "--json"])).unwrap();
         let rms = &summary["inputs"]["motions"][0]["misfit"]["rms_ratio"];
         assert_eq!(&check["motions"][0]["rms_misfit_ratio"], rms);
         assert_eq!(one["matched"]["method"], method);
-        assert!(summary["inputs"]["motions"][0]["misfit"]["rms_ratio"].as_f64().unwrap() < 0.05);
+        assert!(
+            summary["inputs"]["motions"][0]["misfit"]["rms_ratio"]
+                .as_f64()
+                .unwrap()
+                < 0.05
+        );
         assert_eq!(summary["seeds"], Value::Null);
-        for words in ["How well the motions fit their target", "matched to AS 1170.4", "The records were matched"] {
+        for words in [
+            "How well the motions fit their target",
+            "matched to AS 1170.4",
+            "The records were matched",
+        ] {
             assert!(report.contains(words), "{words}");
         }
     }
@@ -118,29 +182,65 @@ fn a_suite_that_cannot_be_used_is_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("records")).unwrap();
     for (name, period_s) in [("a", 0.3), ("b", 0.7)] {
-        let sample =
-            |i: usize| 3.0 * (std::f64::consts::TAU * i as f64 * 0.01 / period_s).sin() * (-0.003 * i as f64).exp();
-        let rows: String = (0..1000).map(|i| format!("{},{}\n", i as f64 * 0.01, sample(i))).collect();
-        fs::write(folder.path().join(format!("records/{name}.csv")), format!("time_s,accel_m_s2\n{rows}")).unwrap();
-    }
-    fs::write(folder.path().join("list.csv"), "id,level_ratio,height [mm],thickness [mm]\na,0,900,700\n").unwrap();
-    let commands = |study: &str| -> Vec<(Option<i32>, String)> {
-        fs::write(folder.path().join("s.toml"), format!("[ground]\nplace = \"Christchurch\"\n{study}\n{OBJECTS}"))
-            .unwrap();
-        let with = |args: &[&str]| {
-            let output = execute(folder.path(), &[args, &["--quiet", "--out", "out"]].concat());
-            (output.status.code(), String::from_utf8(output.stderr).unwrap())
+        let sample = |i: usize| {
+            3.0 * (std::f64::consts::TAU * i as f64 * 0.01 / period_s).sin()
+                * (-0.003 * i as f64).exp()
         };
-        vec![with(&["assess", "s.toml", "--inventory", "list.csv"]), with(&["run", "s.toml"])]
+        let rows: String = (0..1000)
+            .map(|i| format!("{},{}\n", i as f64 * 0.01, sample(i)))
+            .collect();
+        fs::write(
+            folder.path().join(format!("records/{name}.csv")),
+            format!("time_s,accel_m_s2\n{rows}"),
+        )
+        .unwrap();
+    }
+    fs::write(
+        folder.path().join("list.csv"),
+        "id,level_ratio,height [mm],thickness [mm]\na,0,900,700\n",
+    )
+    .unwrap();
+    let commands = |study: &str| -> Vec<(Option<i32>, String)> {
+        fs::write(
+            folder.path().join("s.toml"),
+            format!("[ground]\nplace = \"Christchurch\"\n{study}\n{OBJECTS}"),
+        )
+        .unwrap();
+        let with = |args: &[&str]| {
+            let output = execute(
+                folder.path(),
+                &[args, &["--quiet", "--out", "out"]].concat(),
+            );
+            (
+                output.status.code(),
+                String::from_utf8(output.stderr).unwrap(),
+            )
+        };
+        vec![
+            with(&["assess", "s.toml", "--inventory", "list.csv"]),
+            with(&["run", "s.toml"]),
+        ]
     };
     for (study, said) in [
-        ("suite = \"records\"\nsuite_count = 5", "s.toml:4: suite_count asks for 5 records, but 2 records of records"),
-        ("suite = \"nowhere\"", "s.toml:3: suite: nowhere: does not exist"),
-        ("suite = \"records\"\nseed = 3", "s.toml:4: seed and suite exclude each other"),
+        (
+            "suite = \"records\"\nsuite_count = 5",
+            "s.toml:4: suite_count asks for 5 records, but 2 records of records",
+        ),
+        (
+            "suite = \"nowhere\"",
+            "s.toml:3: suite: nowhere: does not exist",
+        ),
+        (
+            "suite = \"records\"\nseed = 3",
+            "s.toml:4: seed and suite exclude each other",
+        ),
     ] {
         for (code, error) in commands(study) {
             assert_eq!(code, Some(2), "{error}");
-            assert!(error.contains(said) && error.contains("hint: "), "{study}: {error}");
+            assert!(
+                error.contains(said) && error.contains("hint: "),
+                "{study}: {error}"
+            );
         }
         assert!(!folder.path().join("out").exists(), "{study}");
     }

@@ -9,24 +9,54 @@ const RECORD: &str = "validation/rocking/records/synthfloor.csv";
 
 /// A mode of a command: the words of the command, and what selects the mode.
 const MODES: &[(&[&str], &str)] = &[
-    (&["rock"], "--motion RECORD --scale 3 --height 1.8m --thickness 0.5m"),
-    (&["rock"], "--motion RECORD --scale 8 --sliding --friction 0.25 --height 0.8m --thickness 0.6m"),
+    (
+        &["rock"],
+        "--motion RECORD --scale 3 --height 1.8m --thickness 0.5m",
+    ),
+    (
+        &["rock"],
+        "--motion RECORD --scale 8 --sliding --friction 0.25 --height 0.8m --thickness 0.6m",
+    ),
     (
         &["rock"],
         "--height 1.8m --thickness 0.5m --mass 150kg --stiffness 4380N/mm --base compliant --cg-rise 10mm --duration 0.5s",
     ),
-    (&["spectrum"], "--motion RECORD --scale 3 --heights 1.2m --thicknesses 0.3m"),
-    (&["spectrum"], "--motion RECORD --scale 3 --heights 0.8m --thicknesses 0.6m --sliding --friction 0.25"),
-    (&["spectrum"], "--place Wellington --count 1 --heights 1.2m --thicknesses 0.3m"),
-    (&["shock"], "--height 2.3m --thickness 0.6m --mass 140kg --stiffness 4380N/mm --cg-rise 16mm"),
+    (
+        &["spectrum"],
+        "--motion RECORD --scale 3 --heights 1.2m --thicknesses 0.3m",
+    ),
+    (
+        &["spectrum"],
+        "--motion RECORD --scale 3 --heights 0.8m --thicknesses 0.6m --sliding --friction 0.25",
+    ),
+    (
+        &["spectrum"],
+        "--place Wellington --count 1 --heights 1.2m --thicknesses 0.3m",
+    ),
+    (
+        &["shock"],
+        "--height 2.3m --thickness 0.6m --mass 140kg --stiffness 4380N/mm --cg-rise 16mm",
+    ),
     (&["shock-spectrum"], "RECORD --frequencies 1Hz"),
-    (&["shock-spectrum"], "--pulse half-sine --peak-acceleration 30g --duration 11ms --frequencies 1Hz"),
+    (
+        &["shock-spectrum"],
+        "--pulse half-sine --peak-acceleration 30g --duration 11ms --frequencies 1Hz",
+    ),
     (&["floor"], "--motion RECORD --storeys 5 --storey-height 3m"),
-    (&["object"], "--height 1.8m --thickness 0.5m --motion RECORD --scale 3"),
+    (
+        &["object"],
+        "--height 1.8m --thickness 0.5m --motion RECORD --scale 3",
+    ),
     (&["motion", "code-spectrum"], ""),
-    (&["cushion", "simulate"], "--stiffness 2190N/mm --mass 0.365kg --height 100mm"),
+    (
+        &["cushion", "simulate"],
+        "--stiffness 2190N/mm --mass 0.365kg --height 100mm",
+    ),
     (&["cushion", "simulate"], "--static --stiffness 1100N/mm"),
-    (&["restrain"], "--height 1.8m --thickness 0.5m --mass 150kg --floor-acceleration 0.5g"),
+    (
+        &["restrain"],
+        "--height 1.8m --thickness 0.5m --mass 150kg --floor-acceleration 0.5g",
+    ),
 ];
 
 /// Flags whose nonsense is accepted, each for its reason.
@@ -43,37 +73,68 @@ const EXCEPT: [&str; 7] = [
 /// The flags of a command that take a value, as the short help lists them: without the processing of
 /// records, which every command with records reads by one function.
 fn flags(command: &[&str]) -> Vec<String> {
-    let help = Command::new(PROGRAM).args(command).arg("-h").output().unwrap();
+    let help = Command::new(PROGRAM)
+        .args(command)
+        .arg("-h")
+        .output()
+        .unwrap();
     let help = String::from_utf8(help.stdout).unwrap();
     let flag = |line: &str| {
         let (name, value) = line.trim_start().strip_prefix("--")?.split_once(' ')?;
-        let is_flag = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
+        let is_flag = name
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
         (is_flag && value.starts_with(['<', '['])).then(|| name.to_owned())
     };
-    help.lines().filter_map(flag).filter(|name| !EXCEPT.contains(&name.as_str())).collect()
+    help.lines()
+        .filter_map(flag)
+        .filter(|name| !EXCEPT.contains(&name.as_str()))
+        .collect()
 }
 
 /// The flags of a mode that accept nonsense.
 fn unread((command, mode): &(&[&str], &str)) -> Vec<String> {
-    let words: Vec<&str> = mode.split_whitespace().map(|word| if word == "RECORD" { RECORD } else { word }).collect();
+    let words: Vec<&str> = mode
+        .split_whitespace()
+        .map(|word| if word == "RECORD" { RECORD } else { word })
+        .collect();
     let run = |more: &[&str]| {
         let mut program = Command::new(PROGRAM);
-        program.args(*command).args(&words).args(more).arg("--quiet").current_dir(root());
-        program.stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap().code()
+        program
+            .args(*command)
+            .args(&words)
+            .args(more)
+            .arg("--quiet")
+            .current_dir(root());
+        program
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status()
+            .unwrap()
+            .code()
     };
     assert!(matches!(run(&[]), Some(0 | 1)), "{command:?} {mode}");
     let all = flags(command);
-    assert!(all.len() > 3, "{command:?}: the flags of the help are not found");
+    assert!(
+        all.len() > 3,
+        "{command:?}: the flags of the help are not found"
+    );
     let is_free = |flag: &&String| !words.contains(&format!("--{flag}").as_str());
     let accepted = |flag: &&String| run(&[&format!("--{flag}"), "/no/such/nons$nse"]) != Some(2);
-    all.iter().filter(is_free).filter(accepted).map(|flag| format!("{command:?} {mode}: --{flag}")).collect()
+    all.iter()
+        .filter(is_free)
+        .filter(accepted)
+        .map(|flag| format!("{command:?} {mode}: --{flag}"))
+        .collect()
 }
 
 #[test]
 fn nonsense_is_refused_in_every_mode() {
     let halves = MODES.split_at(MODES.len() / 2);
     let found: Vec<String> = std::thread::scope(|scope| {
-        let of = |modes: &'static [_]| scope.spawn(move || modes.iter().flat_map(unread).collect::<Vec<_>>());
+        let of = |modes: &'static [_]| {
+            scope.spawn(move || modes.iter().flat_map(unread).collect::<Vec<_>>())
+        };
         let (first, second) = (of(halves.0), of(halves.1));
         [first.join().unwrap(), second.join().unwrap()].concat()
     });
@@ -84,46 +145,87 @@ fn nonsense_is_refused_in_every_mode() {
 #[test]
 fn flags_without_effect_are_refused() {
     let cases = [
-        ("spectrum --motion RECORD --heights 1.2m --thicknesses 0.3m --clearance-left 50mm", "--clearance-left"),
+        (
+            "spectrum --motion RECORD --heights 1.2m --thicknesses 0.3m --clearance-left 50mm",
+            "--clearance-left",
+        ),
         (
             "spectrum --motion RECORD --heights 0.8m --thicknesses 0.6m --sliding --friction 0.2 --restitution 0.9",
             "--restitution",
         ),
-        ("cushion simulate --stiffness 2190N/mm --mass 0.365kg --height 100mm --hysteresis 10%", "--hysteresis"),
-        ("cushion simulate --static --stiffness 1100N/mm --bounces 2 --gravity 1g", "--bounces, --gravity"),
+        (
+            "cushion simulate --stiffness 2190N/mm --mass 0.365kg --height 100mm --hysteresis 10%",
+            "--hysteresis",
+        ),
+        (
+            "cushion simulate --static --stiffness 1100N/mm --bounces 2 --gravity 1g",
+            "--bounces, --gravity",
+        ),
     ];
     for (line, flag) in cases {
-        let words = line.split_whitespace().map(|word| if word == "RECORD" { RECORD } else { word });
-        let output = Command::new(PROGRAM).args(words).current_dir(root()).output().unwrap();
+        let words = line
+            .split_whitespace()
+            .map(|word| if word == "RECORD" { RECORD } else { word });
+        let output = Command::new(PROGRAM)
+            .args(words)
+            .current_dir(root())
+            .output()
+            .unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{line}\n{told}");
-        assert!(told.starts_with(&format!("error: {flag} ")), "{line}\n{told}");
+        assert!(
+            told.starts_with(&format!("error: {flag} ")),
+            "{line}\n{told}"
+        );
     }
 }
 
 #[test]
 fn equal_runs_write_equal_files() {
     let folder = tempfile::tempdir().unwrap();
-    let lines =
-        ["spectrum --motion RECORD --heights 1.2m --thicknesses 0.3m", "shock-spectrum RECORD --frequencies 1Hz"];
+    let lines = [
+        "spectrum --motion RECORD --heights 1.2m --thicknesses 0.3m",
+        "shock-spectrum RECORD --frequencies 1Hz",
+    ];
     for (index, line) in lines.iter().enumerate() {
         let written = |run: usize| {
             let out = folder.path().join(format!("{index}-{run}"));
-            let words = line.split_whitespace().map(|word| if word == "RECORD" { RECORD } else { word });
+            let words = line
+                .split_whitespace()
+                .map(|word| if word == "RECORD" { RECORD } else { word });
             let mut command = Command::new(PROGRAM);
-            let status = command.args(words).arg("--out").arg(&out).arg("--quiet").current_dir(root()).output();
+            let status = command
+                .args(words)
+                .arg("--out")
+                .arg(&out)
+                .arg("--quiet")
+                .current_dir(root())
+                .output();
             assert_eq!(status.unwrap().status.code(), Some(0), "{line}");
-            ["result.json", "manifest.json"].map(|name| std::fs::read_to_string(out.join(name)).unwrap())
+            ["result.json", "manifest.json"]
+                .map(|name| std::fs::read_to_string(out.join(name)).unwrap())
         };
         let first = written(1);
         assert_eq!(first, written(2), "{line}");
-        assert!(first[0].contains("\"timing\"") && !first[0].contains("solve_s"), "{line}");
+        assert!(
+            first[0].contains("\"timing\"") && !first[0].contains("solve_s"),
+            "{line}"
+        );
     }
 }
 
 #[test]
 fn numbers_beyond_any_laboratory_are_refused() {
-    let simulate = ["cushion", "simulate", "--stiffness", "2190 N/mm", "--mass", "0.365kg", "--height", "1e308 m"];
+    let simulate = [
+        "cushion",
+        "simulate",
+        "--stiffness",
+        "2190 N/mm",
+        "--mass",
+        "0.365kg",
+        "--height",
+        "1e308 m",
+    ];
     let line = "rock --height 1.8m --thickness 0.5m --mass 150kg --stiffness 4380N/mm --base compliant \
                 --cg-rise 10mm --duration 1s --tangential-ratio 4294967296";
     let rock: Vec<&str> = line.split_whitespace().collect();

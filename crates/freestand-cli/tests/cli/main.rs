@@ -5,7 +5,11 @@
 //!
 //! After an intended change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what it cannot set up")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test may stop at what it cannot set up"
+)]
 
 mod cases;
 mod code_spectra;
@@ -55,7 +59,10 @@ const SMALL: &str = "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 
 /// Runs freestand in `folder` and expects an exit status.
 fn expect(folder: &tempfile::TempDir, args: &[&str], status: i32) -> String {
     let shown = freestand_in(folder.path(), args);
-    assert!(shown.contains(&format!("\nexit status {status}\n")), "{shown}");
+    assert!(
+        shown.contains(&format!("\nexit status {status}\n")),
+        "{shown}"
+    );
     shown
 }
 
@@ -65,7 +72,11 @@ fn two_components(heading: &str) -> String {
     let row = |k: u32| {
         let t = f64::from(k) / 50.0;
         let wave = (-(t - 2.0) * (t - 2.0)).exp() * (std::f64::consts::TAU * 2.0 * t).sin();
-        format!("{t},{:.6},{:.6}\n", 0.01 + 0.3 * wave, 0.01 + 0.2 * (wave - 0.1 * wave * wave))
+        format!(
+            "{t},{:.6},{:.6}\n",
+            0.01 + 0.3 * wave,
+            0.01 + 0.2 * (wave - 0.1 * wave * wave)
+        )
     };
     format!("{heading}\n{}", (0..=200).map(row).collect::<String>())
 }

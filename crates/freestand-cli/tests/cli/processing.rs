@@ -8,7 +8,11 @@ use crate::{RECORD, cases, folder, freestand, freestand_in, two_components};
 fn records_are_processed_step_by_step() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
     let processed = |flags: &[&str]| {
-        let args = [&["motion", "convert", "two.csv", "--to", "csv", "--json"], flags].concat();
+        let args = [
+            &["motion", "convert", "two.csv", "--to", "csv", "--json"],
+            flags,
+        ]
+        .concat();
         let output = execute(folder.path(), &args);
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_default();
         let motion = &json["motions"][0];
@@ -25,11 +29,48 @@ fn records_are_processed_step_by_step() {
     let all = [
         processed(&["--component", "N"]),
         processed(&["--component", "N", "--baseline", "mean", "--taper", "5%"]),
-        processed(&["--component", "E", "--baseline", "pre-event:0.5s", "--low-cut", "0.5 Hz"]),
-        processed(&["--component", "E", "--baseline", "graizer:2:1s", "--high-cut", "10Hz", "--filter-order", "2"]),
-        processed(&["--component", "1", "--baseline", "boore:1s:3s", "--resample", "10 ms"]),
-        processed(&["--azimuth", "30 deg", "--baseline", "poly:2", "--scale-to", "0.3 g"]),
-        processed(&["--azimuth", "-60 deg", "--resample", "0.04 s", "--scale-to-sa", "9 g at 1.2 s, 2 %"]),
+        processed(&[
+            "--component",
+            "E",
+            "--baseline",
+            "pre-event:0.5s",
+            "--low-cut",
+            "0.5 Hz",
+        ]),
+        processed(&[
+            "--component",
+            "E",
+            "--baseline",
+            "graizer:2:1s",
+            "--high-cut",
+            "10Hz",
+            "--filter-order",
+            "2",
+        ]),
+        processed(&[
+            "--component",
+            "1",
+            "--baseline",
+            "boore:1s:3s",
+            "--resample",
+            "10 ms",
+        ]),
+        processed(&[
+            "--azimuth",
+            "30 deg",
+            "--baseline",
+            "poly:2",
+            "--scale-to",
+            "0.3 g",
+        ]),
+        processed(&[
+            "--azimuth",
+            "-60 deg",
+            "--resample",
+            "0.04 s",
+            "--scale-to-sa",
+            "9 g at 1.2 s, 2 %",
+        ]),
     ];
     cases::each("records_are_processed_step_by_step", &all);
 }
@@ -44,12 +85,42 @@ fn wrong_processing_is_refused() {
     let convert = |flags: &[&str]| {
         freestand_in(
             folder.path(),
-            &[&["motion", "convert", "two.csv", "--to", "csv", "--component", "1"], flags].concat(),
+            &[
+                &[
+                    "motion",
+                    "convert",
+                    "two.csv",
+                    "--to",
+                    "csv",
+                    "--component",
+                    "1",
+                ],
+                flags,
+            ]
+            .concat(),
         )
     };
     let all = [
-        convert(&["--low-cut", "-1 Hz", "--taper", "60%", "--filter-order", "0", "--resample", "0 s"]),
-        convert(&["--low-cut", "5", "--baseline", "straight", "--scale-to", "0 g", "--filter-order", "two"]),
+        convert(&[
+            "--low-cut",
+            "-1 Hz",
+            "--taper",
+            "60%",
+            "--filter-order",
+            "0",
+            "--resample",
+            "0 s",
+        ]),
+        convert(&[
+            "--low-cut",
+            "5",
+            "--baseline",
+            "straight",
+            "--scale-to",
+            "0 g",
+            "--filter-order",
+            "two",
+        ]),
         convert(&["--low-cut", "5 Hz", "--high-cut", "5 Hz"]),
         convert(&["--high-cut", "25 Hz"]),
         convert(&["--low-cut", "1e-9 Hz"]),
@@ -61,9 +132,34 @@ fn wrong_processing_is_refused() {
         convert(&["--scale-to-sa", "0.4 g"]),
         convert(&["--scale", "2", "--scale-to", "1 g"]),
         convert(&["--azimuth", "30 deg"]),
-        freestand_in(folder.path(), &["motion", "convert", "h1h2.csv", "--to", "csv", "--azimuth", "30 deg"]),
-        freestand_in(folder.path(), &["motion", "convert", "other.csv", "--to", "csv", "--azimuth", "30 deg"]),
-        freestand_in(folder.path(), &["motion", "info", "two.csv", "--azimuth", "30 deg"]),
+        freestand_in(
+            folder.path(),
+            &[
+                "motion",
+                "convert",
+                "h1h2.csv",
+                "--to",
+                "csv",
+                "--azimuth",
+                "30 deg",
+            ],
+        ),
+        freestand_in(
+            folder.path(),
+            &[
+                "motion",
+                "convert",
+                "other.csv",
+                "--to",
+                "csv",
+                "--azimuth",
+                "30 deg",
+            ],
+        ),
+        freestand_in(
+            folder.path(),
+            &["motion", "info", "two.csv", "--azimuth", "30 deg"],
+        ),
         freestand(&["run", "--low-cut", "1 Hz", "--azimuth", "3 deg"]),
     ];
     cases::each("wrong_processing_is_refused", &all);
@@ -73,7 +169,10 @@ fn wrong_processing_is_refused() {
 fn records_are_scaled_to_a_spectrum() {
     let folder = folder(&[
         ("two.csv", &two_components("time [s],N [g],E [g]")),
-        ("target.csv", "# 500 years\nperiod [s]; PSA [g]\n0,2; 0,8\n0,5; 1,1\n1; 0,35\n2; 0,1\n"),
+        (
+            "target.csv",
+            "# 500 years\nperiod [s]; PSA [g]\n0,2; 0,8\n0,5; 1,1\n1; 0,35\n2; 0,1\n",
+        ),
         ("bare.csv", "T,Sa\n0.2,0.8\n"),
         ("zero.csv", "T (s),Sa (m/s2)\n0.2,8\n0.5,0\n"),
     ]);
@@ -92,10 +191,23 @@ fn records_are_scaled_to_a_spectrum() {
             target,
         ]);
         // The samples are those of other tests.
-        text.lines().filter(|line| !line.contains("\"text\"")).collect::<Vec<_>>().join("\n")
+        text.lines()
+            .filter(|line| !line.contains("\"text\""))
+            .collect::<Vec<_>>()
+            .join("\n")
     };
-    let rock =
-        ["rock", "--motion", "two.csv", "--component", "1", "--height", "2 m", "--thickness", "500 mm", "--quiet"];
+    let rock = [
+        "rock",
+        "--motion",
+        "two.csv",
+        "--component",
+        "1",
+        "--height",
+        "2 m",
+        "--thickness",
+        "500 mm",
+        "--quiet",
+    ];
     let all = [
         convert("target.csv"),
         convert("target.csv, 0.5 s to 1 s, 2 %"),
@@ -105,11 +217,35 @@ fn records_are_scaled_to_a_spectrum() {
         convert("zero.csv"),
         convert("two.csv"),
         convert("none.csv"),
-        run(&["motion", "rotd", "two.csv", "--scale-to-spectrum", "target.csv"]),
-        run(&["motion", "info", "two.csv", "--scale-to-spectrum", "target.csv", "--scale-to-sa", "1 g at 1 s"]),
+        run(&[
+            "motion",
+            "rotd",
+            "two.csv",
+            "--scale-to-spectrum",
+            "target.csv",
+        ]),
+        run(&[
+            "motion",
+            "info",
+            "two.csv",
+            "--scale-to-spectrum",
+            "target.csv",
+            "--scale-to-sa",
+            "1 g at 1 s",
+        ]),
         // The vertical component has a factor of its own.
-        run(&[&rock[..], &["--vertical", "two.csv", "--vertical-component", "2", "--scale-to-spectrum", "target.csv"]]
-            .concat()),
+        run(&[
+            &rock[..],
+            &[
+                "--vertical",
+                "two.csv",
+                "--vertical-component",
+                "2",
+                "--scale-to-spectrum",
+                "target.csv",
+            ],
+        ]
+        .concat()),
     ];
     cases::each("records_are_scaled_to_a_spectrum", &all);
 }
@@ -121,10 +257,23 @@ fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
     let json = |args: &[&str]| -> serde_json::Value {
         let output = execute(folder.path(), args);
-        assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(
+            output.status.success(),
+            "{args:?}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         serde_json::from_slice(&output.stdout).unwrap()
     };
-    let one = ["motion", "spectrum", "two.csv", "--component", "N", "--damping", "2 %, 5 %", "--json"];
+    let one = [
+        "motion",
+        "spectrum",
+        "two.csv",
+        "--component",
+        "N",
+        "--damping",
+        "2 %, 5 %",
+        "--json",
+    ];
     json(&[&one[..], &["--out", "once"]].concat());
     json(&[&one[..], &["--scale", "2", "--out", "twice"]].concat());
     for (target, expected) in [
@@ -146,19 +295,36 @@ fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
         }
         let step = &scaled["processing"];
         // A factor of 1 has its step too.
-        let misfit = step[0].as_str().is_some_and(|step| step.ends_with("misfit below 0.01 % rms in ln)"));
-        assert!(misfit && (scaled["scale_ratio"].as_f64().unwrap() / expected - 1.0).abs() < 1e-12, "{step}");
+        let misfit = step[0]
+            .as_str()
+            .is_some_and(|step| step.ends_with("misfit below 0.01 % rms in ln)"));
+        assert!(
+            misfit && (scaled["scale_ratio"].as_f64().unwrap() / expected - 1.0).abs() < 1e-12,
+            "{step}"
+        );
         // Where the damping is not named, the one that is left out is.
         let is_named = target.ends_with('%');
-        let left_out = scaled["warnings"].to_string().contains("those for 2 % are left out");
+        let left_out = scaled["warnings"]
+            .to_string()
+            .contains("those for 2 % are left out");
         assert_eq!(left_out, !is_named, "{target}: {}", scaled["warnings"]);
     }
     // What is read is not replaced, whatever is allowed.
     let before = std::fs::read(folder.path().join("once/spectrum.csv")).unwrap();
     for flag in ["--scale-to-spectrum", "--station-xml"] {
-        let onto = [&one[..], &[flag, "once/spectrum.csv", "--out", "once", "--force"]].concat();
+        let onto = [
+            &one[..],
+            &[flag, "once/spectrum.csv", "--out", "once", "--force"],
+        ]
+        .concat();
         let refused = freestand_in(folder.path(), &onto);
-        assert!(refused.contains("exit status 2") && refused.contains("once/spectrum.csv"), "{refused}");
-        assert_eq!(std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(), before);
+        assert!(
+            refused.contains("exit status 2") && refused.contains("once/spectrum.csv"),
+            "{refused}"
+        );
+        assert_eq!(
+            std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(),
+            before
+        );
     }
 }

@@ -31,7 +31,12 @@ pub(crate) fn freestand(args: &[&str]) -> String {
 
 /// A command, its exit status and what it printed: the text of a snapshot.
 pub(crate) fn shown(args: &[&str], output: &Output) -> String {
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().trim_end().to_owned();
+    let text = |bytes: &[u8]| {
+        String::from_utf8(bytes.to_vec())
+            .unwrap()
+            .trim_end()
+            .to_owned()
+    };
     format!(
         "$ freestand {}\nexit status {}\n--- stdout\n{}\n--- stderr\n{}",
         args.join(" "),
@@ -43,13 +48,19 @@ pub(crate) fn shown(args: &[&str], output: &Output) -> String {
 
 /// The document that a command printed.
 pub(crate) fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)))
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)))
 }
 
 /// The document of a command in which nothing failed.
 pub(crate) fn document(folder: &Path, args: &[&str]) -> Value {
     let output = execute(folder, &[args, &["--json"]].concat());
-    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{args:?}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     json(&output)
 }
 
@@ -57,15 +68,21 @@ pub(crate) fn document(folder: &Path, args: &[&str]) -> Value {
 pub(crate) fn refused(folder: &Path, args: &[&str]) -> String {
     let output = execute(folder, args);
     let text = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {text}");
+    assert_eq!(
+        (output.status.code(), output.stdout.len()),
+        (Some(2), 0),
+        "{args:?}: {text}"
+    );
     assert!(text.contains("\nhint: "), "{text}");
     text.lines().next().unwrap().to_owned()
 }
 
 /// The names in a folder, sorted.
 pub(crate) fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort_unstable();
     names
 }
@@ -91,13 +108,20 @@ pub(crate) fn shared() -> PathBuf {
 
 /// A record of the repository.
 pub(crate) fn record(name: &str) -> PathBuf {
-    root().join("validation/rocking/records").join(format!("{name}.csv"))
+    root()
+        .join("validation/rocking/records")
+        .join(format!("{name}.csv"))
 }
 
 /// `--duration` up to the last sample of a record: the known answers end there, and the program goes on.
 pub(crate) fn to_its_end(record: &Path) -> String {
     let text = std::fs::read_to_string(record).unwrap();
-    let dt_s: f64 = text.split_whitespace().find_map(|word| word.strip_prefix("dt=")).unwrap().parse().unwrap();
+    let dt_s: f64 = text
+        .split_whitespace()
+        .find_map(|word| word.strip_prefix("dt="))
+        .unwrap()
+        .parse()
+        .unwrap();
     let samples = text.lines().filter(|line| !line.starts_with('#')).count();
     format!("--duration={} s", (samples - 1) as f64 * dt_s)
 }

@@ -3,7 +3,15 @@
 use crate::program::{document, refused};
 use crate::{cases, folder, freestand, freestand_in};
 
-const RACK: [&str; 7] = ["restrain", "--mass", "360kg", "--height", "1.8m", "--thickness", "0.6m"];
+const RACK: [&str; 7] = [
+    "restrain",
+    "--mass",
+    "360kg",
+    "--height",
+    "1.8m",
+    "--thickness",
+    "0.6m",
+];
 
 #[test]
 fn restrain_by_place_code_study_and_acceleration() {
@@ -11,14 +19,43 @@ fn restrain_by_place_code_study_and_acceleration() {
     let folder = folder(&[("study.toml", study)]);
     let with = |more: &[&str]| freestand_in(folder.path(), &[&RACK[..], more].concat());
     let all = [
-        with(&["--place", "Athens", "--floor", "2", "--storeys", "5", "--width", "3 ft"]),
-        with(&["--code", "asce7", "--sds", "1 g", "--resonance", "1.8", "--building-ductility", "1.5", "--json"]),
-        with(&["--study", "study.toml", "--floor", "roof", "--anchors-per-edge", "3"]),
+        with(&[
+            "--place",
+            "Athens",
+            "--floor",
+            "2",
+            "--storeys",
+            "5",
+            "--width",
+            "3 ft",
+        ]),
+        with(&[
+            "--code",
+            "asce7",
+            "--sds",
+            "1 g",
+            "--resonance",
+            "1.8",
+            "--building-ductility",
+            "1.5",
+            "--json",
+        ]),
+        with(&[
+            "--study",
+            "study.toml",
+            "--floor",
+            "roof",
+            "--anchors-per-edge",
+            "3",
+        ]),
         with(&["--floor-acceleration", "0.9 g", "--out", "out"]),
     ];
     cases::each("restrain_by_place_code_study_and_acceleration", &all);
     let sheet = std::fs::read_to_string(folder.path().join("out/restraint.html")).unwrap();
-    assert!(sheet.contains("<svg") && sheet.contains("Date and signature"), "{sheet}");
+    assert!(
+        sheet.contains("<svg") && sheet.contains("Date and signature"),
+        "{sheet}"
+    );
 }
 
 #[test]
@@ -54,26 +91,77 @@ fn restrain_every_object_of_a_list() {
     let with = |more: &[&str]| freestand_in(folder.path(), &[&["restrain"], more].concat());
     let all = [
         with(&[&["list.csv"][..], &at, &["--out", "out"]].concat()),
-        with(&[&["list.csv"][..], &at, &["--edit", "H4=120", "--units", "us", "--anchor-inset", "2 in"]].concat()),
+        with(
+            &[
+                &["list.csv"][..],
+                &at,
+                &[
+                    "--edit",
+                    "H4=120",
+                    "--units",
+                    "us",
+                    "--anchor-inset",
+                    "2 in",
+                ],
+            ]
+            .concat(),
+        ),
         with(&["list.csv", "--floor-acceleration", "0.9 g"]),
         with(&["list.csv", "--study", "study.toml"]),
         with(&[&["list.csv"][..], &at, &["--mass", "80 kg"]].concat()),
         with(&[&["list.csv"][..], &at, &["--floor", "2"]].concat()),
         with(&["list.csv", "--place", "Wellington", "--strength", "2"]),
-        with(&["list.csv", "--floor-acceleration", "0.9 g", "--storeys", "5"]),
+        with(&[
+            "list.csv",
+            "--floor-acceleration",
+            "0.9 g",
+            "--storeys",
+            "5",
+        ]),
         with(&[&RACK[1..], &at, &["--sheet", "Objects"]].concat()),
     ];
     cases::each("restrain_every_object_of_a_list", &all);
     let told = |more: &[&str]| document(folder.path(), &[&["restrain"], more, &at[..]].concat());
-    let alone = told(&[&RACK[1..], &["--width", "0.9m", "--component", "cabinet", "--floor", "2"]].concat());
+    let alone = told(
+        &[
+            &RACK[1..],
+            &["--width", "0.9m", "--component", "cabinet", "--floor", "2"],
+        ]
+        .concat(),
+    );
     let listed = told(&["list.csv"]);
-    for key in ["force_n", "force_ratio", "anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n", "axis"] {
+    for key in [
+        "force_n",
+        "force_ratio",
+        "anchor_tension_n",
+        "anchor_tension_concrete_n",
+        "bracket_force_n",
+        "axis",
+    ] {
         assert_eq!(listed["rows"][0][key], alone[key], "{key}");
     }
-    assert_eq!((&listed["objects"], &listed["held"]), (&6.into(), &2.into()));
+    assert_eq!(
+        (&listed["objects"], &listed["held"]),
+        (&6.into(), &2.into())
+    );
     // Feet that stand closer than the sides pull more.
-    let generator = ["--mass", "900kg", "--height", "1.5m", "--thickness", "0.9m", "--width", "1.8m"];
-    let wide = told(&[&generator[..], &["--component", "generator", "--floor", "Roof"]].concat());
+    let generator = [
+        "--mass",
+        "900kg",
+        "--height",
+        "1.5m",
+        "--thickness",
+        "0.9m",
+        "--width",
+        "1.8m",
+    ];
+    let wide = told(
+        &[
+            &generator[..],
+            &["--component", "generator", "--floor", "Roof"],
+        ]
+        .concat(),
+    );
     assert_eq!(listed["rows"][1]["force_n"], wide["force_n"]);
     assert!(listed["rows"][1]["anchor_tension_n"].as_f64() > wide["anchor_tension_n"].as_f64());
 }
@@ -81,8 +169,19 @@ fn restrain_every_object_of_a_list() {
 /// A list that is not there is said before what else is missing.
 #[test]
 fn a_list_that_is_missing_is_said_first() {
-    let folder = folder(&[("list.csv", "id,height [m],thickness [m],mass [kg]\na,1.8,0.6,360\n")]);
+    let folder = folder(&[(
+        "list.csv",
+        "id,height [m],thickness [m],mass [kg]\na,1.8,0.6,360\n",
+    )]);
     let said = |list: &str| refused(folder.path(), &["restrain", list]);
-    assert!(said("nosuch.csv").contains("nosuch.csv: cannot open the file"), "{}", said("nosuch.csv"));
-    assert!(said("list.csv").contains("how strongly the floor shakes"), "{}", said("list.csv"));
+    assert!(
+        said("nosuch.csv").contains("nosuch.csv: cannot open the file"),
+        "{}",
+        said("nosuch.csv")
+    );
+    assert!(
+        said("list.csv").contains("how strongly the floor shakes"),
+        "{}",
+        said("list.csv")
+    );
 }

@@ -13,7 +13,12 @@ use crate::program::{self, PROGRAM, shared};
 /// A record of the repository, or of the shared folder.
 fn record(name: &str) -> Option<PathBuf> {
     let file = format!("{name}.csv");
-    [program::record(name), shared().join("cases/records").join(file)].into_iter().find(|path| path.exists())
+    [
+        program::record(name),
+        shared().join("cases/records").join(file),
+    ]
+    .into_iter()
+    .find(|path| path.exists())
 }
 
 /// The command of a case; `None` where its record is missing.
@@ -21,7 +26,9 @@ fn command(case: &Value) -> Option<Command> {
     let path = record(case["record"].as_str().unwrap())?;
     let number = |key: &str| case.get(key).and_then(Value::as_f64);
     let mut command = Command::new(PROGRAM);
-    command.args(["rock", "--json", "--quiet", "--motion"]).arg(&path);
+    command
+        .args(["rock", "--json", "--quiet", "--motion"])
+        .arg(&path);
     let mut flag = |flag: &str, value: Option<f64>, unit: &str| {
         if let Some(value) = value {
             command.arg(flag).arg(format!("{value}{unit}"));
@@ -36,9 +43,23 @@ fn command(case: &Value) -> Option<Command> {
     flag("--initial-velocity", number("omega0"), " rad/s");
     flag("--vertical-scale", number("scale_v"), "");
     // The cases end with their records.
-    flag("--duration", case["final"]["t"].as_f64().filter(|_| case["overturned"] == false), " s");
+    flag(
+        "--duration",
+        case["final"]["t"]
+            .as_f64()
+            .filter(|_| case["overturned"] == false),
+        " s",
+    );
     if number("scale_v").is_some() {
-        command.args(["--component", "1", "--vertical-component", "2", "--vertical"]).arg(&path);
+        command
+            .args([
+                "--component",
+                "1",
+                "--vertical-component",
+                "2",
+                "--vertical",
+            ])
+            .arg(&path);
     }
     if case["group"].as_str().unwrap().contains("lin") && case["group"] != "nonlinear" {
         command.args(["--model", "linear"]);
@@ -48,10 +69,18 @@ fn command(case: &Value) -> Option<Command> {
 
 #[test]
 fn every_case_through_the_command_line() {
-    let cases: Value = serde_json::from_str(include_str!("../../../../validation/rocking/rocking_cases.json")).unwrap();
+    let cases: Value = serde_json::from_str(include_str!(
+        "../../../../validation/rocking/rocking_cases.json"
+    ))
+    .unwrap();
     let (mut done, mut skipped) = (0, 0);
     let mut failures = Vec::new();
-    for case in cases["cases"].as_array().unwrap().iter().filter(|case| case["sensitive"] == false) {
+    for case in cases["cases"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|case| case["sensitive"] == false)
+    {
         let id = &case["id"];
         let Some(mut command) = command(case) else {
             skipped += 1;
@@ -76,7 +105,10 @@ fn every_case_through_the_command_line() {
         }
         // 1e-8 of the rotation and 1e-8 s: what `standard` promises.
         if (got["peak_rotation_rad"].as_f64().unwrap() - peak).abs() > 1e-8 * peak {
-            failures.push(format!("{id}: {} instead of {peak}", got["peak_rotation_rad"]));
+            failures.push(format!(
+                "{id}: {} instead of {peak}",
+                got["peak_rotation_rad"]
+            ));
         }
         let strong = got["impacts"]
             .as_array()
@@ -84,16 +116,29 @@ fn every_case_through_the_command_line() {
             .iter()
             .filter(|i| i["omega_before_rad_s"].as_f64().unwrap().abs() >= 1e-3);
         if Some(strong.count() as u64) != case["n_impacts"]["0.001"].as_u64() {
-            failures.push(format!("{id}: not {} impacts at 1e-3 rad/s and above", case["n_impacts"]["0.001"]));
+            failures.push(format!(
+                "{id}: not {} impacts at 1e-3 rad/s and above",
+                case["n_impacts"]["0.001"]
+            ));
         }
-        for (expected, impact) in case["impacts"].as_array().unwrap().iter().zip(got["impacts"].as_array().unwrap()) {
+        for (expected, impact) in case["impacts"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .zip(got["impacts"].as_array().unwrap())
+        {
             if (expected["t"].as_f64().unwrap() - impact["time_s"].as_f64().unwrap()).abs() > 1e-8 {
-                failures.push(format!("{id}: an impact at {} instead of {}", impact["time_s"], expected["t"]));
+                failures.push(format!(
+                    "{id}: an impact at {} instead of {}",
+                    impact["time_s"], expected["t"]
+                ));
             }
         }
     }
     if skipped > 0 {
-        println!("skipped: {skipped} cases whose record is not in $FREESTAND_SHARED/cases/records (../shared)");
+        println!(
+            "skipped: {skipped} cases whose record is not in $FREESTAND_SHARED/cases/records (../shared)"
+        );
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     assert!(done >= 300, "only {done} cases ran");

@@ -22,21 +22,37 @@ impl Page {
 
     fn open_with(prepare: impl FnOnce(&mut Command) -> &mut Command) -> Self {
         let mut command = Command::new(PROGRAM);
-        command.args(["serve", "--json", "--no-open"]).stdout(Stdio::piped());
+        command
+            .args(["serve", "--json", "--no-open"])
+            .stdout(Stdio::piped());
         let mut child = prepare(&mut command).spawn().unwrap();
         let mut line = String::new();
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        BufReader::new(child.stdout.take().unwrap())
+            .read_line(&mut line)
+            .unwrap();
         let line: Value = serde_json::from_str(&line).unwrap();
-        let keys: Vec<&str> = line.as_object().unwrap().keys().map(String::as_str).collect();
-        assert_eq!(keys, ["schema", "url", "port", "token", "version", "warnings"]);
+        let keys: Vec<&str> = line
+            .as_object()
+            .unwrap()
+            .keys()
+            .map(String::as_str)
+            .collect();
+        assert_eq!(
+            keys,
+            ["schema", "url", "port", "token", "version", "warnings"]
+        );
         assert_eq!(line["schema"], "freestand.serve/1");
-        let (port, token) = (line["port"].as_u64().unwrap(), line["token"].as_str().unwrap().to_owned());
+        let (port, token) = (
+            line["port"].as_u64().unwrap(),
+            line["token"].as_str().unwrap().to_owned(),
+        );
         assert_eq!(line["url"], format!("http://127.0.0.1:{port}/#{token}"));
         Self { child, port, token }
     }
 
     fn post(&self, path: &str, content_type: &str, body: &[u8]) -> (u16, Value) {
-        let mut stream = TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
+        let mut stream =
+            TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
         let head = format!(
             "POST {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\nContent-Type: {content_type}\r\n\
              Content-Length: {}\r\nConnection: close\r\n\r\n",
@@ -48,7 +64,10 @@ impl Page {
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-        (head.split(' ').nth(1).unwrap().parse().unwrap(), serde_json::from_str(body).unwrap())
+        (
+            head.split(' ').nth(1).unwrap().parse().unwrap(),
+            serde_json::from_str(body).unwrap(),
+        )
     }
 
     /// The whole response, which may be in pieces.
@@ -59,7 +78,8 @@ impl Page {
     }
 
     fn ask(&self, method: &str, path: &str) -> TcpStream {
-        let mut stream = TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
+        let mut stream =
+            TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
         let head = format!(
             "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\nConnection: close\r\n\r\n",
             self.port, self.token
@@ -69,12 +89,20 @@ impl Page {
     }
 
     pub(crate) fn run(&self, request: &Value) -> (u16, Value) {
-        self.post("/api/v1/run", "application/json", request.to_string().as_bytes())
+        self.post(
+            "/api/v1/run",
+            "application/json",
+            request.to_string().as_bytes(),
+        )
     }
 
     /// A file of a job when it has ended.
     pub(crate) fn job(&self, request: &Value, file: &str) -> String {
-        let (status, job) = self.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        let (status, job) = self.post(
+            "/api/v1/jobs",
+            "application/json",
+            request.to_string().as_bytes(),
+        );
         assert_eq!(status, 202, "{job}");
         let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
         let events = unchunked(&self.get(&format!("{at}/events")));
@@ -86,8 +114,15 @@ impl Page {
     /// Uploads a file and returns its id.
     pub(crate) fn upload(&self, path: &Path) -> Value {
         let name = path.file_name().unwrap().to_str().unwrap();
-        let head = format!("--XX\r\nContent-Disposition: form-data; name=\"f\"; filename=\"{name}\"\r\n\r\n");
-        let body = [head.as_bytes(), &std::fs::read(path).unwrap(), b"\r\n--XX--\r\n"].concat();
+        let head = format!(
+            "--XX\r\nContent-Disposition: form-data; name=\"f\"; filename=\"{name}\"\r\n\r\n"
+        );
+        let body = [
+            head.as_bytes(),
+            &std::fs::read(path).unwrap(),
+            b"\r\n--XX--\r\n",
+        ]
+        .concat();
         let (status, told) = self.post("/api/v1/files", "multipart/form-data; boundary=XX", &body);
         assert_eq!(status, 200, "{told}");
         told["files"][0]["id"].clone()
@@ -120,14 +155,19 @@ fn documents_are_those_of_the_command_line() {
     let record = root.join("validation/rocking/records/synthfloor.csv");
     let list = root.join("examples/hospital/inventory.csv");
     let drop = root.join("validation/cushion/drop-001.csv");
-    let (record_id, list_id, drop_id) = (page.upload(&record), page.upload(&list), page.upload(&drop));
+    let (record_id, list_id, drop_id) =
+        (page.upload(&record), page.upload(&list), page.upload(&drop));
     let size = json!({"height": "1.8 m", "thickness": "0.4 m"});
     let with = |more: Value| {
         let mut all = size.as_object().unwrap().clone();
         all.extend(more.as_object().unwrap().clone());
         Value::Object(all)
     };
-    let (record, list, drop) = (record.to_str().unwrap(), list.to_str().unwrap(), drop.to_str().unwrap());
+    let (record, list, drop) = (
+        record.to_str().unwrap(),
+        list.to_str().unwrap(),
+        drop.to_str().unwrap(),
+    );
     let motion = (json!({"motion": [record_id]}), vec!["--motion", record]);
     let file = (json!({"file": [record_id]}), vec![record]);
     let none = (json!({}), vec![]);
@@ -136,17 +176,35 @@ fn documents_are_those_of_the_command_line() {
     let inventory = (json!({"inventory": [list_id]}), vec!["--inventory", list]);
     let folder = tempfile::tempdir().unwrap();
     let press = folder.path().join("press.csv");
-    let rows = (0..=20).map(|i| format!("{},{}\n", i, 4380 * i)).collect::<String>();
+    let rows = (0..=20)
+        .map(|i| format!("{},{}\n", i, 4380 * i))
+        .collect::<String>();
     std::fs::write(&press, format!("displacement [mm],force [N]\n{rows}")).unwrap();
     let (press_id, press) = (page.upload(&press), press.to_str().unwrap());
     let press = (json!({"file": [press_id]}), vec![press]);
     let wrong = press.clone();
     let cases = [
-        ("shock", with(json!({"mass": "150 kg", "stiffness": "4380 N/mm", "uplift": "30 mm"})), none.clone()),
-        ("rock", with(json!({"scale": 3.5, "mass": "150 kg", "stiffness": "4380 N/mm"})), motion.clone()),
+        (
+            "shock",
+            with(json!({"mass": "150 kg", "stiffness": "4380 N/mm", "uplift": "30 mm"})),
+            none.clone(),
+        ),
+        (
+            "rock",
+            with(json!({"scale": 3.5, "mass": "150 kg", "stiffness": "4380 N/mm"})),
+            motion.clone(),
+        ),
         ("object", with(json!({"scale": 3.5})), motion.clone()),
-        ("object", with(json!({"place": "Wellington", "worlds": 4})), none.clone()),
-        ("spectrum", json!({"heights": "1 m:2 m:4", "thicknesses": "0.2 m, 0.3 m"}), motion),
+        (
+            "object",
+            with(json!({"place": "Wellington", "worlds": 4})),
+            none.clone(),
+        ),
+        (
+            "spectrum",
+            json!({"heights": "1 m:2 m:4", "thicknesses": "0.2 m, 0.3 m"}),
+            motion,
+        ),
         ("motion info", json!({}), file.clone()),
         ("motion spectrum", json!({"scale": 2}), file.clone()),
         ("motion convert", json!({"to": "csv"}), file),
@@ -155,17 +213,37 @@ fn documents_are_those_of_the_command_line() {
             json!({"mass": "0.365 kg", "impact-velocity": "1.40 m/s"}),
             (json!({"files": [drop_id]}), vec![drop]),
         ),
-        ("inventory check", json!({"storeys": 8}), (json!({"file": [list_id]}), vec![list])),
-        ("restrain", with(json!({"mass": "150 kg", "place": "Wellington"})), none.clone()),
-        ("tolerance search", json!({"word": ["cabinet"]}), none.clone()),
+        (
+            "inventory check",
+            json!({"storeys": 8}),
+            (json!({"file": [list_id]}), vec![list]),
+        ),
+        (
+            "restrain",
+            with(json!({"mass": "150 kg", "place": "Wellington"})),
+            none.clone(),
+        ),
+        (
+            "tolerance search",
+            json!({"word": ["cabinet"]}),
+            none.clone(),
+        ),
         ("validate", json!({}), none.clone()),
         (
             "motion code-spectrum",
             json!({"site": "De", "hazard-factor": 0.08, "periods": "0 s, 0.5 s, 1 s"}),
             none.clone(),
         ),
-        ("motion code-spectrum", json!({"site": "De", "hazard-factor": -1}), none.clone()),
-        ("shock-spectrum", json!({"frequencies": "20 Hz, 45 Hz", "unit": "g"}), shock),
+        (
+            "motion code-spectrum",
+            json!({"site": "De", "hazard-factor": -1}),
+            none.clone(),
+        ),
+        (
+            "shock-spectrum",
+            json!({"frequencies": "20 Hz, 45 Hz", "unit": "g"}),
+            shock,
+        ),
         (
             "shock-spectrum",
             json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms",
@@ -176,16 +254,27 @@ fn documents_are_those_of_the_command_line() {
         ("cushion static", json!({}), press),
         ("cushion static", json!({"load": "three"}), wrong),
         // It answers as a job does; here is what it refuses.
-        ("assess", json!({"storeys": 8, "place": "Atlantis"}), inventory),
+        (
+            "assess",
+            json!({"storeys": 8, "place": "Atlantis"}),
+            inventory,
+        ),
     ];
     let facts = page.get("/api/v1/facts");
-    let facts: Value = serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..]).unwrap();
+    let facts: Value =
+        serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..])
+            .unwrap();
     for command in facts["commands"].as_array().unwrap() {
-        assert!(cases.iter().any(|(name, ..)| command == name), "{command} is compared");
+        assert!(
+            cases.iter().any(|(name, ..)| command == name),
+            "{command} is compared"
+        );
     }
     for (command, options, (files, paths)) in cases {
         let mut line = Command::new(PROGRAM);
-        line.args(command.split(' ')).args(["--json", "--quiet"]).args(&paths);
+        line.args(command.split(' '))
+            .args(["--json", "--quiet"])
+            .args(&paths);
         for (name, value) in options.as_object().unwrap() {
             match value {
                 Value::Array(all) => _ = line.args(all.iter().map(|one| one.as_str().unwrap())),
@@ -197,8 +286,11 @@ fn documents_are_those_of_the_command_line() {
         let (status, answer) = page.run(&request);
         // The page knows files by their names, not by their paths.
         let named = |text: &[u8]| {
-            let named = |text: String, path: &&str| text.replace(path, path.rsplit('/').next().unwrap());
-            paths.iter().fold(String::from_utf8_lossy(text).into_owned(), named)
+            let named =
+                |text: String, path: &&str| text.replace(path, path.rsplit('/').next().unwrap());
+            paths
+                .iter()
+                .fold(String::from_utf8_lossy(text).into_owned(), named)
         };
         match serde_json::from_str::<Value>(&named(&output.stdout)) {
             Ok(printed) => {
@@ -211,11 +303,15 @@ fn documents_are_those_of_the_command_line() {
                 let told = named(&output.stderr);
                 let message = answer["error"]["message"].as_str().unwrap_or_default();
                 let words = message.rsplit('”').next().unwrap_or_default();
-                assert!(status == 400 && !words.is_empty() && told.contains(words), "{command}: {told} / {answer}");
+                assert!(
+                    status == 400 && !words.is_empty() && told.contains(words),
+                    "{command}: {told} / {answer}"
+                );
             }
         }
     }
-    let (status, answer) = page.run(&json!({"command": "shock", "options": {"height": "2 apples"}}));
+    let (status, answer) =
+        page.run(&json!({"command": "shock", "options": {"height": "2 apples"}}));
     assert_eq!(status, 400, "{answer}");
 }
 
@@ -226,9 +322,17 @@ fn uploaded_files_name_uploaded_files() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();
     let secret = folder.path().join("secret.csv");
-    std::fs::write(&secret, "id,item,height,thickness\nsecret-1,cabinet,1 m,0.3 m\n").unwrap();
+    std::fs::write(
+        &secret,
+        "id,item,height,thickness\nsecret-1,cabinet,1 m,0.3 m\n",
+    )
+    .unwrap();
     let list = folder.path().join("list.csv");
-    std::fs::write(&list, "id,item,floor,height,thickness\nopen-1,cabinet,1,1.8 m,0.4 m\n").unwrap();
+    std::fs::write(
+        &list,
+        "id,item,floor,height,thickness\nopen-1,cabinet,1,1.8 m,0.4 m\n",
+    )
+    .unwrap();
     let list_id = page.upload(&list);
     let secret_id = page.upload(&secret);
     let study = |text: String| {
@@ -236,18 +340,37 @@ fn uploaded_files_name_uploaded_files() {
         std::fs::write(&path, text).unwrap();
         page.upload(&path)
     };
-    let job = |request: &Value| page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    let job = |request: &Value| {
+        page.post(
+            "/api/v1/jobs",
+            "application/json",
+            request.to_string().as_bytes(),
+        )
+    };
     let refused = |answer: (u16, Value), what: &str| {
         let error = answer.1["error"].clone();
         let told = error.to_string();
         assert_eq!(answer.0, 400, "{what}: {}", answer.1);
-        assert!(told.contains("is not a file of this request"), "{what}: {told}");
+        assert!(
+            told.contains("is not a file of this request"),
+            "{what}: {told}"
+        );
         assert!(error["hint"].is_string(), "{what}: {told}");
-        assert!(!told.contains("secret-1") && !told.contains("freestand-page-"), "{what}: {told}");
+        assert!(
+            !told.contains("secret-1") && !told.contains("freestand-page-"),
+            "{what}: {told}"
+        );
     };
     let own = secret.to_str().unwrap();
     let in_upload = format!("../{}/list.csv", list_id.as_str().unwrap());
-    for named in [own, "/etc/passwd", "/no/such/file", "../../../../../etc/passwd", "gone.csv", &in_upload] {
+    for named in [
+        own,
+        "/etc/passwd",
+        "/no/such/file",
+        "../../../../../etc/passwd",
+        "gone.csv",
+        &in_upload,
+    ] {
         for text in [
             format!("[assessment]\ninventory = \"{named}\"\n"),
             format!("[assessment]\nlibrary = \"{named}\"\n"),
@@ -261,11 +384,18 @@ fn uploaded_files_name_uploaded_files() {
         ] {
             let id = study(text.clone());
             // Where a list is given too, that of the study is not read: it is refused all the same.
-            for files in [json!({"study": [id]}), json!({"study": [id], "inventory": [list_id]})] {
+            for files in [
+                json!({"study": [id]}),
+                json!({"study": [id], "inventory": [list_id]}),
+            ] {
                 let request = json!({"command": "assess", "files": files});
                 let answer = job(&request);
                 // A key that a study does not have in this place is refused before its value is looked at.
-                assert!(!answer.1.to_string().contains("unknown key"), "{text}: {}", answer.1);
+                assert!(
+                    !answer.1.to_string().contains("unknown key"),
+                    "{text}: {}",
+                    answer.1
+                );
                 refused(answer, &text);
             }
             refused(page.run(&json!({"command": "inventory check", "files": {"study": id, "file": [list_id]}})), &text);
@@ -273,11 +403,15 @@ fn uploaded_files_name_uploaded_files() {
     }
     // What was uploaded with it may be named.
     let id = study("[assessment]\ninventory = \"list.csv\"\n".to_owned());
-    let beside =
-        json!({"command": "inventory check", "files": {"study": id, "file": [list_id], "beside": [secret_id]}});
+    let beside = json!({"command": "inventory check", "files": {"study": id, "file": [list_id], "beside": [secret_id]}});
     let (status, answer) = page.run(&beside);
-    assert_eq!((status, &answer["objects"][0]["id"]), (200, &json!("open-1")), "{answer}");
-    let (status, answer) = job(&json!({"command": "assess", "files": {"study": id, "beside": [list_id]}}));
+    assert_eq!(
+        (status, &answer["objects"][0]["id"]),
+        (200, &json!("open-1")),
+        "{answer}"
+    );
+    let (status, answer) =
+        job(&json!({"command": "assess", "files": {"study": id, "beside": [list_id]}}));
     assert_eq!(status, 202, "{answer}");
     // Words in place of files, and commands that are not for the page.
     for request in [
@@ -309,14 +443,25 @@ fn results_of_an_earlier_server_stay() {
     std::fs::write(&study, text).unwrap();
     let mut written = Vec::new();
     for earlier in 0..2 {
-        let page = Page::open_with(|command| command.current_dir(&start).arg("--folder").arg(&results));
+        let page =
+            Page::open_with(|command| command.current_dir(&start).arg("--folder").arg(&results));
         let files = json!({"study": page.upload(&study), "inventory": [page.upload(&list)]});
         let request = json!({"command": "assess", "files": files, "options": {"seed": earlier}});
         let (status, answer) = page.run(&request);
         assert_eq!(status, 200, "{answer}");
-        let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
-        assert_eq!((status, &job["id"]), (202, &json!(format!("job-{}", earlier + 1))));
-        page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
+        let (status, job) = page.post(
+            "/api/v1/jobs",
+            "application/json",
+            request.to_string().as_bytes(),
+        );
+        assert_eq!(
+            (status, &job["id"]),
+            (202, &json!(format!("job-{}", earlier + 1)))
+        );
+        page.get(&format!(
+            "/api/v1/jobs/{}/events",
+            job["id"].as_str().unwrap()
+        ));
         written.push(std::fs::read(results.join("job-1/objects.csv")).unwrap());
     }
     assert_eq!(written[0], written[1]);
@@ -335,35 +480,66 @@ fn an_assessment_is_that_of_the_command_line() {
         std::fs::write(&path, text).unwrap();
         path
     };
-    let rows = (0..40).map(|i| format!("O-{i},cabinet,{},{} mm,400 mm\n", i % 3, 1200 + 30 * (i * 7 % 40)));
-    let text =
-        format!("id,item,floor,height,thickness\n{}", rows.collect::<String>()).replacen("400 mm", "4 apples", 1);
+    let rows = (0..40).map(|i| {
+        format!(
+            "O-{i},cabinet,{},{} mm,400 mm\n",
+            i % 3,
+            1200 + 30 * (i * 7 % 40)
+        )
+    });
+    let text = format!(
+        "id,item,floor,height,thickness\n{}",
+        rows.collect::<String>()
+    )
+    .replacen("400 mm", "4 apples", 1);
     let list = write("list.csv", &text);
     let study = write(
         "study.toml",
         "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\nshares = false\n",
     );
-    let mut request =
-        json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let mut request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
     let follow = |request: &Value| {
-        let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        let (status, job) = page.post(
+            "/api/v1/jobs",
+            "application/json",
+            request.to_string().as_bytes(),
+        );
         assert_eq!(status, 202, "{job}");
-        unchunked(&page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap())))
+        unchunked(&page.get(&format!(
+            "/api/v1/jobs/{}/events",
+            job["id"].as_str().unwrap()
+        )))
     };
     let data = |stream: &str, name: &str| -> Vec<Value> {
-        let blocks = stream.split("\n\n").filter(|block| block.contains(&format!("event: {name}\n")));
-        let data = blocks.filter_map(|block| block.lines().find_map(|line| line.strip_prefix("data: ")));
-        data.map(|text| serde_json::from_str(text).unwrap()).collect()
+        let blocks = stream
+            .split("\n\n")
+            .filter(|block| block.contains(&format!("event: {name}\n")));
+        let data =
+            blocks.filter_map(|block| block.lines().find_map(|line| line.strip_prefix("data: ")));
+        data.map(|text| serde_json::from_str(text).unwrap())
+            .collect()
     };
     let stream = follow(&request);
     let done = data(&stream, "done")[0]["result"].clone();
-    let problems: Vec<Value> = data(&stream, "problem").iter().map(|problem| problem["cells"][0].clone()).collect();
+    let problems: Vec<Value> = data(&stream, "problem")
+        .iter()
+        .map(|problem| problem["cells"][0].clone())
+        .collect();
     assert_eq!(problems, ["E2"]);
     let out = folder.path().join("out");
     let mut line = Command::new(PROGRAM);
-    line.arg("assess").arg(&study).arg("--inventory").arg(&list).arg("--out").arg(&out).args(["--json", "--quiet"]);
+    line.arg("assess")
+        .arg(&study)
+        .arg("--inventory")
+        .arg(&list)
+        .arg("--out")
+        .arg(&out)
+        .args(["--json", "--quiet"]);
     let printed = line.output().unwrap();
-    assert_eq!(comparable(done.clone()), comparable(serde_json::from_slice(&printed.stdout).unwrap()));
+    assert_eq!(
+        comparable(done.clone()),
+        comparable(serde_json::from_slice(&printed.stdout).unwrap())
+    );
     // Each came once, as it is in the table but for its rank, which counts those before it.
     let (told, rows) = (data(&stream, "object"), done["rows"].as_array().unwrap());
     assert_eq!(told.len(), 40);
@@ -381,13 +557,20 @@ fn an_assessment_is_that_of_the_command_line() {
     request["shape"] = json!("events");
     let stream = follow(&request);
     let mut short = data(&stream, "done")[0]["result"].clone();
-    assert!(short["rows"].is_null() && data(&stream, "object").len() == 40, "{short}");
+    assert!(
+        short["rows"].is_null() && data(&stream, "object").len() == 40,
+        "{short}"
+    );
     short["rows"] = done["rows"].clone();
     assert_eq!(comparable(short), comparable(done));
 }
 
 fn unchunked(response: &[u8]) -> String {
-    let start = response.windows(4).position(|four| four == b"\r\n\r\n").unwrap() + 4;
+    let start = response
+        .windows(4)
+        .position(|four| four == b"\r\n\r\n")
+        .unwrap()
+        + 4;
     let (mut rest, mut whole) = (&response[start..], Vec::new());
     while let Some(at) = rest.windows(2).position(|two| two == b"\r\n") {
         let size = usize::from_str_radix(std::str::from_utf8(&rest[..at]).unwrap(), 16).unwrap();
@@ -407,13 +590,22 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
     let folder = tempfile::tempdir().unwrap();
     let list = folder.path().join("list.csv");
     // More than the fastest machine finishes while the request to cancel is under way.
-    let rows = (0..20_000).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i % 800)).collect::<String>();
+    let rows = (0..20_000)
+        .map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i % 800))
+        .collect::<String>();
     std::fs::write(&list, format!("id,item,floor,height,thickness\n{rows}")).unwrap();
     let study = folder.path().join("study.toml");
-    std::fs::write(&study, "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n").unwrap();
-    let request =
-        json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
-    let (_, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    std::fs::write(
+        &study,
+        "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n",
+    )
+    .unwrap();
+    let request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let (_, job) = page.post(
+        "/api/v1/jobs",
+        "application/json",
+        request.to_string().as_bytes(),
+    );
     let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
     let mut followed = page.ask("GET", &format!("{at}/events"));
     let mut seen = String::new();
@@ -439,19 +631,43 @@ fn a_workbook_that_unpacks_to_too_much() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bomb.xlsx");
     let mut archive = zip::ZipWriter::new(std::fs::File::create(&path).unwrap());
-    for name in ["[Content_Types].xml", "_rels/.rels", "xl/workbook.xml", "xl/worksheets/sheet1.xml"] {
-        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+    for name in [
+        "[Content_Types].xml",
+        "_rels/.rels",
+        "xl/workbook.xml",
+        "xl/worksheets/sheet1.xml",
+    ] {
+        archive
+            .start_file(name, zip::write::SimpleFileOptions::default())
+            .unwrap();
         let blanks = vec![b' '; 1 << 20];
-        (0..if name.contains("sheet1") { 300 } else { 1 }).for_each(|_| archive.write_all(&blanks).unwrap());
+        (0..if name.contains("sheet1") { 300 } else { 1 })
+            .for_each(|_| archive.write_all(&blanks).unwrap());
     }
     archive.finish().unwrap();
     assert!(std::fs::metadata(&path).unwrap().len() < 1 << 20);
     let id = page.upload(&path);
-    let (status, answer) = page.run(&json!({"command": "inventory check", "files": {"file": [id]}}));
-    assert!(status == 400 && answer.to_string().contains("unpacks to more than"), "{status}: {answer}");
+    let (status, answer) =
+        page.run(&json!({"command": "inventory check", "files": {"file": [id]}}));
+    assert!(
+        status == 400 && answer.to_string().contains("unpacks to more than"),
+        "{status}: {answer}"
+    );
     let request = json!({"command": "assess", "files": {"inventory": [id]}});
-    assert_eq!(page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes()).0, 202);
-    assert_eq!(page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}})).0, 200);
+    assert_eq!(
+        page.post(
+            "/api/v1/jobs",
+            "application/json",
+            request.to_string().as_bytes()
+        )
+        .0,
+        202
+    );
+    assert_eq!(
+        page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}}))
+            .0,
+        200
+    );
 }
 
 /// Edits are the command line's, and the file stays as it is.
@@ -460,7 +676,11 @@ fn edits_are_read_in_place_of_cells() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();
     let list = folder.path().join("list.csv");
-    std::fs::write(&list, "id,item,floor,height,thickness\nA,cabinet,ground,60 apples,0.4 m\n").unwrap();
+    std::fs::write(
+        &list,
+        "id,item,floor,height,thickness\nA,cabinet,ground,60 apples,0.4 m\n",
+    )
+    .unwrap();
     let id = page.upload(&list);
     let ask = |edits: Value| {
         let options = json!({"cells": true, "storeys": 3});
@@ -468,41 +688,95 @@ fn edits_are_read_in_place_of_cells() {
     };
     let (_, plain) = ask(json!([]));
     assert_eq!(plain["problems"][0]["cells"], json!(["D2"]));
-    assert_eq!(plain["cells"]["texts"][0], json!(["A", "cabinet", "ground", "60 apples", "0.4 m"]));
+    assert_eq!(
+        plain["cells"]["texts"][0],
+        json!(["A", "cabinet", "ground", "60 apples", "0.4 m"])
+    );
     let (status, mended) = ask(json!([{"cell": "D2", "value": "600 mm"}]));
-    assert_eq!((status, &mended["objects"][0]["height_m"], &mended["problems"]), (200, &json!(0.6), &json!([])));
+    assert_eq!(
+        (
+            status,
+            &mended["objects"][0]["height_m"],
+            &mended["problems"]
+        ),
+        (200, &json!(0.6), &json!([]))
+    );
     assert_eq!(mended["sha256"], plain["sha256"]);
-    let line = ["inventory", "check", list.to_str().unwrap(), "--edit", "D2=600 mm", "--storeys", "3"];
+    let line = [
+        "inventory",
+        "check",
+        list.to_str().unwrap(),
+        "--edit",
+        "D2=600 mm",
+        "--storeys",
+        "3",
+    ];
     let printed: Value = serde_json::from_slice(
-        &Command::new(PROGRAM).args(line).args(["--cells", "--json", "--quiet"]).output().unwrap().stdout,
+        &Command::new(PROGRAM)
+            .args(line)
+            .args(["--cells", "--json", "--quiet"])
+            .output()
+            .unwrap()
+            .stdout,
     )
     .unwrap();
     assert_eq!(comparable(mended), comparable(printed));
     // The copy with notes has the corrected cell, and can be downloaded.
-    let request =
-        json!({"command": "inventory check", "files": {"file": [id]}, "edits": [{"cell": "D2", "value": "600 mm"}]});
-    let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    let request = json!({"command": "inventory check", "files": {"file": [id]}, "edits": [{"cell": "D2", "value": "600 mm"}]});
+    let (status, job) = page.post(
+        "/api/v1/jobs",
+        "application/json",
+        request.to_string().as_bytes(),
+    );
     assert_eq!(status, 202, "{job}");
     let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
     let events = page.get(&format!("{at}/events"));
     assert!(String::from_utf8_lossy(&events).contains("event: done"));
     let copy = page.get(&format!("{at}/files/checked.xlsx"));
-    let start = copy.windows(4).position(|four| four == b"PK\x03\x04").unwrap();
+    let start = copy
+        .windows(4)
+        .position(|four| four == b"PK\x03\x04")
+        .unwrap();
     let path = folder.path().join("checked.xlsx");
     std::fs::write(&path, &copy[start..]).unwrap();
-    let line = ["inventory", "check", path.to_str().unwrap(), "--json", "--quiet", "--storeys", "3"];
-    let read: Value = serde_json::from_slice(&Command::new(PROGRAM).args(line).output().unwrap().stdout).unwrap();
-    assert_eq!((&read["objects"][0]["height_m"], &read["problems"]), (&json!(0.6), &json!([])));
+    let line = [
+        "inventory",
+        "check",
+        path.to_str().unwrap(),
+        "--json",
+        "--quiet",
+        "--storeys",
+        "3",
+    ];
+    let read: Value =
+        serde_json::from_slice(&Command::new(PROGRAM).args(line).output().unwrap().stdout).unwrap();
+    assert_eq!(
+        (&read["objects"][0]["height_m"], &read["problems"]),
+        (&json!(0.6), &json!([]))
+    );
     let (status, refused) = ask(json!([{"cell": "D1", "value": "x"}]));
     assert_eq!(status, 400);
-    assert!(refused["error"]["message"].as_str().unwrap().contains("D1 cannot be changed"), "{refused}");
-    let (status, refused) = page.run(&json!({"command": "validate", "edits": [{"cell": "D1", "value": "x"}]}));
-    assert_eq!((status, &refused["error"]["message"]), (400, &json!("validate has no option --edit")));
+    assert!(
+        refused["error"]["message"]
+            .as_str()
+            .unwrap()
+            .contains("D1 cannot be changed"),
+        "{refused}"
+    );
+    let (status, refused) =
+        page.run(&json!({"command": "validate", "edits": [{"cell": "D1", "value": "x"}]}));
+    assert_eq!(
+        (status, &refused["error"]["message"]),
+        (400, &json!("validate has no option --edit"))
+    );
 }
 
 #[cfg(unix)]
 fn killed(page: &mut Page, signal: &str) {
-    let status = Command::new("kill").args([signal, &page.child.id().to_string()]).status().unwrap();
+    let status = Command::new("kill")
+        .args([signal, &page.child.id().to_string()])
+        .status()
+        .unwrap();
     assert!(status.success());
     assert_eq!(page.child.wait().unwrap().code(), Some(0), "{signal}");
 }
@@ -513,7 +787,9 @@ fn killed(page: &mut Page, signal: &str) {
 fn signals_end_it_with_success_and_leave_nothing() {
     for signal in ["-TERM", "-INT", "-HUP"] {
         if signal == "-HUP" && ignores_hanging_up() {
-            println!("skipped: hanging up is ignored where the tests run, and so by what they start (nohup)");
+            println!(
+                "skipped: hanging up is ignored where the tests run, and so by what they start (nohup)"
+            );
             continue;
         }
         let temporary = tempfile::tempdir().unwrap();
@@ -524,15 +800,23 @@ fn signals_end_it_with_success_and_leave_nothing() {
         std::fs::remove_file(&file).unwrap();
         assert_eq!(std::fs::read_dir(temporary.path()).unwrap().count(), 1);
         killed(&mut page, signal);
-        assert_eq!(std::fs::read_dir(temporary.path()).unwrap().count(), 0, "{signal}");
+        assert_eq!(
+            std::fs::read_dir(temporary.path()).unwrap().count(),
+            0,
+            "{signal}"
+        );
     }
 }
 
 /// Whether this process ignores SIGHUP, the first bit of the mask.
 fn ignores_hanging_up() -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map(str::trim);
-    mask.and_then(|mask| u64::from_str_radix(mask, 16).ok()).is_some_and(|mask| mask & 1 == 1)
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .map(str::trim);
+    mask.and_then(|mask| u64::from_str_radix(mask, 16).ok())
+        .is_some_and(|mask| mask & 1 == 1)
 }
 
 /// Where hanging up is ignored it goes on: `nohup freestand serve`.
@@ -546,12 +830,27 @@ fn nohup_keeps_it() {
         .spawn()
         .unwrap();
     let mut line = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    BufReader::new(child.stdout.take().unwrap())
+        .read_line(&mut line)
+        .unwrap();
     let line: Value = serde_json::from_str(&line).unwrap();
-    let (port, token) = (line["port"].as_u64().unwrap(), line["token"].as_str().unwrap().to_owned());
+    let (port, token) = (
+        line["port"].as_u64().unwrap(),
+        line["token"].as_str().unwrap().to_owned(),
+    );
     let mut page = Page { child, port, token };
-    assert!(Command::new("kill").args(["-HUP", &page.child.id().to_string()]).status().unwrap().success());
-    assert_eq!(page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}})).0, 200);
+    assert!(
+        Command::new("kill")
+            .args(["-HUP", &page.child.id().to_string()])
+            .status()
+            .unwrap()
+            .success()
+    );
+    assert_eq!(
+        page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}}))
+            .0,
+        200
+    );
     killed(&mut page, "-TERM");
 }
 
@@ -590,25 +889,47 @@ fn message(error: &Value) -> &str {
 fn options_that_name_files_are_refused() {
     let page = Page::open();
     let facts = page.get("/api/v1/facts");
-    let facts: Value = serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..]).unwrap();
+    let facts: Value =
+        serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..])
+            .unwrap();
     let mut count = 0;
     for command in facts["commands"].as_array().unwrap() {
         let command = command.as_str().unwrap();
-        let help = Command::new(PROGRAM).args(command.split(' ')).arg("--help").output().unwrap();
+        let help = Command::new(PROGRAM)
+            .args(command.split(' '))
+            .arg("--help")
+            .output()
+            .unwrap();
         let help = String::from_utf8(help.stdout).unwrap();
-        let flags =
-            help.lines().filter_map(|line| line.trim_start().strip_prefix("--")).map(|line| line.split([' ', '=']));
+        let flags = help
+            .lines()
+            .filter_map(|line| line.trim_start().strip_prefix("--"))
+            .map(|line| line.split([' ', '=']));
         for flag in flags.filter_map(|mut words| words.next()) {
-            let is_path = ["out", "csv", "history", "plot", "cushion", "study", "library", "spectrum"];
+            let is_path = [
+                "out", "csv", "history", "plot", "cushion", "study", "library", "spectrum",
+            ];
             if is_path.contains(&flag) {
                 let error = page.refused(&with_options(command, &json!({flag: "/etc/passwd"})));
-                assert!(message(&error).contains("names a file"), "{command} --{flag}: {error}");
+                assert!(
+                    message(&error).contains("names a file"),
+                    "{command} --{flag}: {error}"
+                );
                 count += 1;
             }
         }
     }
     assert!(count > 20, "{count}");
-    for command in ["run", "serve", "check", "motion simulate", "inventory template", "", "object --out=x", "motion"] {
+    for command in [
+        "run",
+        "serve",
+        "check",
+        "motion simulate",
+        "inventory template",
+        "",
+        "object --out=x",
+        "motion",
+    ] {
         let error = page.refused(&with_options(command, &json!({})));
         assert!(message(&error).contains("cannot ask"), "{command}: {error}");
     }
@@ -616,7 +937,10 @@ fn options_that_name_files_are_refused() {
         page.refused(&with_options("validate", &json!({option: true})));
     }
     // A value is never taken for a flag.
-    let found = page.answered(&with_options("tolerance search", &json!({"words": ["--library=/etc/passwd"]})));
+    let found = page.answered(&with_options(
+        "tolerance search",
+        &json!({"words": ["--library=/etc/passwd"]}),
+    ));
     assert_eq!(found["entries"], json!([]));
 }
 
@@ -712,7 +1036,10 @@ fn a_refusal_names_its_option() {
     let page = Page::open();
     let object = |more: &Value| {
         let mut options = json!({"height": "1.8 m", "thickness": "0.4 m", "place": "Melbourne"});
-        options.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        options
+            .as_object_mut()
+            .unwrap()
+            .extend(more.as_object().unwrap().clone());
         page.refused(&with_options("object", &options))
     };
     for (more, key) in [
@@ -735,7 +1062,9 @@ fn a_refusal_names_its_option() {
 fn an_edit_changes_the_cell_that_it_names_only() {
     let page = Page::open();
     for (cell, value) in [("C2=5\nD2", "1"), ("C2=5", "1"), ("C2", "5\nD2=1")] {
-        let error = page.refused(&json!({"command": "inventory check", "edits": [{"cell": cell, "value": value}]}));
+        let error = page.refused(
+            &json!({"command": "inventory check", "edits": [{"cell": cell, "value": value}]}),
+        );
         assert_eq!(error["key"], "edit", "{cell:?}: {error}");
     }
 }
@@ -763,20 +1092,36 @@ fn a_history_is_thinned_and_rises() {
     let plain = page.answered(&one);
     one["history"] = json!(true);
     let mut drawn = page.answered(&one);
-    let history = drawn.as_object_mut().unwrap().shift_remove("history").unwrap();
+    let history = drawn
+        .as_object_mut()
+        .unwrap()
+        .shift_remove("history")
+        .unwrap();
     assert_eq!(plain, drawn);
     let numbers = |name: &str| -> Vec<f64> {
-        history[name].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
+        history[name]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|value| value.as_f64().unwrap())
+            .collect()
     };
     let (times, angles) = (numbers("time_s"), numbers("theta_rad"));
     assert_eq!(times.len(), angles.len());
     assert!(times.windows(2).all(|two| two[0] < two[1]));
     let impacts = history["impacts"].as_array().unwrap();
-    assert_eq!(impacts.len(), plain["impact_count"].as_u64().unwrap() as usize);
+    assert_eq!(
+        impacts.len(),
+        plain["impact_count"].as_u64().unwrap() as usize
+    );
     assert!(impacts[0]["edge_acceleration_g"].as_f64().unwrap() > 0.0);
     // It is released leaning to the right, so its left edge lands first.
     assert_eq!(impacts[0]["edge"], "left");
-    assert!(impacts.iter().all(|impact| times.contains(&impact["time_s"].as_f64().unwrap())));
+    assert!(
+        impacts
+            .iter()
+            .all(|impact| times.contains(&impact["time_s"].as_f64().unwrap()))
+    );
 }
 
 /// The columns that a command writes are the same as those made from its rows.
@@ -793,7 +1138,10 @@ fn columns_have_the_numbers_of_the_rows() {
     assert_eq!(list.len(), 12);
     let columns = turned["rows"].as_object().unwrap();
     for (name, column) in columns {
-        let expected: Vec<Value> = list.iter().map(|row| row.get(name).cloned().unwrap_or(Value::Null)).collect();
+        let expected: Vec<Value> = list
+            .iter()
+            .map(|row| row.get(name).cloned().unwrap_or(Value::Null))
+            .collect();
         assert_eq!(column, &json!(expected), "{name}");
     }
     for name in list.iter().flat_map(|row| row.as_object().unwrap().keys()) {
@@ -805,6 +1153,9 @@ fn columns_have_the_numbers_of_the_rows() {
     one["options"]["heights"] = json!("2 m");
     one["options"]["thicknesses"] = json!("300 mm");
     let cell = page.answered(&one);
-    assert_eq!((&cell["followed"], &cell["history"]["height_m"]), (&json!("synthetic-02"), &json!(2.0)));
+    assert_eq!(
+        (&cell["followed"], &cell["history"]["height_m"]),
+        (&json!("synthetic-02"), &json!(2.0))
+    );
     assert_eq!(cell["rows"]["uplift_m"][1], turned["rows"]["uplift_m"][9]);
 }

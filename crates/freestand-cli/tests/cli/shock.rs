@@ -2,7 +2,15 @@
 
 use crate::{cases, folder, freestand, freestand_in};
 
-pub(crate) const CABINET: [&str; 7] = ["shock", "--height", "2.3 m", "--thickness", "600 mm", "--mass", "140 kg"];
+pub(crate) const CABINET: [&str; 7] = [
+    "shock",
+    "--height",
+    "2.3 m",
+    "--thickness",
+    "600 mm",
+    "--mass",
+    "140 kg",
+];
 
 fn cabinet(more: &[&str]) -> String {
     freestand(&[&CABINET, more].concat())
@@ -10,7 +18,14 @@ fn cabinet(more: &[&str]) -> String {
 
 #[test]
 fn shock_of_table_one() {
-    insta::assert_snapshot!(cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "16 mm", "--gravity", "9.81 m/s2"]));
+    insta::assert_snapshot!(cabinet(&[
+        "--stiffness",
+        "4380 N/mm",
+        "--cg-rise",
+        "16 mm",
+        "--gravity",
+        "9.81 m/s2"
+    ]));
 }
 
 #[test]
@@ -32,7 +47,13 @@ fn shock_as_json_and_exceeded() {
 
 #[test]
 fn shock_of_a_fall() {
-    insta::assert_snapshot!(cabinet(&["--scenario", "overturn-floor", "--contact-stiffness", "2000 N/mm", "-q"]));
+    insta::assert_snapshot!(cabinet(&[
+        "--scenario",
+        "overturn-floor",
+        "--contact-stiffness",
+        "2000 N/mm",
+        "-q"
+    ]));
 }
 
 #[test]
@@ -64,9 +85,30 @@ fn shock_refuses_what_contradicts_itself() {
         cabinet(&["--cg-rise", "16 mm"]),
         cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "39 mm"]),
         cabinet(&["--pad-stiffness", "2190 N/mm", "--cg-rise", "16 mm"]),
-        cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "16 mm", "--rotation", "1 deg"]),
-        cabinet(&["--scenario", "overturn-obstacle", "--contact-stiffness", "2000 N/mm", "--gap", "100 mm"]),
-        cabinet(&["--drop-acceleration", "10 g", "--tolerance", "5 g", "--tolerance-duration", "11 ms"]),
+        cabinet(&[
+            "--stiffness",
+            "4380 N/mm",
+            "--cg-rise",
+            "16 mm",
+            "--rotation",
+            "1 deg",
+        ]),
+        cabinet(&[
+            "--scenario",
+            "overturn-obstacle",
+            "--contact-stiffness",
+            "2000 N/mm",
+            "--gap",
+            "100 mm",
+        ]),
+        cabinet(&[
+            "--drop-acceleration",
+            "10 g",
+            "--tolerance",
+            "5 g",
+            "--tolerance-duration",
+            "11 ms",
+        ]),
     ];
     cases::each("shock_refuses_what_contradicts_itself", &all);
 }
@@ -79,7 +121,9 @@ const SHOCK_TESTS: &str = "velocity change [m/s],peak acceleration [g],damaged,m
 #[test]
 fn shock_beside_its_test_points() {
     let missing = SHOCK_TESTS.lines().take(4).collect::<Vec<_>>().join("\n");
-    let turned = SHOCK_TESTS.replace("0.3,120,no", "0.3,120,yes").replace("0.7,3.5,no,B", "0.7,3.5,perhaps,B");
+    let turned = SHOCK_TESTS
+        .replace("0.3,120,no", "0.3,120,yes")
+        .replace("0.7,3.5,no,B", "0.7,3.5,perhaps,B");
     let contradictory = SHOCK_TESTS.replace("0.3,120,no", "0.3,120,yes");
     let folder = folder(&[
         ("tests.csv", SHOCK_TESTS),
@@ -89,7 +133,10 @@ fn shock_beside_its_test_points() {
     ]);
     let with = |more: &[&str]| {
         let landing = ["--stiffness", "4380 N/mm", "--uplift", "30 mm"];
-        freestand_in(folder.path(), &[&CABINET[..], &landing, &["--damage-boundary"], more].concat())
+        freestand_in(
+            folder.path(),
+            &[&CABINET[..], &landing, &["--damage-boundary"], more].concat(),
+        )
     };
     let all = [
         with(&["tests.csv"]),
@@ -101,5 +148,8 @@ fn shock_beside_its_test_points() {
     ];
     cases::each("shock_beside_its_test_points", &all);
     let manifest = std::fs::read_to_string(folder.path().join("out/manifest.json")).unwrap();
-    assert!(manifest.contains("damage-boundary.svg") && manifest.contains("damage-boundary.png"), "{manifest}");
+    assert!(
+        manifest.contains("damage-boundary.svg") && manifest.contains("damage-boundary.png"),
+        "{manifest}"
+    );
 }

@@ -10,7 +10,11 @@ use crate::program::{PROGRAM, json, record, shared, to_its_end};
 fn solve(case: &Value) -> Result<Value, String> {
     let path = record(case["record"].as_str().unwrap());
     let text = std::fs::read_to_string(&path).unwrap();
-    let dt = text.split_whitespace().find_map(|word| word.strip_prefix("dt=")).unwrap().to_owned();
+    let dt = text
+        .split_whitespace()
+        .find_map(|word| word.strip_prefix("dt="))
+        .unwrap()
+        .to_owned();
     let mut command = Command::new(PROGRAM);
     for arg in case["args"].as_array().unwrap() {
         match arg.as_str().unwrap() {
@@ -24,7 +28,8 @@ fn solve(case: &Value) -> Result<Value, String> {
     }
     command.arg(to_its_end(&path));
     let output = command.args(["--json", "--quiet"]).output().unwrap();
-    serde_json::from_slice(&output.stdout).map_err(|_| String::from_utf8_lossy(&output.stderr).into_owned())
+    serde_json::from_slice(&output.stdout)
+        .map_err(|_| String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
 /// What differs, if anything.
@@ -44,7 +49,9 @@ fn difference(case: &Value, got: &Value) -> Option<String> {
         };
         let is_same = match (expected.as_f64(), got[key].as_f64()) {
             // 1e-16: a slide that never began.
-            (Some(expected), Some(got)) => (expected - got).abs() <= tolerance * amplification + 1e-16,
+            (Some(expected), Some(got)) => {
+                (expected - got).abs() <= tolerance * amplification + 1e-16
+            }
             _ => *expected == got[key],
         };
         if !is_same {
@@ -69,7 +76,8 @@ fn check(cases: &Value) -> (usize, usize) {
         }
         done += 1;
         let difference = got.map_or_else(Some, |got| difference(case, &got));
-        failures.extend(difference.map(|what| format!("{} ({}): {what}", case["id"], case["group"])));
+        failures
+            .extend(difference.map(|what| format!("{} ({}): {what}", case["id"], case["group"])));
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     (done, sensitive)
@@ -77,7 +85,10 @@ fn check(cases: &Value) -> (usize, usize) {
 
 #[test]
 fn every_slide_through_the_command_line() {
-    let cases = serde_json::from_str(include_str!("../../../../validation/sliding/sliding_cases.json")).unwrap();
+    let cases = serde_json::from_str(include_str!(
+        "../../../../validation/sliding/sliding_cases.json"
+    ))
+    .unwrap();
     let (done, sensitive) = check(&cases);
     println!("{done} slides, {sensitive} sensitive ones left out");
     assert!(done >= 40, "only {done} cases ran");
@@ -87,7 +98,10 @@ fn every_slide_through_the_command_line() {
 fn every_slide_of_the_shared_folder() {
     let path = shared().join("cases/object_cases.json");
     let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {} is not there ($FREESTAND_SHARED)", path.display());
+        println!(
+            "skipped: {} is not there ($FREESTAND_SHARED)",
+            path.display()
+        );
         return;
     };
     let (done, sensitive) = check(&serde_json::from_str(&text).unwrap());
@@ -98,7 +112,9 @@ fn every_slide_of_the_shared_folder() {
 /// `freestand` with these arguments after the record `decsine_f1.25`, times 4.
 fn strongly(command: &str, args: &[&str]) -> Output {
     let mut freestand = Command::new(PROGRAM);
-    freestand.args([command, "--quiet", "--scale", "4", "--motion"]).arg(record("decsine_f1.25"));
+    freestand
+        .args([command, "--quiet", "--scale", "4", "--motion"])
+        .arg(record("decsine_f1.25"));
     freestand.args(args).output().unwrap()
 }
 
@@ -106,27 +122,58 @@ fn strongly(command: &str, args: &[&str]) -> Output {
 /// row of one that rocks.
 #[test]
 fn a_spectrum_of_sliding_objects_has_the_slides_of_rock() {
-    let casters = ["--casters", "--brakes", "--friction", "0.25", "--clearance-left", "20 mm"];
+    let casters = [
+        "--casters",
+        "--brakes",
+        "--friction",
+        "0.25",
+        "--clearance-left",
+        "20 mm",
+    ];
     let grid = ["--heights", "1 m, 2 m", "--thicknesses", "0.4 m", "--json"];
     let rows = json(&strongly("spectrum", &[&grid[..], &casters].concat()));
     let plain = json(&strongly("spectrum", &grid));
-    let alone =
-        json(&strongly("rock", &[&casters[..], &["--height", "1 m", "--thickness", "0.4 m", "--json"]].concat()));
+    let alone = json(&strongly(
+        "rock",
+        &[
+            &casters[..],
+            &["--height", "1 m", "--thickness", "0.4 m", "--json"],
+        ]
+        .concat(),
+    ));
     let (slides, rocks) = (&rows["rows"][0], &rows["rows"][1]);
-    for key in ["outcome", "slide_peak_m", "slide_speed_max_m_s", "clearance_time_s", "clearance_speed_m_s"] {
+    for key in [
+        "outcome",
+        "slide_peak_m",
+        "slide_speed_max_m_s",
+        "clearance_time_s",
+        "clearance_speed_m_s",
+    ] {
         assert_eq!(slides[key], alone[key], "{key}");
     }
-    assert_eq!((&slides["outcome"], &rocks["outcome"]), (&Value::from("slid"), &Value::from("rocked")));
+    assert_eq!(
+        (&slides["outcome"], &rocks["outcome"]),
+        (&Value::from("slid"), &Value::from("rocked"))
+    );
     assert!(slides["clearance_time_s"].is_number() && rocks["slide_peak_m"].is_null());
     for key in ["peak_rotation_rad", "impact_count", "uplift_m"] {
         assert_eq!(rocks[key], plain["rows"][1][key], "{key}");
     }
     // With --sliding the second object is a row with a reason, and the status says so.
-    let output = strongly("spectrum", &[&grid[..], &["--sliding", "--friction", "0.25"]].concat());
+    let output = strongly(
+        "spectrum",
+        &[&grid[..], &["--sliding", "--friction", "0.25"]].concat(),
+    );
     assert_eq!(output.status.code(), Some(1));
     let row = &json(&output)["rows"][1];
     assert_eq!(row["outcome"], "failed");
-    assert!(row["reason"].as_str().unwrap().contains("an edge lifts before the object slides"), "{row}");
+    assert!(
+        row["reason"]
+            .as_str()
+            .unwrap()
+            .contains("an edge lifts before the object slides"),
+        "{row}"
+    );
 }
 
 #[test]
@@ -134,15 +181,42 @@ fn a_history_and_a_figure_of_the_slide_are_written() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
     let (csv, svg) = (path("h.csv"), path("h.svg"));
-    let size = ["--casters", "--height", "1 m", "--thickness", "0.4 m", "--clearance-right", "0.1 m", "--json"];
-    let got = json(&strongly("rock", &[&size[..], &["--history", &csv, "--plot", &svg]].concat()));
+    let size = [
+        "--casters",
+        "--height",
+        "1 m",
+        "--thickness",
+        "0.4 m",
+        "--clearance-right",
+        "0.1 m",
+        "--json",
+    ];
+    let got = json(&strongly(
+        "rock",
+        &[&size[..], &["--history", &csv, "--plot", &svg]].concat(),
+    ));
     let table = std::fs::read_to_string(&csv).unwrap();
-    assert!(table.starts_with("time_s,slide_m,velocity_m_s,base_accel_m_s2\n0,0,0,0\n"), "{table:.200}");
-    let last: Vec<f64> = table.lines().last().unwrap().split(',').map(|field| field.parse().unwrap()).collect();
-    assert_eq!((Some(last[0]), Some(last[1])), (got["end_time_s"].as_f64(), got["slide_final_m"].as_f64()));
+    assert!(
+        table.starts_with("time_s,slide_m,velocity_m_s,base_accel_m_s2\n0,0,0,0\n"),
+        "{table:.200}"
+    );
+    let last: Vec<f64> = table
+        .lines()
+        .last()
+        .unwrap()
+        .split(',')
+        .map(|field| field.parse().unwrap())
+        .collect();
+    assert_eq!(
+        (Some(last[0]), Some(last[1])),
+        (got["end_time_s"].as_f64(), got["slide_final_m"].as_f64())
+    );
     let svg = std::fs::read_to_string(&svg).unwrap();
     assert!(svg.contains("Slide (mm)") && svg.contains("clearance"));
-    assert_eq!(got["warnings"][3], "the rolling resistance of 0.02 is assumed: `rolling_resistance` replaces it");
+    assert_eq!(
+        got["warnings"][3],
+        "the rolling resistance of 0.02 is assumed: `rolling_resistance` replaces it"
+    );
 }
 
 /// v √(k_s/m) at the first clearance, with the values given.
@@ -165,7 +239,10 @@ fn a_stop_has_a_shock() {
     let speed_m_s = got["clearance_speed_m_s"].as_f64().unwrap();
     let expected = speed_m_s.abs() * (5e4f64 / 120.0).sqrt() / 9.80665;
     let shock_g = got["stop_acceleration_g"].as_f64().unwrap();
-    assert!(speed_m_s.abs() > 0.01 && (shock_g / expected - 1.0).abs() < 1e-12, "{shock_g} {expected}");
+    assert!(
+        speed_m_s.abs() > 0.01 && (shock_g / expected - 1.0).abs() < 1e-12,
+        "{shock_g} {expected}"
+    );
     let without = json(&strongly("rock", &size));
     assert!(without["stop_acceleration_g"].is_null() && without["clearance_speed_m_s"].is_number());
 }
@@ -175,31 +252,81 @@ fn a_stop_has_a_shock() {
 fn what_does_not_slide_is_refused() {
     let size = ["--height", "1 m", "--thickness", "0.4 m"];
     for (args, cause, hint) in [
-        (&["--sliding"][..], "an edge lifts before the object slides", "use --base compliant with --friction"),
         (
-            &["--sliding", "--friction", "0.2", "--friction-kinetic", "0.3"],
+            &["--sliding"][..],
+            "an edge lifts before the object slides",
+            "use --base compliant with --friction",
+        ),
+        (
+            &[
+                "--sliding",
+                "--friction",
+                "0.2",
+                "--friction-kinetic",
+                "0.3",
+            ],
             "the kinetic one at most the static one",
             "give a --friction-kinetic of at most --friction",
         ),
-        (&["--sliding", "--friction", "0.2", "--clearance-left=-1 mm"], "must not be negative", "--help"),
-        (&["--clearance-left", "1 mm"], "applies only to objects that slide or roll", "add --sliding"),
-        (&["--sliding", "--base", "compliant"], "applies only to a rigid base", "--friction decides"),
-        (&["--casters", "--model", "linear"], "applies only to an object that rocks", "leave it out"),
-        (&["--casters", "--initial-rotation", "1 deg"], "applies only to an object that rocks", "leave it out"),
+        (
+            &["--sliding", "--friction", "0.2", "--clearance-left=-1 mm"],
+            "must not be negative",
+            "--help",
+        ),
+        (
+            &["--clearance-left", "1 mm"],
+            "applies only to objects that slide or roll",
+            "add --sliding",
+        ),
+        (
+            &["--sliding", "--base", "compliant"],
+            "applies only to a rigid base",
+            "--friction decides",
+        ),
+        (
+            &["--casters", "--model", "linear"],
+            "applies only to an object that rocks",
+            "leave it out",
+        ),
+        (
+            &["--casters", "--initial-rotation", "1 deg"],
+            "applies only to an object that rocks",
+            "leave it out",
+        ),
         (
             &["--sliding", "--friction", "0.2", "--wall-gap", "5 cm"],
             "applies only to an object that rocks",
             "--clearance-left",
         ),
-        (&["--casters", "--wall-stiffness", "5 N/mm"], "applies only to an object that rocks", "--stop-stiffness"),
-        (&["--casters", "--stop-stiffness", "5 N/mm", "--mass", "9 kg"], "there is no stop", "give --clearance-left"),
         (
-            &["--casters", "--stop-stiffness", "5 N/mm", "--clearance-left", "1 m"],
+            &["--casters", "--wall-stiffness", "5 N/mm"],
+            "applies only to an object that rocks",
+            "--stop-stiffness",
+        ),
+        (
+            &["--casters", "--stop-stiffness", "5 N/mm", "--mass", "9 kg"],
+            "there is no stop",
+            "give --clearance-left",
+        ),
+        (
+            &[
+                "--casters",
+                "--stop-stiffness",
+                "5 N/mm",
+                "--clearance-left",
+                "1 m",
+            ],
             "also needs the mass of the object",
             "add --mass",
         ),
         (
-            &["--sliding", "--friction", "0.1", "--rolling-resistance", "0.1"],
+            &[
+                "--sliding",
+                "--friction",
+                "0.1",
+                "--rolling-resistance",
+                "0.1",
+            ],
             "--rolling-resistance applies only to an object on casters",
             "in place of --sliding",
         ),
@@ -208,18 +335,45 @@ fn what_does_not_slide_is_refused() {
             "--brakes applies only to an object on casters",
             "leave it out",
         ),
-        (&["--casters", "--friction", "0.1"], "and these roll", "give --rolling-resistance, or add --brakes"),
-        (&["--casters", "--rolling-resistance", "0.5"], "an edge lifts before the object rolls", "a smaller --rolling"),
-        (&["--sliding", "--width", "1 m", "--friction", "0.1"], "applies only to a compliant base", "--base compliant"),
-        (&["--upper-height", "1 m"], "applies only to a compliant base", "add --base compliant"),
-        (&["--wall-gap", "1 cm", "--initial-rotation=-5deg"], "cannot start beyond it", ""),
+        (
+            &["--casters", "--friction", "0.1"],
+            "and these roll",
+            "give --rolling-resistance, or add --brakes",
+        ),
+        (
+            &["--casters", "--rolling-resistance", "0.5"],
+            "an edge lifts before the object rolls",
+            "a smaller --rolling",
+        ),
+        (
+            &["--sliding", "--width", "1 m", "--friction", "0.1"],
+            "applies only to a compliant base",
+            "--base compliant",
+        ),
+        (
+            &["--upper-height", "1 m"],
+            "applies only to a compliant base",
+            "add --base compliant",
+        ),
+        (
+            &["--wall-gap", "1 cm", "--initial-rotation=-5deg"],
+            "cannot start beyond it",
+            "",
+        ),
         (&["--slope", "1 deg"], "unexpected argument", ""),
-        (&["--stop-stiffness", "5 N/mm"], "applies only to objects that slide or roll", "add --sliding"),
+        (
+            &["--stop-stiffness", "5 N/mm"],
+            "applies only to objects that slide or roll",
+            "add --sliding",
+        ),
         (&["--sliding", "--casters"], "cannot be used with", "usage"),
     ] {
         let output = strongly("rock", &[&size[..], args].concat());
         let error = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{args:?}");
-        assert!(error.contains(cause) && error.contains(hint), "{args:?}: {error}");
+        assert!(
+            error.contains(cause) && error.contains(hint),
+            "{args:?}: {error}"
+        );
     }
 }

@@ -11,25 +11,52 @@ use crate::program::{self, PROGRAM, command, execute};
 fn record() -> String {
     let row = |k: u32| {
         let t = f64::from(k) / 100.0;
-        let wave = |f: f64| (-0.5 * (t - 4.0) * (t - 4.0)).exp() * (std::f64::consts::TAU * f * t).sin();
+        let wave =
+            |f: f64| (-0.5 * (t - 4.0) * (t - 4.0)).exp() * (std::f64::consts::TAU * f * t).sin();
         format!("{t},{:.6},{:.6}\n", 1.2 * wave(0.9), 0.6 * wave(2.3))
     };
-    format!("time [s],h [m/s2],v [m/s2]\n{}", (0..=1200).map(row).collect::<String>())
+    format!(
+        "time [s],h [m/s2],v [m/s2]\n{}",
+        (0..=1200).map(row).collect::<String>()
+    )
 }
 
 fn folder() -> tempfile::TempDir {
     let record = record();
-    program::folder(&[("r.csv", &record), ("short.csv", &record.lines().take(500).collect::<Vec<_>>().join("\n"))])
+    program::folder(&[
+        ("r.csv", &record),
+        (
+            "short.csv",
+            &record.lines().take(500).collect::<Vec<_>>().join("\n"),
+        ),
+    ])
 }
 
 /// A spectrum of `r.csv`, 3 times as strong.
 fn spectrum(folder: &Path, grid: [&str; 2], more: &[&str]) -> Output {
-    let object = ["spectrum", "--motion", "r.csv", "--component", "1", "--scale", "3", "--heights", grid[0]];
-    execute(folder, &[&object[..], &["--thicknesses", grid[1]], more].concat())
+    let object = [
+        "spectrum",
+        "--motion",
+        "r.csv",
+        "--component",
+        "1",
+        "--scale",
+        "3",
+        "--heights",
+        grid[0],
+    ];
+    execute(
+        folder,
+        &[&object[..], &["--thicknesses", grid[1]], more].concat(),
+    )
 }
 
 fn document(output: &Output) -> Value {
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
@@ -45,7 +72,10 @@ const SHOCK: [&str; 4] = ["--mass", "150 kg", "--stiffness", "4380 N/mm"];
 /// Everything but the time that it took.
 fn without_timing(bytes: &[u8]) -> Value {
     let mut document: Value = serde_json::from_slice(bytes).unwrap();
-    document["timing"].as_object_mut().unwrap().retain(|name, _| !name.ends_with("_s"));
+    document["timing"]
+        .as_object_mut()
+        .unwrap()
+        .retain(|name, _| !name.ends_with("_s"));
     document
 }
 
@@ -54,13 +84,24 @@ fn the_same_bytes_on_any_number_of_threads() {
     let folder = folder();
     let run = |threads: &str| {
         let out = format!("out{threads}");
-        let more = ["--sensitivity", "--json", "--quiet", "--threads", threads, "--out", &out, "--csv", "rows.csv"];
+        let more = [
+            "--sensitivity",
+            "--json",
+            "--quiet",
+            "--threads",
+            threads,
+            "--out",
+            &out,
+            "--csv",
+            "rows.csv",
+        ];
         let output = spectrum(folder.path(), GRID, &[&SHOCK[..], &more].concat());
         let read = |path: PathBuf| std::fs::read(folder.path().join(path)).unwrap();
         let csv = read("rows.csv".into());
         assert!(csv == read(Path::new(&out).join("rows.csv")));
         // One document, on standard output and in the folder, where nothing differs between equal runs.
-        let kept: Value = serde_json::from_slice(&read(Path::new(&out).join("result.json"))).unwrap();
+        let kept: Value =
+            serde_json::from_slice(&read(Path::new(&out).join("result.json"))).unwrap();
         assert!(without_timing(&output.stdout) == kept);
         (csv, without_timing(&output.stdout))
     };
@@ -94,7 +135,10 @@ fn the_same_bytes_on_any_number_of_threads() {
         }
     }
     for outcome in ["no-uplift", "rocked", "overturned"] {
-        assert!(rows.iter().any(|row| row["outcome"] == outcome), "{outcome}");
+        assert!(
+            rows.iter().any(|row| row["outcome"] == outcome),
+            "{outcome}"
+        );
     }
 }
 
@@ -103,9 +147,15 @@ fn sensitivity_is_told_where_it_is_asked_for() {
     let folder = folder();
     let plain = document(&spectrum(folder.path(), GRID, &["--json"]));
     let asked = document(&spectrum(folder.path(), GRID, &["--json", "--sensitivity"]));
-    assert!(plain["timing"].get("sensitivity_s").is_none() && asked["timing"]["sensitivity_s"].as_f64().unwrap() > 0.0);
+    assert!(
+        plain["timing"].get("sensitivity_s").is_none()
+            && asked["timing"]["sensitivity_s"].as_f64().unwrap() > 0.0
+    );
     assert_eq!(plain["timing"]["block_steps"], 41 * 40 * 1200);
-    let (plain, rows) = (plain["rows"].as_array().unwrap(), asked["rows"].as_array().unwrap());
+    let (plain, rows) = (
+        plain["rows"].as_array().unwrap(),
+        asked["rows"].as_array().unwrap(),
+    );
     let mut sensitive = 0;
     let mut moderate = 0;
     let mut by_impacts = 0;
@@ -117,7 +167,10 @@ fn sensitivity_is_told_where_it_is_asked_for() {
         match row["sensitivity_ratio"].as_f64() {
             Some(ratio) => {
                 // Impacts can be sensitive where the rotation is not.
-                assert!(row["outcome"] == "rocked" && (flagged || ratio <= 10.0), "{row}");
+                assert!(
+                    row["outcome"] == "rocked" && (flagged || ratio <= 10.0),
+                    "{row}"
+                );
                 by_impacts += usize::from(flagged && ratio <= 10.0);
                 moderate += usize::from((1.0..20.0).contains(&ratio));
             }
@@ -125,11 +178,19 @@ fn sensitivity_is_told_where_it_is_asked_for() {
         }
     }
     let rocked = rows.iter().filter(|row| row["outcome"] == "rocked").count();
-    assert!(sensitive > 0 && moderate > rocked / 4, "{sensitive} and {moderate} of {rocked}");
+    assert!(
+        sensitive > 0 && moderate > rocked / 4,
+        "{sensitive} and {moderate} of {rocked}"
+    );
     assert!(by_impacts > 0, "of {rocked}");
     let said = format!("{sensitive} of 1640 histories are sensitive");
     let warnings = asked["warnings"].as_array().unwrap();
-    assert!(warnings.iter().any(|warning| warning.as_str().unwrap().starts_with(&said)), "{warnings:?}");
+    assert!(
+        warnings
+            .iter()
+            .any(|warning| warning.as_str().unwrap().starts_with(&said)),
+        "{warnings:?}"
+    );
 }
 
 /// The velocity shock is proportional to the fastest impact: of an object that is not sensitive it
@@ -137,15 +198,44 @@ fn sensitivity_is_told_where_it_is_asked_for() {
 #[test]
 fn shocks_of_objects_that_are_not_sensitive_are_steady() {
     let folder = folder();
-    let cushion = ["--mass", "150 kg", "--stiffness", "4380 N/mm", "--sensitivity", "--json"];
+    let cushion = [
+        "--mass",
+        "150 kg",
+        "--stiffness",
+        "4380 N/mm",
+        "--sensitivity",
+        "--json",
+    ];
     let asked = document(&spectrum(folder.path(), GRID, &cushion));
     let grid = ["--heights", GRID[0], "--thicknesses", GRID[1]];
-    let stronger = ["spectrum", "--motion", "r.csv", "--component", "1", "--scale", "3.000003"];
-    let changed = document(&execute(folder.path(), &[&stronger[..], &grid, &cushion].concat()));
+    let stronger = [
+        "spectrum",
+        "--motion",
+        "r.csv",
+        "--component",
+        "1",
+        "--scale",
+        "3.000003",
+    ];
+    let changed = document(&execute(
+        folder.path(),
+        &[&stronger[..], &grid, &cushion].concat(),
+    ));
     let (mut steady, mut unsteady) = (0, 0);
-    for (row, changed) in asked["rows"].as_array().unwrap().iter().zip(changed["rows"].as_array().unwrap()) {
-        let shock = |row: &Value| row["edge_acceleration_impact_velocity_g"].as_f64().filter(|shock| *shock > 0.0);
-        let (Some(shock), Some(changed)) = (shock(row), shock(changed)) else { continue };
+    for (row, changed) in asked["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(changed["rows"].as_array().unwrap())
+    {
+        let shock = |row: &Value| {
+            row["edge_acceleration_impact_velocity_g"]
+                .as_f64()
+                .filter(|shock| *shock > 0.0)
+        };
+        let (Some(shock), Some(changed)) = (shock(row), shock(changed)) else {
+            continue;
+        };
         // 1e-9 for the rounding of the scaled motion.
         let within = (changed / shock - 1.0).abs() <= 1e-5 + 1e-9;
         assert!(within || row["sensitive"] == true, "{row}: {changed}");
@@ -159,41 +249,102 @@ fn shocks_of_objects_that_are_not_sensitive_are_steady() {
 #[test]
 fn a_vertical_motion_is_that_of_rock() {
     let folder = folder();
-    let vertical = ["--vertical", "r.csv", "--vertical-component", "2", "--vertical-scale", "4", "--json"];
+    let vertical = [
+        "--vertical",
+        "r.csv",
+        "--vertical-component",
+        "2",
+        "--vertical-scale",
+        "4",
+        "--json",
+    ];
     let grid = ["1.2 m, 2 m", "0.5 m, 0.8 m"];
     let rows = document(&spectrum(folder.path(), grid, &vertical));
     let level = document(&spectrum(folder.path(), grid, &["--json"]));
     let mut rocked = 0;
-    for (row, level) in rows["rows"].as_array().unwrap().iter().zip(level["rows"].as_array().unwrap()) {
+    for (row, level) in rows["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(level["rows"].as_array().unwrap())
+    {
         let size = |key: &str| format!("{} m", row[key]);
         let (height, thickness) = (size("height_m"), size("thickness_m"));
-        let object = ["rock", "--motion", "r.csv", "--component", "1", "--scale", "3", "--height", &height];
-        let alone = document(&execute(folder.path(), &[&object[..], &["--thickness", &thickness], &vertical].concat()));
+        let object = [
+            "rock",
+            "--motion",
+            "r.csv",
+            "--component",
+            "1",
+            "--scale",
+            "3",
+            "--height",
+            &height,
+        ];
+        let alone = document(&execute(
+            folder.path(),
+            &[&object[..], &["--thickness", &thickness], &vertical].concat(),
+        ));
         assert_eq!(row["outcome"], alone["outcome"]);
         let peaks = [row, &alone, level].map(|row| row["peak_rotation_rad"].as_f64().unwrap());
         assert!((peaks[0] - peaks[1]).abs() <= 1e-7 * peaks[1], "{peaks:?}");
         if row["outcome"] == "rocked" {
             rocked += 1;
-            assert!((peaks[0] - peaks[2]).abs() > 1e-3 * peaks[2], "the vertical motion does nothing: {peaks:?}");
+            assert!(
+                (peaks[0] - peaks[2]).abs() > 1e-3 * peaks[2],
+                "the vertical motion does nothing: {peaks:?}"
+            );
         }
     }
     assert!(rocked > 0, "{rows}");
 
-    let wrong =
-        error(&spectrum(folder.path(), grid, &["--vertical", "r.csv", "short.csv", "--vertical-component", "2"]));
-    assert!(wrong.contains("--vertical has 2 files, --motion 1"), "{wrong}");
-    let wrong = error(&spectrum(folder.path(), grid, &["--vertical", "short.csv", "--vertical-component", "2"]));
-    assert!(wrong.contains("the vertical motion has 499 samples"), "{wrong}");
+    let wrong = error(&spectrum(
+        folder.path(),
+        grid,
+        &[
+            "--vertical",
+            "r.csv",
+            "short.csv",
+            "--vertical-component",
+            "2",
+        ],
+    ));
+    assert!(
+        wrong.contains("--vertical has 2 files, --motion 1"),
+        "{wrong}"
+    );
+    let wrong = error(&spectrum(
+        folder.path(),
+        grid,
+        &["--vertical", "short.csv", "--vertical-component", "2"],
+    ));
+    assert!(
+        wrong.contains("the vertical motion has 499 samples"),
+        "{wrong}"
+    );
     // Free flight ends each history: told in its row, and by the status.
     let flying = spectrum(
         folder.path(),
         grid,
-        &["--vertical", "r.csv", "--vertical-component", "2", "--vertical-scale", "40", "--json", "--sensitivity"],
+        &[
+            "--vertical",
+            "r.csv",
+            "--vertical-component",
+            "2",
+            "--vertical-scale",
+            "40",
+            "--json",
+            "--sensitivity",
+        ],
     );
     assert_eq!(flying.status.code(), Some(1));
     let rows: Value = serde_json::from_slice(&flying.stdout).unwrap();
     for row in rows["rows"].as_array().unwrap() {
-        assert_eq!((&row["outcome"], &row["sensitive"]), (&Value::from("free-flight"), &Value::Null), "{row}");
+        assert_eq!(
+            (&row["outcome"], &row["sensitive"]),
+            (&Value::from("free-flight"), &Value::Null),
+            "{row}"
+        );
         assert!(row["reason"].as_str().unwrap().contains("free flight"));
     }
 }
@@ -208,13 +359,24 @@ fn a_large_table_is_not_printed() {
         String::from_utf8(output.stdout).unwrap()
     };
     let shown = text(&[]);
-    assert!(shown.contains("… and 1630 more rows: --csv FILE or --json writes all rows\n"), "{shown}");
-    assert!(shown.lines().count() < 20 && shown.contains("overturned"), "{shown}");
+    assert!(
+        shown.contains("… and 1630 more rows: --csv FILE or --json writes all rows\n"),
+        "{shown}"
+    );
+    assert!(
+        shown.lines().count() < 20 && shown.contains("overturned"),
+        "{shown}"
+    );
     let csv = std::fs::read_to_string(folder.path().join("rows.csv"));
     assert!(csv.is_err() && text(&["--csv", "rows.csv"]).contains("all rows are in rows.csv\n"));
     assert!(text(&["--out", "out"]).contains("all rows are in out/rows.csv\n"));
-    let small = String::from_utf8(spectrum(folder.path(), ["1 m:2 m:10", "0.2 m:0.5 m:20"], &[]).stdout).unwrap();
-    assert!(small.lines().count() > 200 && !small.contains("more rows"), "{small}");
+    let small =
+        String::from_utf8(spectrum(folder.path(), ["1 m:2 m:10", "0.2 m:0.5 m:20"], &[]).stdout)
+            .unwrap();
+    assert!(
+        small.lines().count() > 200 && !small.contains("more rows"),
+        "{small}"
+    );
 }
 
 /// `freestand … | head`: nobody reads on, and the files are complete all the same.
@@ -224,13 +386,21 @@ fn files_are_complete_though_nobody_reads_the_document() {
     let folder = folder();
     let command = |more: &str| {
         let grid = "--heights '0.5 m:3 m:200' --thicknesses '0.2 m:1 m:100'";
-        let script =
-            format!("'{PROGRAM}' spectrum --motion r.csv --component 1 {grid} --json --quiet {more} | head -c 1");
-        Command::new("sh").args(["-c", &script]).current_dir(folder.path()).output().unwrap()
+        let script = format!(
+            "'{PROGRAM}' spectrum --motion r.csv --component 1 {grid} --json --quiet {more} | head -c 1"
+        );
+        Command::new("sh")
+            .args(["-c", &script])
+            .current_dir(folder.path())
+            .output()
+            .unwrap()
     };
     for more in ["", "--csv rows.csv"] {
         let output = command(more);
-        assert_eq!((output.stdout.as_slice(), output.stderr.as_slice()), (&b"{"[..], &b""[..]));
+        assert_eq!(
+            (output.stdout.as_slice(), output.stderr.as_slice()),
+            (&b"{"[..], &b""[..])
+        );
     }
     let csv = std::fs::read_to_string(folder.path().join("rows.csv")).unwrap();
     assert_eq!(csv.lines().count(), 1 + 200 * 100);
@@ -244,7 +414,9 @@ fn a_spectrum_that_is_stopped_leaves_no_file() {
     std::fs::write(folder.path().join("rows.csv"), "before").unwrap();
     let names = || {
         let entries = std::fs::read_dir(folder.path()).unwrap();
-        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     };
@@ -253,7 +425,16 @@ fn a_spectrum_that_is_stopped_leaves_no_file() {
     let records = vec!["r.csv"; 20];
     let run = command(folder.path())
         .args([&["spectrum", "--motion"], &records[..]].concat())
-        .args(["--component", "1", "--scale", "3", "--heights", "0.5 m:3 m:1000", "--thicknesses", "0.2 m:1 m:1000"])
+        .args([
+            "--component",
+            "1",
+            "--scale",
+            "3",
+            "--heights",
+            "0.5 m:3 m:1000",
+            "--thicknesses",
+            "0.2 m:1 m:1000",
+        ])
         .args(["--csv", "rows.csv", "--out", "out"])
         .stderr(Stdio::piped())
         .spawn()
@@ -263,13 +444,25 @@ fn a_spectrum_that_is_stopped_leaves_no_file() {
         assert!(start.elapsed().as_secs() < 60, "the work does not begin");
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &run.id().to_string()])
+            .status()
+            .unwrap()
+            .success()
+    );
     let output = run.wait_with_output().unwrap();
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(130), "{message}");
-    assert!(message.contains("error: stopped\nhint: nothing was written"), "{message}");
+    assert!(
+        message.contains("error: stopped\nhint: nothing was written"),
+        "{message}"
+    );
     assert_eq!(names(), before);
-    assert_eq!(std::fs::read_to_string(folder.path().join("rows.csv")).unwrap(), "before");
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("rows.csv")).unwrap(),
+        "before"
+    );
 }
 
 /// The Parquet table has the fields of the CSV with their types, the same bytes on any number of
@@ -281,13 +474,30 @@ fn a_parquet_table_has_the_values_of_the_csv() {
     let folder = folder();
     let file = |name: &str| folder.path().join(name);
     let write = |threads: &str, name: &str| {
-        let more = ["--sensitivity", "--parquet", name, "--csv", "rows.csv", "--threads", threads];
-        let output = spectrum(folder.path(), ["0.5 m:3 m:9", "0.2 m:1 m:8"], &[&SHOCK[..], &more].concat());
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let more = [
+            "--sensitivity",
+            "--parquet",
+            name,
+            "--csv",
+            "rows.csv",
+            "--threads",
+            threads,
+        ];
+        let output = spectrum(
+            folder.path(),
+            ["0.5 m:3 m:9", "0.2 m:1 m:8"],
+            &[&SHOCK[..], &more].concat(),
+        );
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         std::fs::read(file(name)).unwrap()
     };
     assert!(write("1", "one.parquet") == write("2", "two.parquet"));
-    let reader = SerializedFileReader::new(std::fs::File::open(file("one.parquet")).unwrap()).unwrap();
+    let reader =
+        SerializedFileReader::new(std::fs::File::open(file("one.parquet")).unwrap()).unwrap();
     let csv = std::fs::read_to_string(file("rows.csv")).unwrap();
     let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().unwrap();
@@ -295,7 +505,13 @@ fn a_parquet_table_has_the_values_of_the_csv() {
     for row in reader.get_row_iter(None).unwrap() {
         let (row, fields) = (row.unwrap(), lines.next().unwrap());
         let columns: Vec<_> = row.get_column_iter().collect();
-        assert_eq!(columns.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), header);
+        assert_eq!(
+            columns
+                .iter()
+                .map(|(name, _)| name.as_str())
+                .collect::<Vec<_>>(),
+            header
+        );
         for ((name, found), field) in columns.into_iter().zip(fields) {
             let is_same = match found {
                 Field::Null => field.is_empty(),
@@ -312,14 +528,28 @@ fn a_parquet_table_has_the_values_of_the_csv() {
     }
     // Null, double, long, Boolean and text.
     assert_eq!((rows, types.len(), lines.next()), (72, 5, None));
-    let values = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let values = reader
+        .metadata()
+        .file_metadata()
+        .key_value_metadata()
+        .unwrap();
     let value = |key: &str| -> Value {
-        let text = values.iter().find(|one| one.key == key).and_then(|one| one.value.clone()).unwrap();
+        let text = values
+            .iter()
+            .find(|one| one.key == key)
+            .and_then(|one| one.value.clone())
+            .unwrap();
         serde_json::from_str(&text).unwrap()
     };
     assert_eq!(value("freestand.columns")["uplift_m"]["unit"], "m");
     assert_eq!(value("freestand.inputs")[0]["name"], "r.csv");
-    assert_eq!(value("freestand.inputs")[0]["sha256"].as_str().unwrap().len(), 64);
+    assert_eq!(
+        value("freestand.inputs")[0]["sha256"]
+            .as_str()
+            .unwrap()
+            .len(),
+        64
+    );
 }
 
 /// Without records a place is needed, and what belongs to one is refused beside the other.
@@ -337,8 +567,12 @@ fn motions_come_from_records_or_from_a_place() {
             .contains("--place applies to motions of a place, but --motion names records")
     );
     assert!(
-        at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height")
+        at(&["--place", "Athens", "--level-ratio", "1.2"])
+            .contains("--level-ratio: 1.2 is not a share of the height")
     );
-    assert!(at(&["--place", "Athens", "--vertical", "r.csv"]).contains("--vertical has 1 file, --motion 0"));
+    assert!(
+        at(&["--place", "Athens", "--vertical", "r.csv"])
+            .contains("--vertical has 1 file, --motion 0")
+    );
     assert!(at(&["--place", "Atlantis"]).contains("Atlantis"));
 }

@@ -43,7 +43,17 @@ fn a_pdf_is_left_to_the_browser() {
 /// A flag that nothing is read with would be ignored in silence.
 #[test]
 fn reading_flags_need_a_record() {
-    let free = ["rock", "--height", "2 m", "--thickness", "0.5 m", "--initial-rotation", "1 deg", "--duration", "1 s"];
+    let free = [
+        "rock",
+        "--height",
+        "2 m",
+        "--thickness",
+        "0.5 m",
+        "--initial-rotation",
+        "1 deg",
+        "--duration",
+        "1 s",
+    ];
     let all = [
         freestand(&["run", "--scale", "2", "--unit", "g"]),
         freestand(&["run", "--dump-study", "--dt", "0.01 s"]),
@@ -57,17 +67,34 @@ fn reading_flags_need_a_record() {
 fn shells_get_their_completions() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = freestand(&["completions", shell]);
-        assert!(script.contains("exit status 0") && script.contains("return-period"), "{shell}");
+        assert!(
+            script.contains("exit status 0") && script.contains("return-period"),
+            "{shell}"
+        );
     }
     assert!(freestand(&["completions", "tcsh"]).contains("exit status 2"));
 }
 
 /// Every command, found by walking the help.
 fn commands(of: &[String]) -> Vec<Vec<String>> {
-    let help = freestand(&[of.iter().map(String::as_str).collect::<Vec<_>>(), vec!["--help"]].concat());
-    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
-    let names = listed.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next());
-    let below = names.filter(|name| *name != "help").flat_map(|name| commands(&[of, &[name.to_owned()]].concat()));
+    let help = freestand(
+        &[
+            of.iter().map(String::as_str).collect::<Vec<_>>(),
+            vec!["--help"],
+        ]
+        .concat(),
+    );
+    let listed = help
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty());
+    let names = listed
+        .filter(|line| !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next());
+    let below = names
+        .filter(|name| *name != "help")
+        .flat_map(|name| commands(&[of, &[name.to_owned()]].concat()));
     std::iter::once(of.to_vec()).chain(below).collect()
 }
 
@@ -76,13 +103,23 @@ fn help_of_every_command_has_examples() {
     let commands = commands(&[]);
     assert_eq!(commands.len(), 50);
     for command in commands {
-        let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
+        let words: Vec<&str> = command
+            .iter()
+            .map(String::as_str)
+            .chain(["--help"])
+            .collect();
         let shown = freestand(&words);
         let (_, examples) = shown.split_once("\nExamples:\n").unwrap_or_default();
-        let count = examples.lines().filter(|line| line.starts_with("  ") && line.contains("freestand ")).count();
+        let count = examples
+            .lines()
+            .filter(|line| line.starts_with("  ") && line.contains("freestand "))
+            .count();
         assert!(shown.contains("exit status 0") && count >= 2, "{shown}");
         // Lines that clap had to wrap cannot be copied.
-        assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
+        assert!(
+            shown.lines().all(|line| line.chars().count() <= 100),
+            "{shown}"
+        );
     }
 }
 
@@ -110,7 +147,8 @@ fn help_lists_no_flag_that_is_always_refused() {
 #[cfg(unix)]
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let script = format!("'{PROGRAM}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
+    let script =
+        format!("'{PROGRAM}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
     let output = Command::new("sh").args(["-c", &script]).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
@@ -118,7 +156,10 @@ fn a_reader_that_leaves_is_no_error() {
 #[test]
 fn validation_holds() {
     let shown = freestand(&["validate"]);
-    assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
+    assert!(
+        shown.contains("exit status 0") && !shown.contains("FAILED"),
+        "{shown}"
+    );
 }
 
 fn sources(folder: &Path, found: &mut Vec<String>) {
@@ -137,17 +178,32 @@ fn sources(folder: &Path, found: &mut Vec<String>) {
 fn keys_in_messages_are_flags() {
     // The completions list every flag of every command.
     let completions = freestand(&["completions", "bash"]);
-    let known: HashSet<&str> = completions.split_whitespace().map(|word| word.trim_matches(['"', ')'])).collect();
+    let known: HashSet<&str> = completions
+        .split_whitespace()
+        .map(|word| word.trim_matches(['"', ')']))
+        .collect();
     let mut texts = Vec::new();
     for folder in ["fragility", "risk", "export"] {
-        sources(&root().join("crates/freestand-assess/src").join(folder), &mut texts);
+        sources(
+            &root().join("crates/freestand-assess/src").join(folder),
+            &mut texts,
+        );
     }
     let mut seen = 0;
-    let lines = texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with("//"));
+    let lines = texts
+        .iter()
+        .flat_map(|text| text.lines())
+        .filter(|line| !line.trim_start().starts_with("//"));
     for line in lines {
         for marked in line.split('`').skip(1).step_by(2) {
             let shown = KeyStyle::Flag.shown(&format!("`{}`", marked.replace('\\', "")));
-            let Some(flag) = shown.split(' ').next().filter(|flag| flag.starts_with("--")) else { continue };
+            let Some(flag) = shown
+                .split(' ')
+                .next()
+                .filter(|flag| flag.starts_with("--"))
+            else {
+                continue;
+            };
             seen += 1;
             assert!(known.contains(flag), "{flag} is no flag: {line}");
         }
@@ -163,20 +219,37 @@ const FOREIGN: [&str; 4] = ["--array", "--cpus-per-task", "--wrap", "--le"];
 #[test]
 fn flags_in_messages_exist() {
     let completions = freestand(&["completions", "bash"]);
-    let known: HashSet<&str> = completions.split_whitespace().map(|word| word.trim_matches(['"', ')'])).collect();
+    let known: HashSet<&str> = completions
+        .split_whitespace()
+        .map(|word| word.trim_matches(['"', ')']))
+        .collect();
     let mut texts = Vec::new();
     for name in ["assess", "cli", "input", "output", "records", "study"] {
-        sources(&root().join(format!("crates/freestand-{name}/src")), &mut texts);
+        sources(
+            &root().join(format!("crates/freestand-{name}/src")),
+            &mut texts,
+        );
     }
     let mut seen = HashSet::new();
-    let lines = texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with("//"));
+    let lines = texts
+        .iter()
+        .flat_map(|text| text.lines())
+        .filter(|line| !line.trim_start().starts_with("//"));
     for line in lines {
         let is_part = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-        for word in line.split(|c| !is_part(c)).filter(|word| word.starts_with("--")) {
-            let begins = word.trim_start_matches('-').starts_with(|c: char| c.is_ascii_lowercase());
+        for word in line
+            .split(|c| !is_part(c))
+            .filter(|word| word.starts_with("--"))
+        {
+            let begins = word
+                .trim_start_matches('-')
+                .starts_with(|c: char| c.is_ascii_lowercase());
             if begins && !word.starts_with("---") && !FOREIGN.contains(&word) {
                 // "all three --upper flags" means those that begin so.
-                let exists = known.contains(word) || known.iter().any(|flag| flag.starts_with(&format!("{word}-")));
+                let exists = known.contains(word)
+                    || known
+                        .iter()
+                        .any(|flag| flag.starts_with(&format!("{word}-")));
                 assert!(exists, "{word} is no flag: {line}");
                 seen.insert(word);
             }

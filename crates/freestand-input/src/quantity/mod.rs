@@ -48,9 +48,15 @@ impl Quantity {
         let found = split(plain.trim(), text)?;
         let unit = match found.unit.as_ref() {
             "" => None,
-            unit => Some(lookup(unit).ok_or_else(|| value_problem(format!("\"{}\" is not a unit", shorten(unit))))?),
+            unit => Some(
+                lookup(unit)
+                    .ok_or_else(|| value_problem(format!("\"{}\" is not a unit", shorten(unit))))?,
+            ),
         };
-        Ok(Self { number: found.number, unit })
+        Ok(Self {
+            number: found.number,
+            unit,
+        })
     }
 
     /// The value in SI. `other` is the unit where the quantity states none; without either, the
@@ -60,7 +66,9 @@ impl Quantity {
     /// A value that is not finite.
     pub fn si(&self, other: Option<&Unit>) -> Result<f64, Problem> {
         let unit = self.unit.or(other);
-        self.number.in_unit(unit).ok_or_else(|| value_problem("the number is too large"))
+        self.number
+            .in_unit(unit)
+            .ok_or_else(|| value_problem("the number is too large"))
     }
 
     /// The number as it was written, without its unit; feet and inches in inches.
@@ -68,7 +76,9 @@ impl Quantity {
     /// # Errors
     /// A number that is not finite.
     pub fn bare(&self) -> Result<f64, Problem> {
-        self.number.in_unit(None).ok_or_else(|| value_problem("the number is too large"))
+        self.number
+            .in_unit(None)
+            .ok_or_else(|| value_problem("the number is too large"))
     }
 }
 /// A quantity such as `"2.3 m"`, `2300mm`, `6'2"`, `11 1/2 in`, `0.35g` or `5 %`, in SI.
@@ -101,13 +111,21 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
             finite(number.in_unit(None), text)
         } else {
             let text = shorten(text);
-            let mut written = dimension.units().take(2).map(|unit| format!("\"{text} {}\"", unit.symbol));
+            let mut written = dimension
+                .units()
+                .take(2)
+                .map(|unit| format!("\"{text} {}\"", unit.symbol));
             let (first, second) = (written.next().unwrap_or_default(), written.next());
-            let hint = second.map_or_else(|| format!("write {first}"), |second| format!("write {first} or {second}"));
+            let hint = second.map_or_else(
+                || format!("write {first}"),
+                |second| format!("write {first} or {second}"),
+            );
             Err(Problem::value(format!("\"{text}\" needs a unit"), hint))
         };
     }
-    let Some(unit) = lookup(&unit) else { return Err(unknown_unit(&unit, dimension)) };
+    let Some(unit) = lookup(&unit) else {
+        return Err(unknown_unit(&unit, dimension));
+    };
     if unit.dimension != dimension {
         return Err(wrong_dimension(text, unit, dimension));
     }
@@ -123,8 +141,12 @@ pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
     let plain = plain(text);
     let found = split(plain.trim(), text)?;
     if !found.unit.is_empty() {
-        return Err(value_problem(format!("\"{}\" is not a number", shorten(text)))
-            .hint(format!("the unit is already stated ({}): write only the number", unit.symbol)));
+        return Err(
+            value_problem(format!("\"{}\" is not a number", shorten(text))).hint(format!(
+                "the unit is already stated ({}): write only the number",
+                unit.symbol
+            )),
+        );
     }
     finite(found.number.in_unit(Some(unit)), text)
 }
@@ -142,7 +164,10 @@ pub fn parse_positive(text: &str, dimension: Dimension, name: &str) -> Result<f6
     if value > 0.0 {
         Ok(value)
     } else {
-        Err(value_problem(format!("{name} must be positive, not \"{}\"", shorten(text.trim()))))
+        Err(value_problem(format!(
+            "{name} must be positive, not \"{}\"",
+            shorten(text.trim())
+        )))
     }
 }
 
@@ -155,7 +180,10 @@ pub fn parse_non_negative(text: &str, dimension: Dimension, name: &str) -> Resul
     if value >= 0.0 {
         Ok(value)
     } else {
-        Err(value_problem(format!("{name} must not be negative: \"{}\"", shorten(text.trim()))))
+        Err(value_problem(format!(
+            "{name} must not be negative: \"{}\"",
+            shorten(text.trim())
+        )))
     }
 }
 
@@ -204,15 +232,19 @@ fn grid_of(
     }
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let &[from, to, count] = parts.as_slice() else {
-        return Err(value_problem(format!("\"{}\" is not a grid", shorten(text)))
-            .hint("write from:to:count, such as \"0.3 m:4 m:64\", or a list"));
+        return Err(
+            value_problem(format!("\"{}\" is not a grid", shorten(text)))
+                .hint("write from:to:count, such as \"0.3 m:4 m:64\", or a list"),
+        );
     };
     let (from_si, to_si) = (value(from)?, value(to)?);
     if let (Some(per_octave), Dimension::Frequency) = (count.strip_suffix("/oct"), dimension) {
         return octave_grid(from_si, to_si, grid_count(per_octave.trim_end(), 1)?);
     }
     let count = grid_count(count, if from_si == to_si { 1 } else { 2 })?;
-    Ok((0..count).map(|i| linear_point(from_si, to_si, i, count)).collect())
+    Ok((0..count)
+        .map(|i| linear_point(from_si, to_si, i, count))
+        .collect())
 }
 
 fn linear_point(from: f64, to: f64, i: usize, count: usize) -> f64 {
@@ -229,7 +261,10 @@ fn linear_point(from: f64, to: f64, i: usize, count: usize) -> f64 {
 fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, Problem> {
     if !(from_hz > 0.0 && to_hz >= from_hz) {
         let hint = "write from:to:N/oct with rising frequencies, such as \"1 Hz:10 kHz:12/oct\"";
-        return Err(Problem::value("a grid in octaves must rise from a positive frequency", hint));
+        return Err(Problem::value(
+            "a grid in octaves must rise from a positive frequency",
+            hint,
+        ));
     }
     let steps = (to_hz / from_hz).log2() * per_octave as f64;
     if steps >= MAX_GRID_VALUES as f64 {
@@ -238,7 +273,9 @@ fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, 
     // 1e-9 of a step is far above the rounding of the logarithm and far below any difference that
     // matters: it keeps "1 Hz:8 Hz:3/oct" from ending in two values that differ by rounding.
     let whole = (steps + 1e-9).floor();
-    let mut grid: Vec<f64> = (0..=whole as usize).map(|i| from_hz * (i as f64 / per_octave as f64).exp2()).collect();
+    let mut grid: Vec<f64> = (0..=whole as usize)
+        .map(|i| from_hz * (i as f64 / per_octave as f64).exp2())
+        .collect();
     if steps - whole > 1e-9 {
         grid.push(to_hz);
     } else if let Some(last) = grid.last_mut() {
@@ -251,8 +288,11 @@ fn grid_count(text: &str, least: usize) -> Result<usize, Problem> {
     match text.parse::<usize>() {
         Ok(count) if count > MAX_GRID_VALUES => Err(too_many()),
         Ok(count) if count >= least => Ok(count),
-        _ => Err(value_problem(format!("\"{}\" is not a whole number of at least {least}", shorten(text)))
-            .hint("a grid is from:to:count, such as \"0.3 m:4 m:64\"")),
+        _ => Err(value_problem(format!(
+            "\"{}\" is not a whole number of at least {least}",
+            shorten(text)
+        ))
+        .hint("a grid is from:to:count, such as \"0.3 m:4 m:64\"")),
     }
 }
 
@@ -294,8 +334,16 @@ fn value_problem(message: impl Into<String>) -> Problem {
 /// A text of the user, without line breaks and cut to a length that fits a message.
 pub fn shorten(text: &str) -> String {
     const LONGEST: usize = 60;
-    let clean: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(LONGEST + 1).collect();
-    if clean.chars().count() <= LONGEST { clean } else { clean.chars().take(LONGEST).chain(['…']).collect() }
+    let clean: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .take(LONGEST + 1)
+        .collect();
+    if clean.chars().count() <= LONGEST {
+        clean
+    } else {
+        clean.chars().take(LONGEST).chain(['…']).collect()
+    }
 }
 
 #[cfg(test)]

@@ -27,12 +27,17 @@ impl Number {
     /// # Accuracy
     /// See [`Unit`]. Where digits and unit have more than 38 digits together, one rounding more.
     pub(super) fn in_unit(&self, unit: Option<&Unit>) -> Option<f64> {
-        let (shift, whole, divisor, factor) =
-            unit.map_or((0, 1, 1, 1.0), |unit| (unit.decimal_exponent, unit.whole, unit.divisor, unit.factor));
+        let (shift, whole, divisor, factor) = unit.map_or((0, 1, 1, 1.0), |unit| {
+            (unit.decimal_exponent, unit.whole, unit.divisor, unit.factor)
+        });
         let exponent = self.exponent.saturating_add(shift);
         let sign = if self.is_negative { "-" } else { "" };
         let decimal = |digits: &str| format!("{sign}{digits}e{exponent}").parse::<f64>().ok();
-        let exact = self.digits.parse::<u128>().ok().and_then(|digits| digits.checked_mul(u128::from(whole)));
+        let exact = self
+            .digits
+            .parse::<u128>()
+            .ok()
+            .and_then(|digits| digits.checked_mul(u128::from(whole)));
         let scaled = match exact {
             Some(product) => decimal(&product.to_string())?,
             None => decimal(&self.digits)? * whole as f64,
@@ -103,17 +108,26 @@ const VULGAR: [(char, &str); 15] = [
 pub(super) fn split<'a>(text: &'a str, written: &str) -> Result<Split<'a>, Problem> {
     let (number, rest) = leading_number(text, written)?;
     if let Some(inches) = after_feet(rest) {
-        return Ok(Split { number: feet_and_inches(&number, inches, written)?, unit: Cow::Borrowed("in") });
+        return Ok(Split {
+            number: feet_and_inches(&number, inches, written)?,
+            unit: Cow::Borrowed("in"),
+        });
     }
     let unit = rest.trim();
     match unit.chars().next() {
-        Some(',') => Err(value_problem(format!("\"{}\" has a comma in the number", shorten(written)))
-            .hint("write the decimal sign as a point: \"2.3 m\"")),
-        Some(c) if c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '_') => {
-            Err(value_problem(format!("\"{}\" is more than one number", shorten(written)))
-                .hint("write the digits without separators and the unit once, such as \"2300 mm\""))
-        }
-        _ => Ok(Split { number, unit: Cow::Borrowed(unit) }),
+        Some(',') => Err(value_problem(format!(
+            "\"{}\" has a comma in the number",
+            shorten(written)
+        ))
+        .hint("write the decimal sign as a point: \"2.3 m\"")),
+        Some(c) if c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '_') => Err(value_problem(
+            format!("\"{}\" is more than one number", shorten(written)),
+        )
+        .hint("write the digits without separators and the unit once, such as \"2300 mm\"")),
+        _ => Ok(Split {
+            number,
+            unit: Cow::Borrowed(unit),
+        }),
     }
 }
 
@@ -129,7 +143,14 @@ fn leading_number<'a>(text: &'a str, written: &str) -> Result<(Number, &'a str),
         && let Some((fraction, rest)) = fraction(whole, rest)
     {
         let (digits, denominator) = fraction.value(written)?;
-        let number = Number { is_negative, digits, exponent: 0, denominator, is_whole: false, has_exponent: false };
+        let number = Number {
+            is_negative,
+            digits,
+            exponent: 0,
+            denominator,
+            is_whole: false,
+            has_exponent: false,
+        };
         return Ok((number, rest));
     }
     let (decimals, rest) = match rest.strip_prefix('.') {
@@ -176,8 +197,15 @@ fn exponent_after(text: &str) -> Option<(i32, &str)> {
         return None;
     }
     // Beyond i32 the value is 0 or infinite anyway; saturate and let the conversion say which.
-    let saturated = if text.starts_with('-') { i32::MIN / 2 } else { i32::MAX / 2 };
-    Some((text[..sign + digits.len()].parse().unwrap_or(saturated), rest))
+    let saturated = if text.starts_with('-') {
+        i32::MIN / 2
+    } else {
+        i32::MAX / 2
+    };
+    Some((
+        text[..sign + digits.len()].parse().unwrap_or(saturated),
+        rest,
+    ))
 }
 
 /// `1/2`, or `11 1/2` and `11-1/2` with their whole number.
@@ -191,7 +219,14 @@ struct Fraction<'a> {
 fn fraction<'a>(first: &'a str, rest: &'a str) -> Option<(Fraction<'a>, &'a str)> {
     if let Some(after) = rest.strip_prefix('/') {
         let (under, rest) = leading_digits(after);
-        return (!under.is_empty()).then_some((Fraction { whole: "0", over: first, under }, rest));
+        return (!under.is_empty()).then_some((
+            Fraction {
+                whole: "0",
+                over: first,
+                under,
+            },
+            rest,
+        ));
     }
     let next = match rest.strip_prefix('-') {
         Some(next) => next,
@@ -200,7 +235,14 @@ fn fraction<'a>(first: &'a str, rest: &'a str) -> Option<(Fraction<'a>, &'a str)
     };
     let (over, rest) = leading_digits(next);
     let (under, rest) = leading_digits(rest.strip_prefix('/')?);
-    (!over.is_empty() && !under.is_empty()).then_some((Fraction { whole: first, over, under }, rest))
+    (!over.is_empty() && !under.is_empty()).then_some((
+        Fraction {
+            whole: first,
+            over,
+            under,
+        },
+        rest,
+    ))
 }
 
 impl Fraction<'_> {
@@ -210,9 +252,11 @@ impl Fraction<'_> {
             value_problem(format!("\"{}\" {what}", shorten(written)))
                 .hint("write a fraction such as \"1/2 in\" or \"11 1/2 in\"")
         };
-        let (Ok(whole), Ok(over), Ok(under)) =
-            (self.whole.parse::<u32>(), self.over.parse::<u16>(), self.under.parse::<u16>())
-        else {
+        let (Ok(whole), Ok(over), Ok(under)) = (
+            self.whole.parse::<u32>(),
+            self.over.parse::<u16>(),
+            self.under.parse::<u16>(),
+        ) else {
             return Err(refused("is not a fraction that can be read"));
         };
         if under == 0 {
@@ -221,7 +265,9 @@ impl Fraction<'_> {
         // 5 3/2 and 10 000/3 are slips: nobody writes a mixed number so.
         let is_mixed = self.whole != "0";
         if is_mixed && (over >= under || self.over.len() > 1 && self.over.starts_with('0')) {
-            return Err(refused("is not a mixed number: its fraction must be below 1"));
+            return Err(refused(
+                "is not a mixed number: its fraction must be below 1",
+            ));
         }
         let numerator = u64::from(whole) * u64::from(under) + u64::from(over);
         Ok((numerator.to_string(), u32::from(under)))
@@ -231,11 +277,20 @@ impl Fraction<'_> {
 /// What follows a word or mark of feet, if it is a number: the inches.
 fn after_feet(rest: &str) -> Option<&str> {
     let rest = rest.trim_start();
-    let is_word = |word: &&str| rest.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
-    let word = ["feet", "foot", "ft.", "ft", "'"].into_iter().find(is_word)?;
+    let is_word = |word: &&str| {
+        rest.get(..word.len())
+            .is_some_and(|start| start.eq_ignore_ascii_case(word))
+    };
+    let word = ["feet", "foot", "ft.", "ft", "'"]
+        .into_iter()
+        .find(is_word)?;
     let after = rest[word.len()..].trim_start();
-    let after = after.strip_prefix(['-', '\u{2013}']).map_or(after, str::trim_start);
-    after.starts_with(|c: char| c.is_ascii_digit() || c == '.').then_some(after)
+    let after = after
+        .strip_prefix(['-', '\u{2013}'])
+        .map_or(after, str::trim_start);
+    after
+        .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        .then_some(after)
 }
 
 fn feet_and_inches(feet: &Number, inches: &str, written: &str) -> Result<Number, Problem> {
@@ -252,15 +307,20 @@ fn feet_and_inches(feet: &Number, inches: &str, written: &str) -> Result<Number,
         _ => return refused("has something other than inches after the feet", example),
     }
     if !feet.is_whole {
-        let hint =
-            "write whole feet without a sign and then the inches, such as 6'2\", or one unit, such as \"-74 in\"";
-        return refused("has a sign, a fraction or an exponent before the feet", hint);
+        let hint = "write whole feet without a sign and then the inches, such as 6'2\", or one unit, such as \"-74 in\"";
+        return refused(
+            "has a sign, a fraction or an exponent before the feet",
+            hint,
+        );
     }
     if part.has_exponent {
         return refused("has an exponent in the inches", example);
     }
     if part.in_unit(None).is_none_or(|inches| inches >= 12.0) {
-        return refused("has 12 inches or more after the feet", "write the rest as feet, such as 7'2\", or one unit");
+        return refused(
+            "has 12 inches or more after the feet",
+            "write the rest as feet, such as 7'2\", or one unit",
+        );
     }
     sum(feet, &part).map_or_else(|| refused("is too large for a number", example), Ok)
 }
@@ -269,7 +329,12 @@ fn feet_and_inches(feet: &Number, inches: &str, written: &str) -> Result<Number,
 fn sum(feet: &Number, inches: &Number) -> Option<Number> {
     let decimals = 10u128.checked_pow(inches.exponent.unsigned_abs())?;
     let feet = feet.digits.parse::<u128>().ok()?.checked_mul(12)?;
-    let feet = feet.checked_mul(decimals)?.checked_mul(u128::from(inches.denominator))?;
+    let feet = feet
+        .checked_mul(decimals)?
+        .checked_mul(u128::from(inches.denominator))?;
     let total = feet.checked_add(inches.digits.parse().ok()?)?;
-    Some(Number { digits: total.to_string(), ..inches.clone() })
+    Some(Number {
+        digits: total.to_string(),
+        ..inches.clone()
+    })
 }

@@ -15,14 +15,16 @@ pub enum UnitSystem {
 
 /// Symbols and words of the units that only the US customary system has, as people type them.
 const US_UNITS: [&str; 17] = [
-    "in", "inch", "inches", "ft", "foot", "feet", "yd", "lb", "lbs", "lbm", "lbf", "pound", "pounds", "oz", "slug",
-    "kip", "psi",
+    "in", "inch", "inches", "ft", "foot", "feet", "yd", "lb", "lbs", "lbm", "lbf", "pound",
+    "pounds", "oz", "slug", "kip", "psi",
 ];
 
 impl UnitSystem {
     /// Every value with its name and its meaning.
-    pub const ALL: [(Self, &'static str, &'static str); 2] =
-        [(Self::Si, "si", "mm, m, kg, N, kN"), (Self::Us, "us", "in, lb, lbf, lbf·ft")];
+    pub const ALL: [(Self, &'static str, &'static str); 2] = [
+        (Self::Si, "si", "mm, m, kg, N, kN"),
+        (Self::Us, "us", "in, lb, lbf, lbf·ft"),
+    ];
 
     /// The system of a quantity as it was typed; `None` for a bare number.
     ///
@@ -38,15 +40,23 @@ impl UnitSystem {
         if text.contains(['"', '\'', '″', '′']) {
             return Some(Self::Us);
         }
-        let mut words = text.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
+        let mut words = text
+            .split(|letter: char| !letter.is_alphabetic())
+            .filter(|word| !word.is_empty());
         let first = words.next()?.to_lowercase();
-        Some(if US_UNITS.contains(&first.as_str()) { Self::Us } else { Self::Si })
+        Some(if US_UNITS.contains(&first.as_str()) {
+            Self::Us
+        } else {
+            Self::Si
+        })
     }
 
     /// The system of most of these quantities; SI where there are as many of both.
     pub fn of_most_systems(systems: impl IntoIterator<Item = Option<Self>>) -> Self {
         let found = systems.into_iter().flatten();
-        let balance: i32 = found.map(|system| if system == Self::Us { 1 } else { -1 }).sum();
+        let balance: i32 = found
+            .map(|system| if system == Self::Us { 1 } else { -1 })
+            .sum();
         if balance > 0 { Self::Us } else { Self::Si }
     }
 
@@ -79,7 +89,10 @@ impl UnitSystem {
     pub fn reach(self, length_m: f64) -> String {
         match self {
             Self::Si => format!("{} mm", number((1e3 * length_m).ceil(), 6)),
-            Self::Us => format!("{} in", number((10.0 * from_si("in", length_m)).ceil() / 10.0, 6)),
+            Self::Us => format!(
+                "{} in",
+                number((10.0 * from_si("in", length_m)).ceil() / 10.0, 6)
+            ),
         }
     }
 
@@ -121,7 +134,10 @@ impl UnitSystem {
     pub fn moment(self, moment_n_m: f64) -> String {
         match self {
             Self::Si => format!("{} N·m", number(moment_n_m, 4)),
-            Self::Us => format!("{} lbf·ft", number(from_si("lbf", from_si("ft", moment_n_m)), 4)),
+            Self::Us => format!(
+                "{} lbf·ft",
+                number(from_si("lbf", from_si("ft", moment_n_m)), 4)
+            ),
         }
     }
 
@@ -145,14 +161,26 @@ mod tests {
     #[test]
     fn both_systems() {
         // 24 in = 0.6096 m; 800 lb = 362.87 kg; 148 lbf = 658.3 N; 819 lbf ft = 1110.4 N m.
-        assert_eq!((UnitSystem::Us.length(0.6096), UnitSystem::Si.length(0.6096)), ("24 in".into(), "609.6 mm".into()));
+        assert_eq!(
+            (UnitSystem::Us.length(0.6096), UnitSystem::Si.length(0.6096)),
+            ("24 in".into(), "609.6 mm".into())
+        );
         // 310 mm = 12.205 in, rounded up 12.3 in; 1.1 m/s = 3.609 ft/s.
         assert_eq!(
-            (UnitSystem::Si.distance(0.31, 3), UnitSystem::Us.distance(0.31, 3)),
+            (
+                UnitSystem::Si.distance(0.31, 3),
+                UnitSystem::Us.distance(0.31, 3)
+            ),
             ("310 mm".into(), "12.2 in".into())
         );
-        assert_eq!((UnitSystem::Si.reach(0.3092), UnitSystem::Us.reach(0.31)), ("310 mm".into(), "12.3 in".into()));
-        assert_eq!((UnitSystem::Si.speed(1.1, 2), UnitSystem::Us.speed(1.1, 2)), ("1.1 m/s".into(), "3.6 ft/s".into()));
+        assert_eq!(
+            (UnitSystem::Si.reach(0.3092), UnitSystem::Us.reach(0.31)),
+            ("310 mm".into(), "12.3 in".into())
+        );
+        assert_eq!(
+            (UnitSystem::Si.speed(1.1, 2), UnitSystem::Us.speed(1.1, 2)),
+            ("1.1 m/s".into(), "3.6 ft/s".into())
+        );
         assert_eq!(UnitSystem::Us.mass(362.873_896), "800 lb");
         assert_eq!(UnitSystem::Us.force_in_both(658.3), "148 lbf (658 N)");
         assert_eq!(UnitSystem::Si.force_in_both(658.3), "658 N (148 lbf)");
@@ -163,7 +191,9 @@ mod tests {
 
     #[test]
     fn the_system_of_most_quantities() {
-        let most = |texts: &[&str]| UnitSystem::of_most_systems(texts.iter().map(|text| UnitSystem::of(text)));
+        let most = |texts: &[&str]| {
+            UnitSystem::of_most_systems(texts.iter().map(|text| UnitSystem::of(text)))
+        };
         assert_eq!(most(&["800lb", "6 ft 2 in", "600 mm"]), UnitSystem::Us);
         assert_eq!(most(&["360kg", "24in"]), UnitSystem::Si);
         assert_eq!(most(&["5 1/2 in"]), UnitSystem::Us);

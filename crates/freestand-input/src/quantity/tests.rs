@@ -201,11 +201,20 @@ fn inches_feet_and_pounds() {
         ("386.4 in/s^2", Acceleration, 9.81456),
     ] {
         let value = parse(text, dimension).unwrap_or_else(|problem| panic!("{text}: {problem:?}"));
-        let is_rounded_twice = ["slug", "lb", "kip", "psi", "ksi", "1/3"].iter().any(|unit| text.contains(unit))
+        let is_rounded_twice = ["slug", "lb", "kip", "psi", "ksi", "1/3"]
+            .iter()
+            .any(|unit| text.contains(unit))
             && !matches!(dimension, Mass | Force)
             || text.contains("slug");
-        let most = if is_rounded_twice || text.contains("LBF/IN") { 2.3e-16 * expected } else { 0.0 };
-        assert!((value - expected).abs() <= most, "{text}: {value:?}, not {expected:?}");
+        let most = if is_rounded_twice || text.contains("LBF/IN") {
+            2.3e-16 * expected
+        } else {
+            0.0
+        };
+        assert!(
+            (value - expected).abs() <= most,
+            "{text}: {value:?}, not {expected:?}"
+        );
         // The readers of tables go another way to the same value.
         assert_eq!(Quantity::read(text).unwrap().si(None), Ok(value), "{text}");
     }
@@ -214,40 +223,118 @@ fn inches_feet_and_pounds() {
 #[test]
 fn lengths_that_a_person_would_query() {
     for (text, message, hint) in [
-        ("6'2", "\"6'2\" has a number after the feet without a mark of inches", "6'2\""),
-        ("6 ft 2", "\"6 ft 2\" has a number after the feet without a mark of inches", "6 ft 2 in"),
-        ("1'200", "\"1'200\" has a number after the feet without a mark of inches", "thousands"),
-        ("6'12\"", "\"6'12\"\" has 12 inches or more after the feet", "7'2\""),
-        ("5' 30 in", "\"5' 30 in\" has 12 inches or more after the feet", ""),
-        ("5' 11 16/16\"", "\"5' 11 16/16\"\" is not a mixed number", ""),
-        ("-6'2\"", "\"-6'2\"\" has a sign, a fraction or an exponent before the feet", "-74 in"),
-        ("+6 ft 2 in", "\"+6 ft 2 in\" has a sign, a fraction or an exponent before the feet", ""),
-        ("5.5' 2\"", "\"5.5' 2\"\" has a sign, a fraction or an exponent before the feet", ""),
-        ("5½' 2\"", "\"5½' 2\"\" has a sign, a fraction or an exponent before the feet", ""),
-        ("6' 2 cm", "\"6' 2 cm\" has something other than inches after the feet", "6'2\""),
-        ("6' 2'", "\"6' 2'\" has something other than inches after the feet", ""),
-        ("6'2\"3", "\"6'2\"3\" has something other than inches after the feet", ""),
-        ("6' 1e0 in", "\"6' 1e0 in\" has an exponent in the inches", ""),
+        (
+            "6'2",
+            "\"6'2\" has a number after the feet without a mark of inches",
+            "6'2\"",
+        ),
+        (
+            "6 ft 2",
+            "\"6 ft 2\" has a number after the feet without a mark of inches",
+            "6 ft 2 in",
+        ),
+        (
+            "1'200",
+            "\"1'200\" has a number after the feet without a mark of inches",
+            "thousands",
+        ),
+        (
+            "6'12\"",
+            "\"6'12\"\" has 12 inches or more after the feet",
+            "7'2\"",
+        ),
+        (
+            "5' 30 in",
+            "\"5' 30 in\" has 12 inches or more after the feet",
+            "",
+        ),
+        (
+            "5' 11 16/16\"",
+            "\"5' 11 16/16\"\" is not a mixed number",
+            "",
+        ),
+        (
+            "-6'2\"",
+            "\"-6'2\"\" has a sign, a fraction or an exponent before the feet",
+            "-74 in",
+        ),
+        (
+            "+6 ft 2 in",
+            "\"+6 ft 2 in\" has a sign, a fraction or an exponent before the feet",
+            "",
+        ),
+        (
+            "5.5' 2\"",
+            "\"5.5' 2\"\" has a sign, a fraction or an exponent before the feet",
+            "",
+        ),
+        (
+            "5½' 2\"",
+            "\"5½' 2\"\" has a sign, a fraction or an exponent before the feet",
+            "",
+        ),
+        (
+            "6' 2 cm",
+            "\"6' 2 cm\" has something other than inches after the feet",
+            "6'2\"",
+        ),
+        (
+            "6' 2'",
+            "\"6' 2'\" has something other than inches after the feet",
+            "",
+        ),
+        (
+            "6'2\"3",
+            "\"6'2\"3\" has something other than inches after the feet",
+            "",
+        ),
+        (
+            "6' 1e0 in",
+            "\"6' 1e0 in\" has an exponent in the inches",
+            "",
+        ),
         ("1/0 in", "\"1/0 in\" is a division by 0", "1/2 in"),
         ("6' 1/0\"", "\"6' 1/0\"\" is a division by 0", ""),
         ("5 3/2 in", "\"5 3/2 in\" is not a mixed number", ""),
         ("10 000/3 in", "\"10 000/3 in\" is not a mixed number", ""),
-        ("1/99999 in", "\"1/99999 in\" is not a fraction that can be read", ""),
+        (
+            "1/99999 in",
+            "\"1/99999 in\" is not a fraction that can be read",
+            "",
+        ),
         ("6 2\"", "\"6 2\"\" is more than one number", ""),
         ("1.5/2 in", "\"/2 in\" is not a unit of a length", ""),
-        ("6'2\" kg", "\"6'2\" kg\" has something other than inches", ""),
+        (
+            "6'2\" kg",
+            "\"6'2\" kg\" has something other than inches",
+            "",
+        ),
     ] {
         let problem = parse(text, Dimension::Length).expect_err(text);
         assert!(problem.message.starts_with(message), "{text}: {problem:?}");
-        assert!(problem.hint.as_deref().unwrap_or("").contains(hint), "{text}: {problem:?}");
+        assert!(
+            problem.hint.as_deref().unwrap_or("").contains(hint),
+            "{text}: {problem:?}"
+        );
     }
     for (text, dimension, hint) in [
         ("6'2\"", Dimension::Mass, "kg"),
-        ("5 ton", Dimension::Mass, "t (1000 kg) or short ton (2000 lb)"),
+        (
+            "5 ton",
+            Dimension::Mass,
+            "t (1000 kg) or short ton (2000 lb)",
+        ),
         ("5 lb", Dimension::Force, "lbf"),
         ("5 kip", Dimension::Mass, "kg"),
     ] {
-        assert!(parse(text, dimension).expect_err(text).hint.unwrap().contains(hint), "{text}");
+        assert!(
+            parse(text, dimension)
+                .expect_err(text)
+                .hint
+                .unwrap()
+                .contains(hint),
+            "{text}"
+        );
     }
 }
 
@@ -263,10 +350,20 @@ fn a_cell_and_its_heading() {
         ("1829 mm", Some(mm), 1.829, 1829.0),
     ] {
         let cell = Quantity::read(text).unwrap();
-        assert_eq!((cell.unit, cell.si(Some(inch)), cell.bare()), (unit, Ok(si_m), Ok(bare)), "{text}");
+        assert_eq!(
+            (cell.unit, cell.si(Some(inch)), cell.bare()),
+            (unit, Ok(si_m), Ok(bare)),
+            "{text}"
+        );
     }
     assert_eq!(parse_in_unit("52½", inch), Ok(1.3335));
-    assert!(parse_in_unit("6'2\"", mm).unwrap_err().hint.unwrap().contains("already stated"));
+    assert!(
+        parse_in_unit("6'2\"", mm)
+            .unwrap_err()
+            .hint
+            .unwrap()
+            .contains("already stated")
+    );
     // A workbook has a number where a text file has digits: the same value from both.
     assert_eq!((inch.to_si(74.0), inch.from_si(1.8796)), (1.8796, 74.0));
     for (text, dimension, symbol) in [
@@ -299,48 +396,142 @@ fn names_of_units_are_unique() {
 fn what_is_refused_and_what_is_said() {
     use Dimension::*;
     for (text, dimension, message, hint) in [
-        ("2.3", Length, "\"2.3\" needs a unit", "write \"2.3 m\" or \"2.3 mm\""),
-        ("0", Length, "\"0\" needs a unit", "write \"0 m\" or \"0 mm\""),
+        (
+            "2.3",
+            Length,
+            "\"2.3\" needs a unit",
+            "write \"2.3 m\" or \"2.3 mm\"",
+        ),
+        (
+            "0",
+            Length,
+            "\"0\" needs a unit",
+            "write \"0 m\" or \"0 mm\"",
+        ),
         ("7", Inertia, "\"7\" needs a unit", "write \"7 kg·m2\""),
         ("5 kg", Length, "\"5 kg\" is a mass, not a length", "m, mm"),
         ("5 %", Length, "\"5 %\" is a ratio, not a length", "m, mm"),
-        ("5 m", Ratio, "\"5 m\" is a length, not a ratio", "bare number"),
-        ("150 g", Mass, "\"150 g\" is an acceleration, not a mass", "acceleration of gravity"),
-        ("2 rad", AngularVelocity, "\"2 rad\" is an angle, not an angular velocity", "rad/s"),
-        ("5 furlong", Length, "\"furlong\" is not a unit of a length", "m, mm"),
-        ("5 MM", Length, "\"MM\" is not a unit of a length", "capital letters matter"),
-        ("5 M", Length, "\"M\" is not a unit of a length", "write \"m\""),
-        ("5 Mg", Acceleration, "\"Mg\" is not a unit of an acceleration", "write \"mg\""),
-        ("5 mN/m", Stiffness, "\"mN/m\" is not a unit of a stiffness", "write \"MN/m\""),
-        ("5 m m", Length, "\"m m\" is not a unit of a length", "known"),
+        (
+            "5 m",
+            Ratio,
+            "\"5 m\" is a length, not a ratio",
+            "bare number",
+        ),
+        (
+            "150 g",
+            Mass,
+            "\"150 g\" is an acceleration, not a mass",
+            "acceleration of gravity",
+        ),
+        (
+            "2 rad",
+            AngularVelocity,
+            "\"2 rad\" is an angle, not an angular velocity",
+            "rad/s",
+        ),
+        (
+            "5 furlong",
+            Length,
+            "\"furlong\" is not a unit of a length",
+            "m, mm",
+        ),
+        (
+            "5 MM",
+            Length,
+            "\"MM\" is not a unit of a length",
+            "capital letters matter",
+        ),
+        (
+            "5 M",
+            Length,
+            "\"M\" is not a unit of a length",
+            "write \"m\"",
+        ),
+        (
+            "5 Mg",
+            Acceleration,
+            "\"Mg\" is not a unit of an acceleration",
+            "write \"mg\"",
+        ),
+        (
+            "5 mN/m",
+            Stiffness,
+            "\"mN/m\" is not a unit of a stiffness",
+            "write \"MN/m\"",
+        ),
+        (
+            "5 m m",
+            Length,
+            "\"m m\" is not a unit of a length",
+            "known",
+        ),
         ("", Length, "a quantity is missing", "number and its unit"),
-        ("m", Length, "\"m\" is not a quantity", "number and its unit"),
+        (
+            "m",
+            Length,
+            "\"m\" is not a quantity",
+            "number and its unit",
+        ),
         ("nan m", Length, "\"nan m\" is not a quantity", ""),
         ("inf m", Length, "\"inf m\" is not a quantity", ""),
         ("-inf", Ratio, "\"-inf\" is not a quantity", ""),
         ("--2 m", Length, "\"--2 m\" is not a quantity", ""),
         (". m", Length, "\". m\" is not a quantity", ""),
-        ("1e999 m", Length, "\"1e999 m\" is too large for a number", ""),
-        ("1e307 kN/m", Stiffness, "\"1e307 kN/m\" is too large for a number", ""),
-        ("2,3 m", Length, "\"2,3 m\" has a comma in the number", "point"),
-        ("1 000 mm", Length, "\"1 000 mm\" is more than one number", ""),
+        (
+            "1e999 m",
+            Length,
+            "\"1e999 m\" is too large for a number",
+            "",
+        ),
+        (
+            "1e307 kN/m",
+            Stiffness,
+            "\"1e307 kN/m\" is too large for a number",
+            "",
+        ),
+        (
+            "2,3 m",
+            Length,
+            "\"2,3 m\" has a comma in the number",
+            "point",
+        ),
+        (
+            "1 000 mm",
+            Length,
+            "\"1 000 mm\" is more than one number",
+            "",
+        ),
         ("1.2.3 m", Length, "\"1.2.3 m\" is more than one number", ""),
-        ("1_000 mm", Length, "\"1_000 mm\" is more than one number", ""),
+        (
+            "1_000 mm",
+            Length,
+            "\"1_000 mm\" is more than one number",
+            "",
+        ),
         ("1e m", Length, "\"e m\" is not a unit of a length", ""),
     ] {
         let problem = parse(text, dimension).expect_err(text);
         assert_eq!(problem.message, message);
-        assert!(problem.hint.as_deref().unwrap_or("").contains(hint), "{text}: {problem:?}");
+        assert!(
+            problem.hint.as_deref().unwrap_or("").contains(hint),
+            "{text}: {problem:?}"
+        );
     }
 }
 
 #[test]
 fn signs_are_checked_where_asked() {
-    assert_eq!(parse_positive("2 m", Dimension::Length, "the height"), Ok(2.0));
+    assert_eq!(
+        parse_positive("2 m", Dimension::Length, "the height"),
+        Ok(2.0)
+    );
     let problem = parse_positive("-1 m", Dimension::Length, "the height").unwrap_err();
     assert_eq!(problem.message, "the height must be positive, not \"-1 m\"");
     assert!(parse_positive("0 m", Dimension::Length, "the height").is_err());
-    assert_eq!(parse_non_negative("0 mm", Dimension::Length, "the rise"), Ok(0.0));
+    assert_eq!(
+        parse_non_negative("0 mm", Dimension::Length, "the rise"),
+        Ok(0.0)
+    );
     assert!(parse_non_negative("-1 mm", Dimension::Length, "the rise").is_err());
 }
 
@@ -348,9 +539,20 @@ fn signs_are_checked_where_asked() {
 fn a_header_states_the_unit() {
     let mm = find_unit("mm", Dimension::Length).unwrap();
     assert_eq!(parse_in_unit(" 200 ", mm), Ok(0.2));
-    assert!(parse_in_unit("200 mm", mm).unwrap_err().hint.unwrap().contains("already stated"));
+    assert!(
+        parse_in_unit("200 mm", mm)
+            .unwrap_err()
+            .hint
+            .unwrap()
+            .contains("already stated")
+    );
     assert!(parse_in_unit("", mm).is_err());
-    assert!(find_unit("kg", Dimension::Length).unwrap_err().message.contains("is a mass"));
+    assert!(
+        find_unit("kg", Dimension::Length)
+            .unwrap_err()
+            .message
+            .contains("is a mass")
+    );
 }
 
 #[test]
@@ -358,11 +560,26 @@ fn grids() {
     let grid = parse_grid("0.3 m:4 m:64", Dimension::Length).unwrap();
     assert_eq!((grid.len(), grid[0], grid[63]), (64, 0.3, 4.0));
     assert!(grid.windows(2).all(|pair| pair[1] > pair[0]));
-    assert_eq!(parse_grid("300mm : 400 mm : 2", Dimension::Length).unwrap(), [0.3, 0.4]);
-    assert_eq!(parse_grid("2 m:1 m:3", Dimension::Length).unwrap(), [2.0, 1.5, 1.0]);
-    assert_eq!(parse_grid("1 m:1000 mm:1", Dimension::Length).unwrap(), [1.0]);
-    assert_eq!(parse_grid("200 mm, 400 mm,0.5 m", Dimension::Length).unwrap(), [0.2, 0.4, 0.5]);
-    assert_eq!(parse_grid("0.5, 1.0", Dimension::Ratio).unwrap(), [0.5, 1.0]);
+    assert_eq!(
+        parse_grid("300mm : 400 mm : 2", Dimension::Length).unwrap(),
+        [0.3, 0.4]
+    );
+    assert_eq!(
+        parse_grid("2 m:1 m:3", Dimension::Length).unwrap(),
+        [2.0, 1.5, 1.0]
+    );
+    assert_eq!(
+        parse_grid("1 m:1000 mm:1", Dimension::Length).unwrap(),
+        [1.0]
+    );
+    assert_eq!(
+        parse_grid("200 mm, 400 mm,0.5 m", Dimension::Length).unwrap(),
+        [0.2, 0.4, 0.5]
+    );
+    assert_eq!(
+        parse_grid("0.5, 1.0", Dimension::Ratio).unwrap(),
+        [0.5, 1.0]
+    );
     for bad in [
         "",
         "1 m,",
@@ -392,8 +609,17 @@ fn grids_in_octaves() {
     // log2(10 000)·12 = 159.45: 160 points on the steps and the end.
     let grid = parse_grid("1 Hz:10 kHz:12/oct", Dimension::Frequency).unwrap();
     assert_eq!((grid.len(), grid[160]), (161, 1e4));
-    assert_eq!(parse_grid("5 Hz:5 Hz:12/oct", Dimension::Frequency).unwrap(), [5.0]);
-    for bad in ["0 Hz:1 Hz:3/oct", "2 Hz:1 Hz:3/oct", "-1 Hz:1 Hz:3/oct", "1 Hz:2 Hz:0/oct", "1 Hz:2 Hz:/oct"] {
+    assert_eq!(
+        parse_grid("5 Hz:5 Hz:12/oct", Dimension::Frequency).unwrap(),
+        [5.0]
+    );
+    for bad in [
+        "0 Hz:1 Hz:3/oct",
+        "2 Hz:1 Hz:3/oct",
+        "-1 Hz:1 Hz:3/oct",
+        "1 Hz:2 Hz:0/oct",
+        "1 Hz:2 Hz:/oct",
+    ] {
         assert!(parse_grid(bad, Dimension::Frequency).is_err(), "{bad}");
     }
     assert!(parse_grid("1 Hz:2 Hz:1000001/oct", Dimension::Frequency).is_err());

@@ -130,7 +130,10 @@ impl Unit {
     /// A unit of acceleration that only a record format has, of `10^decimal_exponent · factor`
     /// m/s².
     pub const fn acceleration(symbol: &'static str, decimal_exponent: i32, factor: f64) -> Self {
-        Self { factor, ..unit(symbol, Dimension::Acceleration, decimal_exponent, false) }
+        Self {
+            factor,
+            ..unit(symbol, Dimension::Acceleration, decimal_exponent, false)
+        }
     }
 
     /// A value in this unit, in SI.
@@ -158,8 +161,22 @@ impl Unit {
     }
 }
 
-const fn unit(symbol: &'static str, dimension: Dimension, decimal_exponent: i32, any_case: bool) -> Unit {
-    Unit { symbol, dimension, decimal_exponent, whole: 1, divisor: 1, factor: 1.0, aliases: &[], any_case }
+const fn unit(
+    symbol: &'static str,
+    dimension: Dimension,
+    decimal_exponent: i32,
+    any_case: bool,
+) -> Unit {
+    Unit {
+        symbol,
+        dimension,
+        decimal_exponent,
+        whole: 1,
+        divisor: 1,
+        factor: 1.0,
+        aliases: &[],
+        any_case,
+    }
 }
 
 /// A unit of `whole · 10^decimal_exponent` SI units, exactly; capitals are ignored.
@@ -170,7 +187,11 @@ const fn customary(
     decimal_exponent: i32,
     aliases: &'static [&'static str],
 ) -> Unit {
-    Unit { whole, aliases, ..unit(symbol, dimension, decimal_exponent, true) }
+    Unit {
+        whole,
+        aliases,
+        ..unit(symbol, dimension, decimal_exponent, true)
+    }
 }
 
 // An inch is 25.4 mm, a foot 12 and a yard 36 inches; a pound 0.45359237 kg (international yard and
@@ -186,7 +207,10 @@ pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Every unit, the first of a dimension being its SI unit or the one that engineers expect in a
 /// hint.
 static UNITS: &[Unit] = &[
-    Unit { aliases: &["metre", "metres", "meter", "meters"], ..unit("m", Dimension::Length, 0, false) },
+    Unit {
+        aliases: &["metre", "metres", "meter", "meters"],
+        ..unit("m", Dimension::Length, 0, false)
+    },
     Unit {
         aliases: &["millimetre", "millimetres", "millimeter", "millimeters"],
         ..unit("mm", Dimension::Length, -3, false)
@@ -197,31 +221,96 @@ static UNITS: &[Unit] = &[
     },
     unit("dm", Dimension::Length, -1, true),
     unit("km", Dimension::Length, 3, true),
-    customary("in", Dimension::Length, INCH_E4, -4, &["inch", "inches", "\"", "''"]),
+    customary(
+        "in",
+        Dimension::Length,
+        INCH_E4,
+        -4,
+        &["inch", "inches", "\"", "''"],
+    ),
     customary("ft", Dimension::Length, FOOT_E4, -4, &["feet", "foot", "'"]),
     customary("yd", Dimension::Length, YARD_E4, -4, &["yard", "yards"]),
-    Unit { aliases: &["kgs", "kilogram", "kilograms"], ..unit("kg", Dimension::Mass, 0, true) },
-    Unit { aliases: &["tonne", "tonnes"], ..unit("t", Dimension::Mass, 3, false) },
-    customary("lb", Dimension::Mass, POUND_E8, -8, &["lbs", "lbm", "pound", "pounds"]),
+    Unit {
+        aliases: &["kgs", "kilogram", "kilograms"],
+        ..unit("kg", Dimension::Mass, 0, true)
+    },
+    Unit {
+        aliases: &["tonne", "tonnes"],
+        ..unit("t", Dimension::Mass, 3, false)
+    },
+    customary(
+        "lb",
+        Dimension::Mass,
+        POUND_E8,
+        -8,
+        &["lbs", "lbm", "pound", "pounds"],
+    ),
     // A sixteenth of a pound, 625e-4 of it.
-    customary("oz", Dimension::Mass, POUND_E8 * 625, -12, &["ounce", "ounces"]),
+    customary(
+        "oz",
+        Dimension::Mass,
+        POUND_E8 * 625,
+        -12,
+        &["ounce", "ounces"],
+    ),
     // The mass to which a pound-force gives 1 ft/s²: 4.448… N over 0.3048 m/s².
-    Unit { divisor: 3048, ..customary("slug", Dimension::Mass, POUND_FORCE_E13, -9, &["slugs"]) },
+    Unit {
+        divisor: 3048,
+        ..customary("slug", Dimension::Mass, POUND_FORCE_E13, -9, &["slugs"])
+    },
     // 2000 pounds.
-    customary("short ton", Dimension::Mass, POUND_E8 * 2, -5, &["short·ton", "short·tons"]),
+    customary(
+        "short ton",
+        Dimension::Mass,
+        POUND_E8 * 2,
+        -5,
+        &["short·ton", "short·tons"],
+    ),
     unit("s", Dimension::Time, 0, false),
     unit("ms", Dimension::Time, -3, false),
-    Unit { aliases: &["µs", "μs"], ..unit("us", Dimension::Time, -6, false) },
-    Unit { factor: G0_M_S2, ..unit("g", Dimension::Acceleration, 0, true) },
-    Unit { aliases: &["m/s/s"], ..unit("m/s2", Dimension::Acceleration, 0, false) },
-    Unit { factor: G0_M_S2, aliases: &["milli-g", "milli·g"], ..unit("mg", Dimension::Acceleration, -3, false) },
-    Unit { aliases: &["cm/s/s"], ..unit("cm/s2", Dimension::Acceleration, -2, true) },
-    Unit { aliases: &["mm/s/s"], ..unit("mm/s2", Dimension::Acceleration, -3, false) },
-    Unit { aliases: &["nm/s/s"], ..unit("nm/s2", Dimension::Acceleration, -9, false) },
+    Unit {
+        aliases: &["µs", "μs"],
+        ..unit("us", Dimension::Time, -6, false)
+    },
+    Unit {
+        factor: G0_M_S2,
+        ..unit("g", Dimension::Acceleration, 0, true)
+    },
+    Unit {
+        aliases: &["m/s/s"],
+        ..unit("m/s2", Dimension::Acceleration, 0, false)
+    },
+    Unit {
+        factor: G0_M_S2,
+        aliases: &["milli-g", "milli·g"],
+        ..unit("mg", Dimension::Acceleration, -3, false)
+    },
+    Unit {
+        aliases: &["cm/s/s"],
+        ..unit("cm/s2", Dimension::Acceleration, -2, true)
+    },
+    Unit {
+        aliases: &["mm/s/s"],
+        ..unit("mm/s2", Dimension::Acceleration, -3, false)
+    },
+    Unit {
+        aliases: &["nm/s/s"],
+        ..unit("nm/s2", Dimension::Acceleration, -9, false)
+    },
     unit("gal", Dimension::Acceleration, -2, true),
-    Unit { aliases: &["µm/s2", "μm/s2", "um/s/s"], ..unit("um/s2", Dimension::Acceleration, -6, false) },
-    Unit { factor: G0_M_S2, aliases: &["%·g"], ..unit("%g", Dimension::Acceleration, -2, true) },
-    Unit { factor: G0_M_S2, ..unit("g/10", Dimension::Acceleration, -1, true) },
+    Unit {
+        aliases: &["µm/s2", "μm/s2", "um/s/s"],
+        ..unit("um/s2", Dimension::Acceleration, -6, false)
+    },
+    Unit {
+        factor: G0_M_S2,
+        aliases: &["%·g"],
+        ..unit("%g", Dimension::Acceleration, -2, true)
+    },
+    Unit {
+        factor: G0_M_S2,
+        ..unit("g/10", Dimension::Acceleration, -1, true)
+    },
     Unit {
         factor: G0_M_S2,
         aliases: &["µg", "μg", "micro-g", "micro·g"],
@@ -237,19 +326,43 @@ static UNITS: &[Unit] = &[
     // A pound-force over 0.0254 m, and over 0.3048 m.
     Unit {
         divisor: 254,
-        ..customary("lbf/in", Dimension::Stiffness, POUND_FORCE_E13, -9, &["lb/in", "lbs/in", "lb/inch", "lbf/inch"])
+        ..customary(
+            "lbf/in",
+            Dimension::Stiffness,
+            POUND_FORCE_E13,
+            -9,
+            &["lb/in", "lbs/in", "lb/inch", "lbf/inch"],
+        )
     },
     Unit {
         divisor: 3048,
-        ..customary("lbf/ft", Dimension::Stiffness, POUND_FORCE_E13, -9, &["lb/ft", "lbs/ft", "lb/foot", "lbf/foot"])
+        ..customary(
+            "lbf/ft",
+            Dimension::Stiffness,
+            POUND_FORCE_E13,
+            -9,
+            &["lb/ft", "lbs/ft", "lb/foot", "lbf/foot"],
+        )
     },
     Unit {
         divisor: 254,
-        ..customary("kip/in", Dimension::Stiffness, POUND_FORCE_E13, -6, &["kips/in", "kip/inch", "kips/inch"])
+        ..customary(
+            "kip/in",
+            Dimension::Stiffness,
+            POUND_FORCE_E13,
+            -6,
+            &["kips/in", "kip/inch", "kips/inch"],
+        )
     },
     Unit {
         divisor: 3048,
-        ..customary("kip/ft", Dimension::Stiffness, POUND_FORCE_E13, -6, &["kips/ft", "kip/foot", "kips/foot"])
+        ..customary(
+            "kip/ft",
+            Dimension::Stiffness,
+            POUND_FORCE_E13,
+            -6,
+            &["kips/ft", "kip/foot", "kips/foot"],
+        )
     },
     unit("N", Dimension::Force, 0, false),
     unit("kN", Dimension::Force, 3, true),
@@ -258,14 +371,35 @@ static UNITS: &[Unit] = &[
     customary("kip", Dimension::Force, POUND_FORCE_E13, -10, &["kips"]),
     customary("kgf", Dimension::Force, 980_665, -5, &[]),
     unit("N·s/m", Dimension::Damping, 0, true),
-    Unit { aliases: &["N·s/mm"], ..unit("kN·s/m", Dimension::Damping, 3, true) },
+    Unit {
+        aliases: &["N·s/mm"],
+        ..unit("kN·s/m", Dimension::Damping, 3, true)
+    },
     unit("kPa", Dimension::Pressure, 3, false),
     unit("Pa", Dimension::Pressure, 0, false),
     unit("MPa", Dimension::Pressure, 6, false),
     unit("bar", Dimension::Pressure, 5, true),
     // A pound-force on (0.0254 m)² = 64516e-8 m².
-    Unit { divisor: 64_516, ..customary("psi", Dimension::Pressure, POUND_FORCE_E13, -5, &["lb/in2", "lbf/in2"]) },
-    Unit { divisor: 64_516, ..customary("ksi", Dimension::Pressure, POUND_FORCE_E13, -2, &["kip/in2"]) },
+    Unit {
+        divisor: 64_516,
+        ..customary(
+            "psi",
+            Dimension::Pressure,
+            POUND_FORCE_E13,
+            -5,
+            &["lb/in2", "lbf/in2"],
+        )
+    },
+    Unit {
+        divisor: 64_516,
+        ..customary(
+            "ksi",
+            Dimension::Pressure,
+            POUND_FORCE_E13,
+            -2,
+            &["kip/in2"],
+        )
+    },
     unit("m2", Dimension::Area, 0, false),
     unit("cm2", Dimension::Area, -4, false),
     unit("mm2", Dimension::Area, -6, false),
@@ -274,16 +408,27 @@ static UNITS: &[Unit] = &[
     unit("Hz", Dimension::Frequency, 0, true),
     unit("kHz", Dimension::Frequency, 3, true),
     unit("rad", Dimension::Angle, 0, true),
-    Unit { factor: DEGREE, aliases: &["°"], ..unit("deg", Dimension::Angle, 0, true) },
+    Unit {
+        factor: DEGREE,
+        aliases: &["°"],
+        ..unit("deg", Dimension::Angle, 0, true)
+    },
     unit("mrad", Dimension::Angle, -3, false),
     unit("rad/s", Dimension::AngularVelocity, 0, true),
-    Unit { factor: DEGREE, aliases: &["°/s"], ..unit("deg/s", Dimension::AngularVelocity, 0, true) },
+    Unit {
+        factor: DEGREE,
+        aliases: &["°/s"],
+        ..unit("deg/s", Dimension::AngularVelocity, 0, true)
+    },
     unit("m/s", Dimension::Velocity, 0, false),
     unit("mm/s", Dimension::Velocity, -3, false),
     unit("cm/s", Dimension::Velocity, -2, true),
     customary("in/s", Dimension::Velocity, INCH_E4, -4, &["ips"]),
     customary("ft/s", Dimension::Velocity, FOOT_E4, -4, &["fps"]),
-    Unit { aliases: &["kgm2"], ..unit("kg·m2", Dimension::Inertia, 0, true) },
+    Unit {
+        aliases: &["kgm2"],
+        ..unit("kg·m2", Dimension::Inertia, 0, true)
+    },
     unit("%", Dimension::Ratio, -2, false),
 ];
 
@@ -291,17 +436,31 @@ static UNITS: &[Unit] = &[
 /// `kg*m2` → `kg·m2`, `in.` → `in`, `″` → `"`.
 fn canonical(text: &str) -> String {
     let text = plain(text);
-    let plain = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·");
+    let plain = text
+        .replace('⁻', "-")
+        .replace('²', "2")
+        .replace(['⋅', '*'], "·");
     let spaced = plain.replace('^', "").replace('º', "°");
     let mut out = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
     for sign in ["/", "·"] {
-        out = out.split(sign).map(str::trim).collect::<Vec<_>>().join(sign);
+        out = out
+            .split(sign)
+            .map(str::trim)
+            .collect::<Vec<_>>()
+            .join(sign);
     }
     // The point of an abbreviation: "72 in.", "150 lbs."
-    if out.ends_with('.') && out.trim_end_matches('.').ends_with(|c: char| c.is_alphabetic()) {
+    if out.ends_with('.')
+        && out
+            .trim_end_matches('.')
+            .ends_with(|c: char| c.is_alphabetic())
+    {
         out.pop();
     }
-    out.replace(' ', "·").replace("kg.m2", "kg·m2").replace("·s-2", "/s2").replace(".s-2", "/s2")
+    out.replace(' ', "·")
+        .replace("kg.m2", "kg·m2")
+        .replace("·s-2", "/s2")
+        .replace(".s-2", "/s2")
 }
 
 /// The unit that is written `text`, of any dimension.
@@ -312,7 +471,10 @@ pub fn lookup(text: &str) -> Option<&'static Unit> {
             || unit.aliases.contains(&name.as_str())
             || unit.any_case
                 && (unit.symbol.eq_ignore_ascii_case(&name)
-                    || unit.aliases.iter().any(|alias| alias.eq_ignore_ascii_case(&name)))
+                    || unit
+                        .aliases
+                        .iter()
+                        .any(|alias| alias.eq_ignore_ascii_case(&name)))
     })
 }
 
@@ -329,8 +491,14 @@ pub fn lookup(text: &str) -> Option<&'static Unit> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn find_unit(text: &str, dimension: Dimension) -> Result<&'static Unit, Problem> {
-    let Some(unit) = lookup(text) else { return Err(unknown_unit(text, dimension)) };
-    if unit.dimension == dimension { Ok(unit) } else { Err(wrong_dimension(text, unit, dimension)) }
+    let Some(unit) = lookup(text) else {
+        return Err(unknown_unit(text, dimension));
+    };
+    if unit.dimension == dimension {
+        Ok(unit)
+    } else {
+        Err(wrong_dimension(text, unit, dimension))
+    }
 }
 
 /// As [`find_unit`], in a place where capitals say nothing because everything is in capitals, such
@@ -350,7 +518,11 @@ pub fn find_unit_any_case(text: &str, dimension: Dimension) -> Result<&'static U
     let name = canonical(text);
     let exact = find_unit(text, dimension);
     let mut alike = dimension.units().filter(|unit| {
-        unit.symbol.eq_ignore_ascii_case(&name) || unit.aliases.iter().any(|alias| alias.eq_ignore_ascii_case(&name))
+        unit.symbol.eq_ignore_ascii_case(&name)
+            || unit
+                .aliases
+                .iter()
+                .any(|alias| alias.eq_ignore_ascii_case(&name))
     });
     match (exact, alike.next(), alike.next()) {
         (Err(_), Some(only), None) => Ok(only),
@@ -362,10 +534,19 @@ pub(super) fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
     let name = canonical(text);
     // A capital that changes the meaning is refused; the hint names the unit that was probably
     // meant.
-    let near = dimension.units().find(|unit| unit.symbol.eq_ignore_ascii_case(&name));
-    let problem = value_problem(format!("\"{}\" is not a unit of {}", shorten(text), dimension.with_article()));
+    let near = dimension
+        .units()
+        .find(|unit| unit.symbol.eq_ignore_ascii_case(&name));
+    let problem = value_problem(format!(
+        "\"{}\" is not a unit of {}",
+        shorten(text),
+        dimension.with_article()
+    ));
     match near {
-        Some(unit) => problem.hint(format!("write \"{}\": capital letters matter here", unit.symbol)),
+        Some(unit) => problem.hint(format!(
+            "write \"{}\": capital letters matter here",
+            unit.symbol
+        )),
         None if matches!(name.to_ascii_lowercase().as_str(), "ton" | "tons") => {
             problem.hint("write t (1000 kg) or short ton (2000 lb)")
         }
@@ -378,13 +559,20 @@ pub(super) fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 
 pub(super) fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
-    let problem =
-        value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
+    let problem = value_problem(format!(
+        "\"{text}\" is {}, not {}",
+        unit.dimension.with_article(),
+        expected.with_article()
+    ));
     match expected {
         // A user who writes "150 g" for a mass means grams.
-        Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),
+        Dimension::Mass if unit.symbol == "g" => {
+            problem.hint("g is the acceleration of gravity here; write kg or t")
+        }
         Dimension::Force if unit.symbol == "lb" => problem.hint("lb is a mass here; write lbf"),
-        Dimension::Ratio => problem.hint("write a bare number or a percentage, such as 0.05 or 5 %"),
+        Dimension::Ratio => {
+            problem.hint("write a bare number or a percentage, such as 0.05 or 5 %")
+        }
         _ => problem.hint(format!("known units: {}", expected.unit_list())),
     }
 }

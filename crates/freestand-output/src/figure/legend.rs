@@ -106,7 +106,11 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
             add_line(scene, x, y, style.colour, 2.0, style.dash);
             add_marker(scene, style.marker, middle, y, style.colour);
         }
-        Sign::Line { colour, width_px, dash } => add_line(scene, x, y, colour, width_px, dash),
+        Sign::Line {
+            colour,
+            width_px,
+            dash,
+        } => add_line(scene, x, y, colour, width_px, dash),
         Sign::Band => add_area(scene, x, y, DARK, 0.2),
         Sign::Shade { colour, opacity } => add_area(scene, x, y, colour, opacity),
         Sign::Cross => {
@@ -128,7 +132,11 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
             y: y - 4.2,
             width: 8.4,
             height: 8.4,
-            fill: if filled { colour.into() } else { "#ffffff".into() },
+            fill: if filled {
+                colour.into()
+            } else {
+                "#ffffff".into()
+            },
             stroke: Some(colour.into()),
             stroke_width: Some(1.6),
             opacity: None,
@@ -195,7 +203,10 @@ fn add_marker(scene: &mut Scene, marker: MarkerShape, x: f64, y: f64, colour: &s
             return;
         }
     };
-    let path: Vec<String> = corners.iter().map(|(dx, dy)| format!("{:.1} {:.1}", x + dx, y + dy)).collect();
+    let path: Vec<String> = corners
+        .iter()
+        .map(|(dx, dy)| format!("{:.1} {:.1}", x + dx, y + dy))
+        .collect();
     scene.add(Primitive::Path(Box::new(PathData {
         d: format!("M{}Z", path.join(" L")),
         fill: Some(colour.into()),

@@ -82,9 +82,22 @@ pub fn draw(page: Page) -> Result<Figure, FigureError> {
     let png = PngBackend::new()
         .with_scale(PNG_SCALE)
         .render_scene(&scene)
-        .map_err(|reason| FigureError { figure: name.clone(), reason })?;
-    let svg = with_view_box(SvgBackend::new().render_scene(&scene), scene.width, scene.height);
-    Ok(Figure { name, title: page.title, caption: page.caption, svg, png })
+        .map_err(|reason| FigureError {
+            figure: name.clone(),
+            reason,
+        })?;
+    let svg = with_view_box(
+        SvgBackend::new().render_scene(&scene),
+        scene.width,
+        scene.height,
+    );
+    Ok(Figure {
+        name,
+        title: page.title,
+        caption: page.caption,
+        svg,
+        png,
+    })
 }
 
 /// Names the clipping paths after the figure: the library numbers them across the process, so the
@@ -109,5 +122,9 @@ fn name_clips(scene: &mut Scene, figure: &str) {
 
 /// Lets the drawing scale to the available width.
 fn with_view_box(svg: String, width: f64, height: f64) -> String {
-    svg.replacen("<svg ", &format!("<svg viewBox=\"0 0 {width} {height}\" "), 1)
+    svg.replacen(
+        "<svg ",
+        &format!("<svg viewBox=\"0 0 {width} {height}\" "),
+        1,
+    )
 }

@@ -27,9 +27,17 @@ pub const BAND_OPACITY: f64 = 0.14;
 
 /// Colours of Okabe and Ito (2008), without the yellow, which is too light for lines on white
 /// paper.
-const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
+const COLOURS: [&str; 7] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
+];
 /// Dashes; in a PNG, lines have round ends, which narrow each gap by the width of the line.
-const DASHES: [Option<&str>; 5] = [None, Some("10 6"), Some("10 5 1.5 5"), Some("4 5"), Some("12 5 1.5 5 1.5 5")];
+const DASHES: [Option<&str>; 5] = [
+    None,
+    Some("10 6"),
+    Some("10 5 1.5 5"),
+    Some("4 5"),
+    Some("12 5 1.5 5 1.5 5"),
+];
 const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Circle,
     MarkerShape::Square,
@@ -73,13 +81,21 @@ pub fn line(points: &[(f64, f64)], colour: &str, width_px: f64, dash: Option<&st
 
 /// Markers at points.
 pub fn markers(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> Plot {
-    ScatterPlot::new().with_data(points.iter().copied()).with_color(colour).with_marker(shape).with_size(size_px).into()
+    ScatterPlot::new()
+        .with_data(points.iter().copied())
+        .with_color(colour)
+        .with_marker(shape)
+        .with_size(size_px)
+        .into()
 }
 
 /// Outlines of markers at points: white on top of coloured, because the PNG does not have
 /// transparent fills.
 pub fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> [Plot; 2] {
-    [markers(points, colour, shape, size_px), markers(points, "#ffffff", shape, size_px - 1.8)]
+    [
+        markers(points, colour, shape, size_px),
+        markers(points, "#ffffff", shape, size_px - 1.8),
+    ]
 }
 
 /// Axes over exactly these ranges, without a legend and with the text sizes of all figures.
@@ -125,43 +141,74 @@ pub struct Axis {
 impl Axis {
     /// An axis from 0 to a round number that is not below `max`.
     pub fn from_zero(max: f64, label: &str) -> Self {
-        let max = if max > 0.0 && max.is_finite() { max } else { 1.0 };
+        let max = if max > 0.0 && max.is_finite() {
+            max
+        } else {
+            1.0
+        };
         let step = round_step(max / 5.0);
-        Self { from: 0.0, to: step * (max / step - 1e-9).ceil(), step: Some(step), label: label.into() }
+        Self {
+            from: 0.0,
+            to: step * (max / step - 1e-9).ceil(),
+            step: Some(step),
+            label: label.into(),
+        }
     }
 
     /// An axis from `from` to `to` with a margin at both ends, even if both are equal.
     pub fn around(from: f64, to: f64, label: &str) -> Self {
-        let span = if to > from { to - from } else { from.abs().max(1.0) };
-        Self { from: from - 0.04 * span, to: to + 0.04 * span, step: Some(round_step(span / 5.0)), label: label.into() }
+        let span = if to > from {
+            to - from
+        } else {
+            from.abs().max(1.0)
+        };
+        Self {
+            from: from - 0.04 * span,
+            to: to + 0.04 * span,
+            step: Some(round_step(span / 5.0)),
+            label: label.into(),
+        }
     }
 }
 
 /// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is not below `step`.
 pub fn round_step(step: f64) -> f64 {
     let decade = 10f64.powf(step.log10().floor());
-    let factor = [1.0, 2.0, 2.5, 5.0].into_iter().find(|f| f * decade >= step * (1.0 - 1e-9)).unwrap_or(10.0);
+    let factor = [1.0, 2.0, 2.5, 5.0]
+        .into_iter()
+        .find(|f| f * decade >= step * (1.0 - 1e-9))
+        .unwrap_or(10.0);
     factor * decade
 }
 
 /// Text that the plot library shows unchanged: `$` starts a formula there, and control characters
 /// break an SVG.
 pub fn plain(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('$', "\\$")
+    text.chars()
+        .filter(|c| !c.is_control())
+        .collect::<String>()
+        .replace('$', "\\$")
 }
 
 /// Tick labels of an axis over `span` in plain digits, `0.0125` and not `0.013` or `1.25e-2`.
 pub fn plain_ticks(span: f64) -> TickFormat {
     TickFormat::Custom(Arc::new(move |value| {
         // The zero of an axis may be a rounding error.
-        if value.abs() < 1e-9 * span { "0".to_owned() } else { number(value, 4) }
+        if value.abs() < 1e-9 * span {
+            "0".to_owned()
+        } else {
+            number(value, 4)
+        }
     }))
 }
 
 /// A factor and a unit that make values up to `largest` easy to read; `units` are the unit, its
 /// thousandth and its millionth.
 pub fn readable(largest: f64, units: [&'static str; 3]) -> (f64, &'static str) {
-    let power = [0.02, 0.02e-3].iter().filter(|&&least| largest != 0.0 && largest.abs() < least).count();
+    let power = [0.02, 0.02e-3]
+        .iter()
+        .filter(|&&least| largest != 0.0 && largest.abs() < least)
+        .count();
     (1e3_f64.powi(power as i32), units[power.min(2)])
 }
 
@@ -170,7 +217,11 @@ pub fn readable(largest: f64, units: [&'static str; 3]) -> (f64, &'static str) {
 pub fn decades() -> TickFormat {
     TickFormat::Custom(Arc::new(|v| {
         let decade = v.log10();
-        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
+        if (decade - decade.round()).abs() < 1e-6 {
+            TickFormat::Auto.format(v)
+        } else {
+            String::new()
+        }
     }))
 }
 
@@ -180,8 +231,18 @@ mod tests {
 
     #[test]
     fn steps_are_round_and_not_too_small() {
-        for (step, expected) in [(0.11, 0.2), (0.2, 0.2), (0.21, 0.25), (3.0, 5.0), (7.0, 10.0), (1.0, 1.0)] {
-            assert!((round_step(step) / expected - 1.0f64).abs() < 1e-12, "{step}");
+        for (step, expected) in [
+            (0.11, 0.2),
+            (0.2, 0.2),
+            (0.21, 0.25),
+            (3.0, 5.0),
+            (7.0, 10.0),
+            (1.0, 1.0),
+        ] {
+            assert!(
+                (round_step(step) / expected - 1.0f64).abs() < 1e-12,
+                "{step}"
+            );
         }
     }
 
@@ -189,7 +250,10 @@ mod tests {
     fn small_values_get_a_small_unit() {
         let unit = |largest| readable(largest, ["m", "mm", "µm"]);
         assert_eq!((unit(0.3), unit(0.0)), ((1.0, "m"), (1.0, "m")));
-        assert_eq!((unit(-0.019), unit(1e-5), unit(1e-9)), ((1e3, "mm"), (1e6, "µm"), (1e6, "µm")));
+        assert_eq!(
+            (unit(-0.019), unit(1e-5), unit(1e-9)),
+            ((1e3, "mm"), (1e6, "µm"), (1e6, "µm"))
+        );
     }
 
     #[test]

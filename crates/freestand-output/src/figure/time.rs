@@ -12,7 +12,12 @@ const BETWEEN_PX: (f64, f64) = (8.0, 10.0);
 
 /// The time axis; only the lowest panel shows its label.
 pub fn time_axis(from: f64, to: f64) -> Axis {
-    Axis { from, to, step: Some(round_step((to - from) / 8.0)), label: "Time (s)".into() }
+    Axis {
+        from,
+        to,
+        step: Some(round_step((to - from) / 8.0)),
+        label: "Time (s)".into(),
+    }
 }
 
 /// One of several stacked panels with the same x axis.
@@ -30,7 +35,9 @@ pub fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
 /// A stacked panel with a line of text above it.
 pub fn stacked_with_title(x: Axis, y: Axis, lowest: bool, title: String) -> Layout {
     let below = if lowest { LABELS_PX } else { BETWEEN_PX.1 };
-    stacked(x, y, lowest).with_title(title).with_force_margins_y(TITLE_PX, below)
+    stacked(x, y, lowest)
+        .with_title(title)
+        .with_force_margins_y(TITLE_PX, below)
 }
 
 /// An axis from −`largest` to `largest`, rounded up.
@@ -66,7 +73,12 @@ pub fn thin(points: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Vec
 
 fn flush(column: &mut Vec<(f64, f64)>, thinned: &mut Vec<(f64, f64)>) {
     let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-    let extremes = [column.first(), column.iter().min_by(by_value), column.iter().max_by(by_value), column.last()];
+    let extremes = [
+        column.first(),
+        column.iter().min_by(by_value),
+        column.iter().max_by(by_value),
+        column.last(),
+    ];
     let mut kept: Vec<(f64, f64)> = extremes.into_iter().flatten().copied().collect();
     kept.sort_by(|a, b| a.0.total_cmp(&b.0));
     kept.dedup();
@@ -81,10 +93,19 @@ mod tests {
     #[test]
     fn thinning_keeps_the_extremes() {
         let n = 100_000;
-        let points: Vec<(f64, f64)> = (0..=n).map(|i| (i as f64 / n as f64, (i as f64 * 0.37).sin())).collect();
+        let points: Vec<(f64, f64)> = (0..=n)
+            .map(|i| (i as f64 / n as f64, (i as f64 * 0.37).sin()))
+            .collect();
         let thinned = thin(points.iter().copied(), 0.0, 1.0);
-        assert!(thinned.len() <= 4 * (panel_width_px(1) as usize + 1), "{}", thinned.len());
-        assert_eq!((thinned[0], thinned[thinned.len() - 1]), (points[0], points[n]));
+        assert!(
+            thinned.len() <= 4 * (panel_width_px(1) as usize + 1),
+            "{}",
+            thinned.len()
+        );
+        assert_eq!(
+            (thinned[0], thinned[thinned.len() - 1]),
+            (points[0], points[n])
+        );
         let top = |p: &[(f64, f64)]| p.iter().map(|p| p.1).fold(f64::MIN, f64::max);
         assert_eq!(top(&thinned), top(&points));
         assert!(thinned.windows(2).all(|w| w[0].0 < w[1].0));

@@ -8,7 +8,8 @@
 mod earlier;
 
 use crate::paths::{
-    clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, refuse_links, staging_prefix,
+    clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, refuse_links,
+    staging_prefix,
 };
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -19,7 +20,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-use earlier::{Earlier, Place, check_replaceable, command_of, hash_of, manifest_command, stays_inside};
+use earlier::{
+    Earlier, Place, check_replaceable, command_of, hash_of, manifest_command, stays_inside,
+};
 
 /// Manifests: a folder with one of these files was written by freestand.
 const MANIFESTS: [&str; 3] = [MANIFEST, "summary.json", PLAN];
@@ -84,7 +87,10 @@ impl OutputFolder {
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
         clear_leftovers(&target, false);
         let place = check_replaceable(&target, force)?;
-        let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+        let inputs: Vec<PathBuf> = inputs
+            .iter()
+            .filter_map(|input| fs::canonicalize(input).ok())
+            .collect();
         for name in place.listed() {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
@@ -92,18 +98,38 @@ impl OutputFolder {
         // staging folder is made inside it.
         let (folder, prefix) = match place {
             Place::Absent => {
-                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
-                (parent, prefix_next_to(&target).ok_or_else(|| no_name(&target))?)
+                fs::create_dir_all(parent)
+                    .map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
+                (
+                    parent,
+                    prefix_next_to(&target).ok_or_else(|| no_name(&target))?,
+                )
             }
             Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
-        let staging = tempfile::Builder::new().prefix(&prefix).tempdir_in(folder).map_err(|error| {
-            // tempfile's message names the temporary folder, which means nothing to the user.
-            io_problem(&target, "cannot write the output folder", &error.kind().into())
-        })?;
+        let staging = tempfile::Builder::new()
+            .prefix(&prefix)
+            .tempdir_in(folder)
+            .map_err(|error| {
+                // tempfile's message names the temporary folder, which means nothing to the user.
+                io_problem(
+                    &target,
+                    "cannot write the output folder",
+                    &error.kind().into(),
+                )
+            })?;
         // If a folder cannot be locked, only the process number shows whose it is.
-        let lock = fs::File::open(staging.path()).ok().filter(|folder| folder.try_lock().is_ok());
-        Ok(Self { target, staging, force, command: None, inputs, _lock: lock })
+        let lock = fs::File::open(staging.path())
+            .ok()
+            .filter(|folder| folder.try_lock().is_ok());
+        Ok(Self {
+            target,
+            staging,
+            force,
+            command: None,
+            inputs,
+            _lock: lock,
+        })
     }
 
     /// The same folder, of the command with this schema: refuses at once, before long work, what
@@ -133,12 +159,20 @@ impl OutputFolder {
             let path = self.target.join(name);
             refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
             let in_the_way = |what: &str| {
-                Problem::new(ProblemKind::Io, format!("{what}; an output file cannot be written there"))
-                    .in_file(&path)
-                    .hint(ANOTHER_FOLDER)
+                Problem::new(
+                    ProblemKind::Io,
+                    format!("{what}; an output file cannot be written there"),
+                )
+                .in_file(&path)
+                .hint(ANOTHER_FOLDER)
             };
-            for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
-                let file = fs::symlink_metadata(self.target.join(above)).is_ok_and(|data| !data.is_dir());
+            for above in Path::new(name)
+                .ancestors()
+                .skip(1)
+                .filter(|above| !above.as_os_str().is_empty())
+            {
+                let file =
+                    fs::symlink_metadata(self.target.join(above)).is_ok_and(|data| !data.is_dir());
                 if file && !place.lists(above) {
                     return Err(in_the_way(&format!("{} is not a folder", above.display())));
                 }
@@ -146,8 +180,9 @@ impl OutputFolder {
             match fs::symlink_metadata(&path) {
                 Ok(data) if data.is_dir() => return Err(in_the_way("is a folder")),
                 Ok(_) if !self.force && !place.lists(Path::new(name)) => {
-                    return Err(in_the_way("was not written by freestand")
-                        .hint("name another folder with `out`, or replace the file with `force = true`"));
+                    return Err(in_the_way("was not written by freestand").hint(
+                        "name another folder with `out`, or replace the file with `force = true`",
+                    ));
                 }
                 _ => {}
             }
@@ -178,9 +213,11 @@ impl OutputFolder {
             fs::create_dir_all(parent).map_err(failed)?;
         }
         let file = fs::File::create_new(&path).map_err(|error| match error.kind() {
-            io::ErrorKind::AlreadyExists => Problem::new(ProblemKind::Value, "two outputs have this name")
-                .in_file(&target)
-                .hint("request each output once"),
+            io::ErrorKind::AlreadyExists => {
+                Problem::new(ProblemKind::Value, "two outputs have this name")
+                    .in_file(&target)
+                    .hint("request each output once")
+            }
             _ => failed(error),
         })?;
         Ok(StreamedFile::of(file, &target))
@@ -192,7 +229,10 @@ impl OutputFolder {
     /// A name that leaves the folder.
     pub fn path_of(&self, name: &str) -> Result<PathBuf, Problem> {
         if !stays_inside(name) {
-            return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is not a name inside the output folder")));
+            return Err(Problem::new(
+                ProblemKind::Value,
+                format!("\"{name}\" is not a name inside the output folder"),
+            ));
         }
         Ok(self.staging.path().join(name))
     }
@@ -239,41 +279,70 @@ impl OutputFolder {
         }
         let removed = match place {
             Place::Absent => {
-                fs::rename(self.staging.path(), &self.target)
-                    .map_err(|error| io_problem(&self.target, "cannot move the folder into place", &error))?;
+                fs::rename(self.staging.path(), &self.target).map_err(|error| {
+                    io_problem(&self.target, "cannot move the folder into place", &error)
+                })?;
                 self.staging.disable_cleanup(true);
                 Vec::new()
             }
             Place::Folder { earlier } => {
-                let own: Vec<Earlier> =
-                    earlier.into_iter().filter(|one| command.as_ref().is_none_or(|own| one.command == *own)).collect();
+                let own: Vec<Earlier> = earlier
+                    .into_iter()
+                    .filter(|one| command.as_ref().is_none_or(|own| one.command == *own))
+                    .collect();
                 self.move_in(&names, &own, command.as_deref())?
             }
         };
-        Ok(Committed { folder: self.target.clone(), removed })
+        Ok(Committed {
+            folder: self.target.clone(),
+            removed,
+        })
     }
 
     /// The hash of each file written so far, except manifests.
     fn hashes(&self, names: &[String]) -> Result<BTreeMap<String, String>, Problem> {
         let mut hashes = BTreeMap::new();
-        for name in names.iter().filter(|name| !MANIFESTS.contains(&name.as_str())) {
-            let hash = hash_of(&self.staging.path().join(name))
-                .map_err(|error| io_problem(&self.target.join(name), "cannot read the file again", &error))?;
+        for name in names
+            .iter()
+            .filter(|name| !MANIFESTS.contains(&name.as_str()))
+        {
+            let hash = hash_of(&self.staging.path().join(name)).map_err(|error| {
+                io_problem(
+                    &self.target.join(name),
+                    "cannot read the file again",
+                    &error,
+                )
+            })?;
             hashes.insert(name.clone(), hash);
         }
         Ok(hashes)
     }
 
     /// Adds the hashes to the manifest, and returns the command that it names.
-    fn add_hashes(&self, names: &[String], hashes: &BTreeMap<String, String>) -> Result<Option<String>, Problem> {
-        let Some(manifest) = MANIFESTS.into_iter().find(|manifest| names.iter().any(|name| name == manifest)) else {
+    fn add_hashes(
+        &self,
+        names: &[String],
+        hashes: &BTreeMap<String, String>,
+    ) -> Result<Option<String>, Problem> {
+        let Some(manifest) = MANIFESTS
+            .into_iter()
+            .find(|manifest| names.iter().any(|name| name == manifest))
+        else {
             return Ok(None);
         };
         let path = self.staging.path().join(manifest);
-        let failed = |error: io::Error| io_problem(&self.target.join(manifest), "cannot write the manifest", &error);
+        let failed = |error: io::Error| {
+            io_problem(
+                &self.target.join(manifest),
+                "cannot write the manifest",
+                &error,
+            )
+        };
         let text = fs::read(&path).map_err(failed)?;
         // A manifest that is not an object is not ours to change.
-        let Ok(serde_json::Value::Object(mut keys)) = serde_json::from_slice(&text) else { return Ok(None) };
+        let Ok(serde_json::Value::Object(mut keys)) = serde_json::from_slice(&text) else {
+            return Ok(None);
+        };
         let command = manifest_command(&keys);
         keys.insert(HASHES.to_owned(), serde_json::json!(hashes));
         let mut text = serde_json::to_string_pretty(&keys).map_err(|error| failed(error.into()))?;
@@ -284,12 +353,22 @@ impl OutputFolder {
 
     /// Replaces the files of an earlier run, the manifest last; returns the names of the files that
     /// it removed.
-    fn move_in(&self, names: &[String], earlier: &[Earlier], command: Option<&str>) -> Result<Vec<String>, Problem> {
+    fn move_in(
+        &self,
+        names: &[String],
+        earlier: &[Earlier],
+        command: Option<&str>,
+    ) -> Result<Vec<String>, Problem> {
         let failed = |name: &str, error: io::Error| {
-            io_problem(&self.target.join(name), "cannot move the file into place; the output is incomplete", &error)
+            io_problem(
+                &self.target.join(name),
+                "cannot move the file into place; the output is incomplete",
+                &error,
+            )
         };
-        let (manifests, others): (Vec<&String>, Vec<&String>) =
-            names.iter().partition(|name| MANIFESTS.contains(&name.as_str()));
+        let (manifests, others): (Vec<&String>, Vec<&String>) = names
+            .iter()
+            .partition(|name| MANIFESTS.contains(&name.as_str()));
         // An edited file, which is here only with `force`, is the user's: it stays.
         let goes = |one: &&Earlier, name: &str| {
             !names.iter().any(|new| new == name)
@@ -321,7 +400,8 @@ impl OutputFolder {
                 .map_err(|error| failed(name, error))?;
         }
         let was_result = |name: &&String| {
-            !MANIFESTS.contains(&name.as_str()) && earlier.iter().all(|one| !one.in_progress.contains(*name))
+            !MANIFESTS.contains(&name.as_str())
+                && earlier.iter().all(|one| !one.in_progress.contains(*name))
         };
         Ok(removed.into_iter().filter(was_result).cloned().collect())
     }
@@ -346,12 +426,20 @@ impl Committed {
 /// `removed synthetic-03.csv of the earlier run`, with at most six names.
 pub fn removed_note(removed: &[String]) -> Option<String> {
     const NAMED: usize = 6;
-    let named = removed.iter().take(NAMED).map(String::as_str).collect::<Vec<_>>().join(", ");
+    let named = removed
+        .iter()
+        .take(NAMED)
+        .map(String::as_str)
+        .collect::<Vec<_>>()
+        .join(", ");
     let more = removed.len().saturating_sub(NAMED);
     match (removed.is_empty(), more) {
         (true, _) => None,
         (_, 0) => Some(format!("removed {named} of the earlier run")),
-        _ => Some(format!("removed {named} and {} of the earlier run", counted(more, "more file"))),
+        _ => Some(format!(
+            "removed {named} and {} of the earlier run",
+            counted(more, "more file")
+        )),
     }
 }
 
@@ -374,11 +462,21 @@ pub fn announce(target: &Path, force: bool, schema: &str, names: &[String]) -> R
     };
     refuse_links(&target, names.iter().map(String::as_str))?;
     let own = || earlier.iter().filter(|one| one.command == command);
-    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot create the folder", &error))?;
-    let files: BTreeSet<&String> = names.iter().chain(own().flat_map(|one| &one.files)).collect();
-    let in_progress: BTreeSet<&String> = names.iter().chain(own().flat_map(|one| &one.in_progress)).collect();
+    fs::create_dir_all(&target)
+        .map_err(|error| io_problem(&target, "cannot create the folder", &error))?;
+    let files: BTreeSet<&String> = names
+        .iter()
+        .chain(own().flat_map(|one| &one.files))
+        .collect();
+    let in_progress: BTreeSet<&String> = names
+        .iter()
+        .chain(own().flat_map(|one| &one.in_progress))
+        .collect();
     // What is in progress has no hash; the outputs of the earlier run keep theirs.
-    let hashes = own().flat_map(|one| &one.hashes).filter(|(name, _)| !in_progress.contains(name)).collect();
+    let hashes = own()
+        .flat_map(|one| &one.hashes)
+        .filter(|(name, _)| !in_progress.contains(name))
+        .collect();
     let text = incomplete(&command, &files, &in_progress, &hashes);
     write_file(&target.join(MANIFEST), text.as_bytes(), &[])
 }
@@ -421,7 +519,11 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         _ => {}
     }
-    for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
+    for above in Path::new(name)
+        .ancestors()
+        .skip(1)
+        .filter(|above| !above.as_os_str().is_empty())
+    {
         if fs::remove_dir(target.join(above)).is_err() {
             break;
         }
@@ -430,11 +532,13 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
 }
 
 fn absolute(path: &Path) -> Result<PathBuf, Problem> {
-    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
+    let path =
+        std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
     // Where the path exists, ".." and links above it are resolved as the system does.
     match (path.file_name(), path.parent()) {
         (Some(_), _) => Ok(path),
-        _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot inspect the output folder", &error)),
+        _ => fs::canonicalize(&path)
+            .map_err(|error| io_problem(&path, "cannot inspect the output folder", &error)),
     }
 }
 

@@ -50,13 +50,16 @@ impl Instant {
     pub(super) fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (date, time) = text.split_once(['T', ' ']).unwrap_or((text, "00:00:00"));
-        let date = NaiveDate::parse_from_str(date, "%Y-%m-%d").ok().filter(|date| (1..=9999).contains(&date.year()))?;
+        let date = NaiveDate::parse_from_str(date, "%Y-%m-%d")
+            .ok()
+            .filter(|date| (1..=9999).contains(&date.year()))?;
         // XML allows the end of a day to be written as its hour 24; chrono does not.
         if let Some(zone) = time.strip_prefix("24:00:00") {
             let midnight = Self::parse(&format!("{date}T00:00:00{zone}"))?;
             return Some(midnight.later_by_ns(86_400 * SECOND_NS));
         }
-        let with_zone = || DateTime::parse_from_str(&format!("{date}T{time}"), "%Y-%m-%dT%H:%M:%S%.f%#z").ok();
+        let with_zone =
+            || DateTime::parse_from_str(&format!("{date}T{time}"), "%Y-%m-%dT%H:%M:%S%.f%#z").ok();
         let time = match NaiveTime::parse_from_str(time, "%H:%M:%S%.f") {
             Ok(time) => date.and_time(time),
             Err(_) => with_zone()?.naive_utc(),
@@ -69,7 +72,9 @@ impl fmt::Display for Instant {
     /// ISO 8601 with milliseconds.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (seconds, ns) = (self.0.div_euclid(SECOND_NS), self.0.rem_euclid(SECOND_NS));
-        let time = i64::try_from(seconds).ok().and_then(|seconds| DateTime::from_timestamp(seconds, ns as u32));
+        let time = i64::try_from(seconds)
+            .ok()
+            .and_then(|seconds| DateTime::from_timestamp(seconds, ns as u32));
         match time {
             Some(time) => write!(f, "{}", time.format("%Y-%m-%dT%H:%M:%S%.3f")),
             None => write!(f, "a time beyond the calendar"),
@@ -85,7 +90,12 @@ mod tests {
     fn dates_are_counted_as_the_calendar_has_them() {
         // Seconds since 1970 from the table of POSIX time: 2000-03-01 is day 11017, 2019-07-06 is
         // day 18083.
-        for (text, days) in [("1970-01-01", 0), ("2000-03-01", 11_017), ("2019-07-06", 18_083), ("1969-12-31", -1)] {
+        for (text, days) in [
+            ("1970-01-01", 0),
+            ("2000-03-01", 11_017),
+            ("2019-07-06", 18_083),
+            ("1969-12-31", -1),
+        ] {
             let instant = Instant(days * 86_400 * SECOND_NS);
             assert_eq!(Instant::parse(text), Some(instant), "{text}");
             assert_eq!(instant.to_string(), format!("{text}T00:00:00.000"));
@@ -93,18 +103,40 @@ mod tests {
         let start = Instant::from_day(2019, 187, 3 * 3600 + 19 * 60 + 23, 38_300_000);
         assert_eq!(start.to_string(), "2019-07-06T03:19:23.038");
         assert_eq!(Instant::parse("2019-07-06T03:19:23.0383Z"), Some(start));
-        for text in ["2019-07-06T05:19:23.0383+02:00", "2019-07-06 05:19:23.038300000+02", "2019-07-06T03:19:23.0383"] {
+        for text in [
+            "2019-07-06T05:19:23.0383+02:00",
+            "2019-07-06 05:19:23.038300000+02",
+            "2019-07-06T03:19:23.0383",
+        ] {
             assert_eq!(Instant::parse(text), Some(start), "{text}");
         }
-        assert_eq!(Instant::parse("2019-07-06T24:00:00Z"), Instant::parse("2019-07-07"));
-        assert_eq!(Instant::parse("2016-12-31T23:59:60"), Instant::parse("2017-01-01"));
+        assert_eq!(
+            Instant::parse("2019-07-06T24:00:00Z"),
+            Instant::parse("2019-07-07")
+        );
+        assert_eq!(
+            Instant::parse("2016-12-31T23:59:60"),
+            Instant::parse("2017-01-01")
+        );
         // A day that the year does not have, and times beyond the calendar.
-        assert_eq!(Instant::from_day(2019, 366, 0, 0), Instant::from_day(2020, 1, 0, 0));
-        assert_eq!(start.later_by_s(f64::MAX).to_string(), "a time beyond the calendar");
+        assert_eq!(
+            Instant::from_day(2019, 366, 0, 0),
+            Instant::from_day(2020, 1, 0, 0)
+        );
+        assert_eq!(
+            start.later_by_s(f64::MAX).to_string(),
+            "a time beyond the calendar"
+        );
         // 38.3 ms before the second, exactly.
-        assert_eq!(start.seconds_since(Instant::parse("2019-07-06T03:19:23").unwrap()), 0.0383);
+        assert_eq!(
+            start.seconds_since(Instant::parse("2019-07-06T03:19:23").unwrap()),
+            0.0383
+        );
         assert!(Instant::parse("3000-01-01T00:00:00").unwrap() > start);
-        assert_eq!(Instant::parse("2024-12-31").unwrap().to_string(), "2024-12-31T00:00:00.000");
+        assert_eq!(
+            Instant::parse("2024-12-31").unwrap().to_string(),
+            "2024-12-31T00:00:00.000"
+        );
     }
 
     #[test]

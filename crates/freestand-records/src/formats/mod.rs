@@ -62,12 +62,20 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Pr
 /// assert_eq!(file.components[0].motion.peak_m_s2(), 0.5 * freestand::G0_M_S2);
 /// # Ok::<(), freestand_input::problem::Problems>(())
 /// ```
-pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
+pub fn parse_motions(
+    mut bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions,
+) -> Result<MotionFile, Problems> {
     // Checked first, because a wrong option is not a fault of the file.
     options.check()?;
     let read = reader(&mut bytes, options).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
-    let Reading { format, mut components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
+    let Reading {
+        format,
+        mut components,
+        mut notes,
+    } = reading.map_err(|problem| problem.in_file(path))?;
     if !options.is_shock {
         notes.extend(components.iter().flat_map(doubts));
     }
@@ -76,7 +84,12 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
         component.name = printable(&component.name);
         component.station = component.station.as_deref().map(printable);
     }
-    let file = MotionFile { path: path.to_path_buf(), format, components, notes };
+    let file = MotionFile {
+        path: path.to_path_buf(),
+        format,
+        components,
+        notes,
+    };
     Ok(file.with_unused(options))
 }
 
@@ -90,26 +103,79 @@ struct Family {
 type Reader = fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>;
 
 /// Binary formats. They come first: what they do not recognise must be text.
-const BINARY: &[Family] =
-    &[Family { recognises: mseed::is_mseed, read: mseed::read }, Family { recognises: sac::is_sac, read: sac::read }];
+const BINARY: &[Family] = &[
+    Family {
+        recognises: mseed::is_mseed,
+        read: mseed::read,
+    },
+    Family {
+        recognises: sac::is_sac,
+        read: sac::read,
+    },
+];
 
 /// From the most specific signature to the least. What no family recognises is read as columns.
 const FAMILIES: &[Family] = &[
-    Family { recognises: smc::is_smc, read: smc::read },
-    Family { recognises: cosmos::is_cosmos, read: cosmos::read },
-    Family { recognises: geonet::is_geonet, read: geonet::read },
-    Family { recognises: usc::is_usc, read: usc::read },
-    Family { recognises: csmip::is_csmip, read: csmip::read },
-    Family { recognises: knet::is_knet, read: knet::read },
-    Family { recognises: cwa::is_cwa, read: cwa::read },
-    Family { recognises: unam::is_unam, read: unam::read },
-    Family { recognises: bhrc::is_bhrc, read: bhrc::read },
-    Family { recognises: dyna::is_dyna, read: dyna::read },
-    Family { recognises: nsmn::is_nsmn, read: nsmn::read },
-    Family { recognises: sigma::is_sigma, read: sigma::read },
-    Family { recognises: sac::is_text_sac, read: sac::read_text },
-    Family { recognises: at2::is_at2, read: at2::read },
-    Family { recognises: long_table::is_long_table, read: long_table::read },
+    Family {
+        recognises: smc::is_smc,
+        read: smc::read,
+    },
+    Family {
+        recognises: cosmos::is_cosmos,
+        read: cosmos::read,
+    },
+    Family {
+        recognises: geonet::is_geonet,
+        read: geonet::read,
+    },
+    Family {
+        recognises: usc::is_usc,
+        read: usc::read,
+    },
+    Family {
+        recognises: csmip::is_csmip,
+        read: csmip::read,
+    },
+    Family {
+        recognises: knet::is_knet,
+        read: knet::read,
+    },
+    Family {
+        recognises: cwa::is_cwa,
+        read: cwa::read,
+    },
+    Family {
+        recognises: unam::is_unam,
+        read: unam::read,
+    },
+    Family {
+        recognises: bhrc::is_bhrc,
+        read: bhrc::read,
+    },
+    Family {
+        recognises: dyna::is_dyna,
+        read: dyna::read,
+    },
+    Family {
+        recognises: nsmn::is_nsmn,
+        read: nsmn::read,
+    },
+    Family {
+        recognises: sigma::is_sigma,
+        read: sigma::read,
+    },
+    Family {
+        recognises: sac::is_text_sac,
+        read: sac::read_text,
+    },
+    Family {
+        recognises: at2::is_at2,
+        read: at2::read,
+    },
+    Family {
+        recognises: long_table::is_long_table,
+        read: long_table::read,
+    },
 ];
 
 /// How much of a text is searched for signatures: more than the longest header, which has 300 lines

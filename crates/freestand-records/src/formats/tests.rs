@@ -9,17 +9,35 @@ fn three() -> MotionFile {
 
 #[test]
 fn a_file_without_components_is_refused() {
-    let reading = Reading { format: "columns", components: Vec::new(), notes: Vec::new() };
+    let reading = Reading {
+        format: "columns",
+        components: Vec::new(),
+        notes: Vec::new(),
+    };
     let problem = reading.with_components().err().unwrap();
-    assert!(problem.message == "holds no acceleration record" && problem.hint.is_some(), "{problem}");
-    let reading = Reading { format: "columns", components: three().components, notes: Vec::new() };
+    assert!(
+        problem.message == "holds no acceleration record" && problem.hint.is_some(),
+        "{problem}"
+    );
+    let reading = Reading {
+        format: "columns",
+        components: three().components,
+        notes: Vec::new(),
+    };
     assert_eq!(reading.with_components().unwrap().components.len(), 3);
 }
 
 #[test]
 fn components_are_chosen_by_name_or_number() {
     let file = three();
-    for (wanted, name) in [("NS", "NS"), ("ew", "EW"), ("2", "EW"), ("360", "360"), ("3", "360"), (" EW [g] ", "EW")] {
+    for (wanted, name) in [
+        ("NS", "NS"),
+        ("ew", "EW"),
+        ("2", "EW"),
+        ("360", "360"),
+        ("3", "360"),
+        (" EW [g] ", "EW"),
+    ] {
         assert_eq!(file.select(Some(wanted)).unwrap().name, name, "{wanted}");
     }
     for wanted in ["UP", "0", "4", "", "-1", "["] {
@@ -38,15 +56,27 @@ fn components_are_chosen_by_name_or_number() {
 fn two_of_one_name_are_told_apart_by_number() {
     let mut file = three();
     file.components[1].name = "NS".to_owned();
-    assert!(file.select(Some("ns")).unwrap_err().message.contains("several"));
-    assert_eq!(file.select(Some("2")).unwrap().motion.accel_m_s2()[0], file.components[1].motion.accel_m_s2()[0]);
+    assert!(
+        file.select(Some("ns"))
+            .unwrap_err()
+            .message
+            .contains("several")
+    );
+    assert_eq!(
+        file.select(Some("2")).unwrap().motion.accel_m_s2()[0],
+        file.components[1].motion.accel_m_s2()[0]
+    );
 }
 
 #[test]
 fn what_is_no_file_is_said() {
     let folder = tempfile::tempdir().unwrap();
-    let problem =
-        |name: &str| read_motions(&folder.path().join(name), &ReadOptions::default()).unwrap_err().problems.remove(0);
+    let problem = |name: &str| {
+        read_motions(&folder.path().join(name), &ReadOptions::default())
+            .unwrap_err()
+            .problems
+            .remove(0)
+    };
     assert!(problem("absent.at2").message.contains("cannot open"));
     assert!(problem("").message.contains("is a folder"));
     std::fs::write(folder.path().join("empty"), "").unwrap();
@@ -59,12 +89,22 @@ fn what_is_no_file_is_said() {
 #[test]
 fn a_sensitivity_without_effect_is_refused_by_every_format() {
     let sensitivity = Some(parse_sensitivity("10 mV/g").unwrap());
-    let options = ReadOptions { sensitivity, is_shock: true, ..ReadOptions::default() };
+    let options = ReadOptions {
+        sensitivity,
+        is_shock: true,
+        ..ReadOptions::default()
+    };
     let accel_m_s2 = (0..40).map(|i| (f64::from(i) * 0.3).sin()).collect();
     let at2 = write_at2(&Motion::new(0.01, accel_m_s2).unwrap(), "x");
     for text in [at2.as_str(), "t [s],a [g]\n0,1\n1,4\n"] {
-        let problem = parse_motions(text.into(), "x".as_ref(), &options).unwrap_err().problems.remove(0);
-        assert!(problem.message.contains("is not in volts") && problem.hint.is_some(), "{problem}");
+        let problem = parse_motions(text.into(), "x".as_ref(), &options)
+            .unwrap_err()
+            .problems
+            .remove(0);
+        assert!(
+            problem.message.contains("is not in volts") && problem.hint.is_some(),
+            "{problem}"
+        );
     }
 }
 
@@ -74,7 +114,10 @@ fn samples() -> Vec<Vec<u8>> {
     vec![
         write_at2(&motion, "Somewhere, 1/1/2000, Station, 090").into_bytes(),
         write_csv(&motion).into_bytes(),
-        write_csv(&motion).replace(',', ";").replace('.', ",").into_bytes(),
+        write_csv(&motion)
+            .replace(',', ";")
+            .replace('.', ",")
+            .into_bytes(),
         b"# units=g dt=0.01\n 1.0E-01-2.0D-01 3.0-003\n-.1 -.2 -.3\n".to_vec(),
         b"3 0.02\n1\n2\n3\n".to_vec(),
         geonet::tests::sample(),
@@ -88,8 +131,16 @@ fn samples() -> Vec<Vec<u8>> {
 /// Whatever a file is, it is read or refused with a message of one line, and what is read is
 /// finite.
 fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
-    let given = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-    let resampled = ReadOptions { unit: Some("g".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
+    let given = ReadOptions {
+        unit: Some("g".to_owned()),
+        dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
+    let resampled = ReadOptions {
+        unit: Some("g".to_owned()),
+        uneven_dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
     for options in [ReadOptions::default(), given, resampled] {
         match parse_motions(bytes.clone(), "x".as_ref(), &options) {
             Ok(file) => {
@@ -99,7 +150,9 @@ fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
                     prop_assert!(component.line_of_first_value > 0);
                 }
             }
-            Err(error) => prop_assert!(!error.problems[0].message.contains(['\n', '\r']), "{error}"),
+            Err(error) => {
+                prop_assert!(!error.problems[0].message.contains(['\n', '\r']), "{error}")
+            }
         }
     }
     Ok(())
@@ -162,12 +215,21 @@ fn a_title_alone_makes_no_agency_s_file() {
             let table = format!("{mark}{title}\ntime [s],a [g]\n0,1\n0.01,2\n0.02,3\n");
             let file = parse_motions(table.into_bytes(), "x".as_ref(), &ReadOptions::default());
             let file = file.unwrap_or_else(|error| panic!("{mark}{title}: {error}"));
-            assert_eq!((file.format, file.components[0].motion.accel_m_s2().len()), ("CSV", 3), "{mark}{title}");
+            assert_eq!(
+                (file.format, file.components[0].motion.accel_m_s2().len()),
+                ("CSV", 3),
+                "{mark}{title}"
+            );
             let at2 = format!(
                 "{mark}PEER STRONG MOTION DATABASE, {title}\nA, 1/1/2000, B, 090\nUNITS OF G\nNPTS= 2, DT= .02\n1 2\n"
             );
             let file = parse_motions(at2.into_bytes(), "x".as_ref(), &ReadOptions::default());
-            assert_eq!(file.unwrap_or_else(|error| panic!("{mark}{title}: {error}")).format, "PEER AT2", "{title}");
+            assert_eq!(
+                file.unwrap_or_else(|error| panic!("{mark}{title}: {error}"))
+                    .format,
+                "PEER AT2",
+                "{title}"
+            );
         }
     }
 }
@@ -176,13 +238,21 @@ fn a_title_alone_makes_no_agency_s_file() {
 #[test]
 fn a_shock_may_be_beyond_a_floor() {
     let notes = |is_shock: bool| {
-        let options = ReadOptions { is_shock, station_xml: Some("x.xml".into()), ..ReadOptions::default() };
+        let options = ReadOptions {
+            is_shock,
+            station_xml: Some("x.xml".into()),
+            ..ReadOptions::default()
+        };
         let text = "time [s],a [g]\n0,0\n0.01,300\n0.02,0\n".to_owned();
-        parse_motions(text.into_bytes(), "x.csv".as_ref(), &options).unwrap().notes
+        parse_motions(text.into_bytes(), "x.csv".as_ref(), &options)
+            .unwrap()
+            .notes
     };
     let (floor, shock) = (notes(false), notes(true));
     assert!(
-        floor[0].to_string().contains("value 2 is 300.0 g") && floor[1..] == shock[..] && shock.len() == 1,
+        floor[0].to_string().contains("value 2 is 300.0 g")
+            && floor[1..] == shock[..]
+            && shock.len() == 1,
         "{floor:?} {shock:?}"
     );
 }

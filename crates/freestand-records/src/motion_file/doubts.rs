@@ -6,7 +6,9 @@ use freestand_input::words::number;
 
 /// All doubts about the values of a component.
 pub(crate) fn doubts(component: &Component) -> impl Iterator<Item = Note> {
-    [extreme, offset, odd_step, clipped, ends_early, relative].into_iter().filter_map(|doubt| doubt(component))
+    [extreme, offset, odd_step, clipped, ends_early, relative]
+        .into_iter()
+        .filter_map(|doubt| doubt(component))
 }
 
 /// A history of fewer values has no level, and may be a pulse.
@@ -21,13 +23,20 @@ fn extreme(component: &Component) -> Option<Note> {
     const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
     let motion = &component.motion;
     // The offset of an instrument's own values may be anything; it is removed before they are used.
-    let offset_m_s2 = if component.is_raw { motion.mean_m_s2() } else { 0.0 };
+    let offset_m_s2 = if component.is_raw {
+        motion.mean_m_s2()
+    } else {
+        0.0
+    };
     let (at, peak_m_s2) = motion
         .accel_m_s2()
         .iter()
         .map(|a| (a - offset_m_s2).abs())
         .enumerate()
-        .fold((0, 0.0), |(at, peak), (i, a)| if a > peak { (i, a) } else { (at, peak) });
+        .fold(
+            (0, 0.0),
+            |(at, peak), (i, a)| if a > peak { (i, a) } else { (at, peak) },
+        );
     (peak_m_s2 > HIGHEST_M_S2).then(|| {
         let peak_g = peak_m_s2 / freestand::G0_M_S2;
         let words = format!(
@@ -77,7 +86,9 @@ fn offset(component: &Component) -> Option<Note> {
     let mut sorted = accel.to_vec();
     let (_, median, _) = sorted.select_nth_unstable_by(accel.len() / 2, f64::total_cmp);
     let offset_m_s2 = *median;
-    let reach = accel.iter().fold(0.0, |most: f64, a| most.max((a - offset_m_s2).abs()));
+    let reach = accel
+        .iter()
+        .fold(0.0, |most: f64, a| most.max((a - offset_m_s2).abs()));
     (offset_m_s2.abs() > LEAST_M_S2 && offset_m_s2.abs() > SHARE * reach).then(|| {
         let offset_g = offset_m_s2 / freestand::G0_M_S2;
         let cause =
@@ -104,20 +115,29 @@ fn clipped(component: &Component) -> Option<Note> {
     let accel = component.motion.accel_m_s2();
     let peak_m_s2 = component.motion.peak_m_s2();
     let near_peak = |a: f64| a.abs() > 0.5 * peak_m_s2;
-    let steps = accel.windows(2).filter(|pair| pair.iter().all(|a| near_peak(*a)) && pair[0] * pair[1] > 0.0);
-    let steps = steps.map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
+    let steps = accel
+        .windows(2)
+        .filter(|pair| pair.iter().all(|a| near_peak(*a)) && pair[0] * pair[1] > 0.0);
+    let steps = steps
+        .map(|pair| (pair[1] - pair[0]).abs())
+        .filter(|step| *step > 0.0);
     // Where nothing but tops is near the peak, nothing is known of the digits.
     let last_place = steps.reduce(f64::min).unwrap_or(0.0);
-    let [lowest, highest] = [f64::min, f64::max].map(|extreme| accel.iter().copied().fold(0.0, extreme));
+    let [lowest, highest] =
+        [f64::min, f64::max].map(|extreme| accel.iter().copied().fold(0.0, extreme));
     let mut start = 0_usize;
     let (mut places, mut samples) = (0, 0);
     for run in accel.chunk_by(|a, b| a == b) {
         let (count, level) = (run.len(), run[0]);
         let falls = |at: Option<usize>| {
-            at.and_then(|at| accel.get(at)).is_some_and(|a| (level - a).abs() > DIGITS * last_place)
+            at.and_then(|at| accel.get(at))
+                .is_some_and(|a| (level - a).abs() > DIGITS * last_place)
         };
         let is_extreme = near_peak(level) && (level == lowest || level == highest);
-        if count >= MIN_REPEATED && is_extreme && falls(start.checked_sub(count)) && falls(Some(start + 2 * count - 1))
+        if count >= MIN_REPEATED
+            && is_extreme
+            && falls(start.checked_sub(count))
+            && falls(Some(start + 2 * count - 1))
         {
             (places, samples) = (places + 1, samples + count);
         }
@@ -147,7 +167,10 @@ fn ends_early(component: &Component) -> Option<Note> {
     const STRONG: f64 = 0.2;
     let accel = component.motion.accel_m_s2();
     let peak_m_s2 = component.motion.peak_m_s2();
-    let crossings = accel.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+    let crossings = accel
+        .windows(2)
+        .filter(|pair| pair[0] * pair[1] < 0.0)
+        .count();
     let count = ((END * accel.len() as f64) as usize).max(5);
     let end = accel.get(accel.len().checked_sub(count)?..)?;
     let rms_m_s2 = (end.iter().map(|a| a * a).sum::<f64>() / count as f64).sqrt();
@@ -177,29 +200,47 @@ mod tests {
 
     /// The kinds of the notes of a file with these values at a step of 10 ms.
     fn kinds(heading: &str, values: impl Iterator<Item = f64>, digits: usize) -> Vec<NoteKind> {
-        let rows: String = values.enumerate().map(|(i, a)| format!("{:.2},{a:.digits$}\n", 0.01 * i as f64)).collect();
+        let rows: String = values
+            .enumerate()
+            .map(|(i, a)| format!("{:.2},{a:.digits$}\n", 0.01 * i as f64))
+            .collect();
         let text = format!("{heading}\n{rows}");
-        let file = parse_motions(text.into_bytes(), "x.csv".as_ref(), &ReadOptions::default()).unwrap();
+        let file =
+            parse_motions(text.into_bytes(), "x.csv".as_ref(), &ReadOptions::default()).unwrap();
         file.notes.iter().map(|note| note.kind).collect()
     }
 
     /// A train of waves of 0.4 g that grows and dies away in 10 s.
     fn waves() -> impl Iterator<Item = f64> {
-        (0..1000).map(|i| f64::from(i) * 0.01).map(|t| 0.4 * (0.6 * t).sin().max(0.0) * (9.0 * t).sin())
+        (0..1000)
+            .map(|i| f64::from(i) * 0.01)
+            .map(|t| 0.4 * (0.6 * t).sin().max(0.0) * (9.0 * t).sin())
     }
 
     #[test]
     fn what_an_instrument_could_not_show_is_said() {
         let heading = "time [s],a [g]";
         assert_eq!(kinds(heading, waves(), 6), []);
-        assert_eq!(kinds(heading, waves().map(|a| a.clamp(-0.2, 0.2)), 6), [NoteKind::Clipped]);
-        assert_eq!(kinds(heading, waves().map(|a| a.min(0.3)), 6), [NoteKind::Clipped]);
+        assert_eq!(
+            kinds(heading, waves().map(|a| a.clamp(-0.2, 0.2)), 6),
+            [NoteKind::Clipped]
+        );
+        assert_eq!(
+            kinds(heading, waves().map(|a| a.min(0.3)), 6),
+            [NoteKind::Clipped]
+        );
         // So much that hardly more than the limit is left.
-        assert_eq!(kinds(heading, waves().map(|a| (100.0 * a).clamp(-0.2, 0.2)), 6), [NoteKind::Clipped]);
+        assert_eq!(
+            kinds(heading, waves().map(|a| (100.0 * a).clamp(-0.2, 0.2)), 6),
+            [NoteKind::Clipped]
+        );
         // A steady wave in three digits repeats its rounded top of 0.1 g.
         let steady = |scale: f64| (0..1000).map(move |i| scale * (0.02 * f64::from(i)).sin());
         assert!(!kinds(heading, steady(0.1), 3).contains(&NoteKind::Clipped));
-        assert!(kinds(heading, steady(0.1).map(|a| a.clamp(-0.08, 0.08)), 3).contains(&NoteKind::Clipped));
+        assert!(
+            kinds(heading, steady(0.1).map(|a| a.clamp(-0.08, 0.08)), 3)
+                .contains(&NoteKind::Clipped)
+        );
     }
 
     #[test]
@@ -213,6 +254,9 @@ mod tests {
     #[test]
     fn what_a_heading_contradicts_is_said() {
         assert_eq!(kinds("time [ms],a [g]", waves(), 6), [NoteKind::OddStep]);
-        assert_eq!(kinds("time [s],relative acceleration [g]", waves(), 6), [NoteKind::Relative]);
+        assert_eq!(
+            kinds("time [s],relative acceleration [g]", waves(), 6),
+            [NoteKind::Relative]
+        );
     }
 }

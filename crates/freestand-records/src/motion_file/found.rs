@@ -24,10 +24,20 @@ pub(crate) fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
         return Ok(());
     }
     let (message, hint) = if dt_s > 0.0 {
-        let hint = if dt_s > 1.0 { "is it in ms?" } else { "is it in another unit?" };
-        (format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"), format!("{hint} state it in s"))
+        let hint = if dt_s > 1.0 {
+            "is it in ms?"
+        } else {
+            "is it in another unit?"
+        };
+        (
+            format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"),
+            format!("{hint} state it in s"),
+        )
     } else {
-        (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
+        (
+            format!("the time step must be positive, not {dt_s} s"),
+            "write it in s or ms".to_owned(),
+        )
     };
     Err(Problem::new(kind, message).hint(hint))
 }
@@ -60,8 +70,10 @@ impl Found {
             && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
             && unit.symbol != self.unit.symbol
         {
-            let message =
-                format!("the record is in {} according to the file, not in {}", self.unit.symbol, unit.symbol);
+            let message = format!(
+                "the record is in {} according to the file, not in {}",
+                self.unit.symbol, unit.symbol
+            );
             return Err(Problem::new(ProblemKind::Value, message)
                 .at_line(self.line)
                 .hint("leave out `unit`, or correct the file if it is wrong"));
@@ -72,7 +84,10 @@ impl Found {
             // One part in a million is a difference in printing, not in meaning.
             && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
         {
-            let message = format!("the time step is {} s according to the header, not {dt_s} s", self.dt_s);
+            let message = format!(
+                "the time step is {} s according to the header, not {dt_s} s",
+                self.dt_s
+            );
             return Err(at_step(Problem::new(ProblemKind::Value, message))
                 .hint("leave out `dt`, or correct the file if it is wrong"));
         }
@@ -101,7 +116,10 @@ pub(crate) fn tell_apart(components: &mut [Component]) {
         *uses.entry(component.name.to_lowercase()).or_default() += 1;
     }
     for (i, component) in components.iter_mut().enumerate() {
-        if uses.get(&component.name.to_lowercase()).is_some_and(|count| *count > 1) {
+        if uses
+            .get(&component.name.to_lowercase())
+            .is_some_and(|count| *count > 1)
+        {
             component.name = format!("{}, channel {}", component.name, i + 1);
         }
     }
@@ -112,7 +130,11 @@ pub(crate) fn tell_apart(components: &mut [Component]) {
 /// Some agencies print the peak with the opposite sign, and most with three digits, which rounds by
 /// up to 1 %.
 pub(crate) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<Note> {
-    peak_note_of(&component.name, component.motion.peak_m_s2(), header_peak_m_s2)
+    peak_note_of(
+        &component.name,
+        component.motion.peak_m_s2(),
+        header_peak_m_s2,
+    )
 }
 
 /// As [`peak_note`], for a largest value that was found in another way.
@@ -123,7 +145,9 @@ pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
     // A header without a peak has 0 or a marker of a missing value.
     let is_stated = stated > 0.0 && stated < HIGHEST_M_S2;
     (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
-        let words = format!("the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2");
+        let words = format!(
+            "the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2"
+        );
         Note::of(name, NoteKind::PeakDiffers, words).amount(100.0 * (found - stated) / stated, "%")
     })
 }
@@ -152,9 +176,15 @@ pub(crate) fn channels_note(header: &[String], found: usize) -> Option<Note> {
     let stated: usize = header.iter().find_map(|line| {
         let upper = line.to_ascii_uppercase();
         let (before, _) = upper.split_once("CHNS OF")?;
-        before.rsplit(['(', ' ']).find(|word| !word.is_empty())?.parse().ok()
+        before
+            .rsplit(['(', ' '])
+            .find(|word| !word.is_empty())?
+            .parse()
+            .ok()
     })?;
-    let words = || format!("the header states {stated} channels, but the file has {found}: it may be cut off");
+    let words = || {
+        format!("the header states {stated} channels, but the file has {found}: it may be cut off")
+    };
     (found < stated).then(|| Note::new(NoteKind::CutOff, words()))
 }
 
@@ -162,10 +192,16 @@ pub(crate) fn channels_note(header: &[String], found: usize) -> Option<Note> {
 pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
     // Text after the last channel has other lines.
     const MAX: usize = 100;
-    let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
-    let mut last = lines.filter(|line| !line.is_blank()).take(MAX).take_while(Line::is_text);
+    let lines = bytes
+        .rsplit(|b| matches!(b, b'\n' | b'\r'))
+        .map(|bytes| Line { number: 0, bytes });
+    let mut last = lines
+        .filter(|line| !line.is_blank())
+        .take(MAX)
+        .take_while(Line::is_text);
     let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
-    let words = || format!("the last channel does not end with a line \"{mark}\": the file may be cut off");
+    let words =
+        || format!("the last channel does not end with a line \"{mark}\": the file may be cut off");
     (!is_there).then(|| Note::new(NoteKind::CutOff, words()))
 }
 
@@ -173,6 +209,8 @@ pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
 pub(crate) fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
     check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
     Motion::new(dt_s, accel_m_s2).map_err(|error| {
-        Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
+        Problem::new(ProblemKind::Format, error.to_string())
+            .at_line(line)
+            .hint("check that the record is complete")
     })
 }

@@ -6,7 +6,9 @@ mod found;
 pub use crate::text::direction::Direction;
 pub(crate) use doubts::doubts;
 pub(crate) use found::check_step;
-pub(crate) use found::{Found, channels_note, end_note, length_note, motion, peak_note, peak_note_of, tell_apart};
+pub(crate) use found::{
+    Found, channels_note, end_note, length_note, motion, peak_note, peak_note_of, tell_apart,
+};
 
 use crate::notes::{Note, NoteKind};
 use crate::text::sensitivity::Sensitivity;
@@ -44,7 +46,10 @@ impl ReadOptions {
     pub(crate) fn check(&self) -> Result<(), Problem> {
         units::requested(self.unit.as_deref())?;
         let steps = [self.dt_s, self.uneven_dt_s];
-        steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
+        steps
+            .into_iter()
+            .flatten()
+            .try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
     }
 }
 
@@ -135,7 +140,11 @@ impl MotionFile {
     /// The StationXML files by which its components were scaled, each once.
     pub fn station_xml(&self) -> Vec<InputFile> {
         let mut files: Vec<InputFile> = Vec::new();
-        for file in self.components.iter().filter_map(|component| component.station_xml.as_ref()) {
+        for file in self
+            .components
+            .iter()
+            .filter_map(|component| component.station_xml.as_ref())
+        {
             if !files.contains(file) {
                 files.push(file.clone());
             }
@@ -145,9 +154,19 @@ impl MotionFile {
 
     /// Adds a note if a StationXML was named but not used.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
-        if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
-            let why = format!("was not used: a {} record does not need a StationXML file", self.format);
-            self.notes.push(Note::new(NoteKind::XmlUnused, format!("{} {why}", xml.display())));
+        if let Some(xml) = options
+            .station_xml
+            .as_ref()
+            .filter(|_| self.station_xml().is_empty())
+        {
+            let why = format!(
+                "was not used: a {} record does not need a StationXML file",
+                self.format
+            );
+            self.notes.push(Note::new(
+                NoteKind::XmlUnused,
+                format!("{} {why}", xml.display()),
+            ));
         }
         self
     }
@@ -166,16 +185,30 @@ impl MotionFile {
                 let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
                 let called = |name: &str| -> Vec<&Component> {
                     all.iter()
-                        .filter(|one| !name.is_empty() && one.name.to_lowercase() == name.to_lowercase())
+                        .filter(|one| {
+                            !name.is_empty() && one.name.to_lowercase() == name.to_lowercase()
+                        })
                         .collect()
                 };
-                let named =
-                    [called(wanted), called(bare)].into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+                let named = [called(wanted), called(bare)]
+                    .into_iter()
+                    .find(|found| !found.is_empty())
+                    .unwrap_or_default();
                 match (named.as_slice(), wanted.parse::<usize>()) {
                     ([one], _) => return Ok(one),
-                    ([], Ok(number)) if (1..=all.len()).contains(&number) => return Ok(&all[number - 1]),
-                    ([], _) => format!("has no component \"{}\": {}", shorten(wanted), self.listing()),
-                    _ => format!("has several components \"{}\": {}", shorten(wanted), self.listing()),
+                    ([], Ok(number)) if (1..=all.len()).contains(&number) => {
+                        return Ok(&all[number - 1]);
+                    }
+                    ([], _) => format!(
+                        "has no component \"{}\": {}",
+                        shorten(wanted),
+                        self.listing()
+                    ),
+                    _ => format!(
+                        "has several components \"{}\": {}",
+                        shorten(wanted),
+                        self.listing()
+                    ),
                 }
             }
         };
@@ -208,5 +241,8 @@ pub(crate) fn without_line(mut problem: Problem) -> Problem {
 
 /// The file's name without folder and extension, which names a component without a name of its own.
 pub(crate) fn file_stem(path: &Path) -> String {
-    path.file_stem().map_or_else(|| "motion".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    path.file_stem().map_or_else(
+        || "motion".to_owned(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
 }

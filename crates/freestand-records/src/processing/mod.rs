@@ -24,7 +24,9 @@ use freestand_input::words::number;
 use factor::{factor, factor_words, target_notes};
 use raw::without_mean;
 
-pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
+pub use pair::{
+    Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths,
+};
 pub use short_period::short_period_warning;
 pub use short_period::{few_steps, samples_needed};
 pub use standstill::standstill_note;
@@ -153,8 +155,13 @@ pub fn process_file(
 ) -> Result<(Processed, String), Problem> {
     let Some(azimuth_deg) = processing.azimuth_deg else {
         let chosen = file.select(component)?;
-        let name = if file.components.len() == 1 { String::new() } else { format!(", component {}", chosen.name) };
-        let processed = process(chosen, processing).map_err(|problem| problem.in_file(&file.path))?;
+        let name = if file.components.len() == 1 {
+            String::new()
+        } else {
+            format!(", component {}", chosen.name)
+        };
+        let processed =
+            process(chosen, processing).map_err(|problem| problem.in_file(&file.path))?;
         return Ok((processed, name + &station_words(chosen)));
     };
     let (first, second) = horizontal_pair(file)?;
@@ -166,7 +173,10 @@ pub fn process_file(
 }
 
 fn station_words(component: &Component) -> String {
-    component.station.as_ref().map_or(String::new(), |station| format!(", {station}"))
+    component
+        .station
+        .as_ref()
+        .map_or(String::new(), |station| format!(", {station}"))
 }
 
 /// All steps after the choice of a component.
@@ -180,14 +190,25 @@ fn finish(
     processing: &Processing,
 ) -> Result<Processed, Problem> {
     let steps = unasked.iter().map(Note::to_string).chain(turned).collect();
-    let mut done = Processed { motion, notes: unasked, steps, scale_ratio: 1.0 };
+    let mut done = Processed {
+        motion,
+        notes: unasked,
+        steps,
+        scale_ratio: 1.0,
+    };
     if let Some(baseline) = processing.baseline {
         done.add(without_baseline(&done.motion, baseline)?);
     }
     if let Some(share_ratio) = processing.taper_ratio {
         let motion = tapered(&done.motion, share_ratio)
             .map_err(|error| refused("taper", error, "give a share of the record such as 5 %"))?;
-        done.add((motion, format!("cosine taper over {} % at each end", number(100.0 * share_ratio, 6))));
+        done.add((
+            motion,
+            format!(
+                "cosine taper over {} % at each end",
+                number(100.0 * share_ratio, 6)
+            ),
+        ));
     }
     if let Some(pass) = pass(processing) {
         done.add(through_filter(&done.motion, pass, processing.filter_order)?);
@@ -203,11 +224,15 @@ fn finish(
     if factor != 1.0 || is_found {
         let hint = "check the values and the scale";
         let words = factor_words(factor);
-        let motion = done.motion.scaled(factor).map_err(|error| refused(&format!("times {words}"), error, hint))?;
+        let motion = done
+            .motion
+            .scaled(factor)
+            .map_err(|error| refused(&format!("times {words}"), error, hint))?;
         done.add((motion, format!("multiplied by {words}{target}")));
     }
     done.scale_ratio = factor;
-    done.notes.extend(target_notes(&processing.scale, done.motion.dt_s()));
+    done.notes
+        .extend(target_notes(&processing.scale, done.motion.dt_s()));
     if is_found && !(1.0 / LARGE_FACTOR..=LARGE_FACTOR).contains(&factor) {
         let words = format!(
             "a record multiplied by {} no longer represents its earthquake: choose a record nearer to the target",
@@ -226,16 +251,33 @@ impl Processed {
 }
 
 fn without_baseline(motion: &Motion, baseline: Baseline) -> Result<(Motion, String), Problem> {
-    let result = corrected(motion, baseline)
-        .map_err(|error| refused("baseline", error, "choose times within the record and a lower degree"))?;
-    let removed: Vec<f64> = motion.accel_m_s2().iter().zip(result.accel_m_s2()).map(|(a, b)| a - b).collect();
-    let largest = removed.iter().fold(0.0_f64, |most, &a| if a.abs() > most.abs() { a } else { most });
+    let result = corrected(motion, baseline).map_err(|error| {
+        refused(
+            "baseline",
+            error,
+            "choose times within the record and a lower degree",
+        )
+    })?;
+    let removed: Vec<f64> = motion
+        .accel_m_s2()
+        .iter()
+        .zip(result.accel_m_s2())
+        .map(|(a, b)| a - b)
+        .collect();
+    let largest = removed.iter().fold(
+        0.0_f64,
+        |most, &a| if a.abs() > most.abs() { a } else { most },
+    );
     let largest = number(largest, 4);
     let step = match baseline {
         Baseline::Mean => format!("mean of {largest} m/s2 removed"),
-        Baseline::PreEvent { until_s } => format!("mean of {largest} m/s2 of the first {until_s} s removed"),
+        Baseline::PreEvent { until_s } => {
+            format!("mean of {largest} m/s2 of the first {until_s} s removed")
+        }
         Baseline::Polynomial { degree } => {
-            format!("polynomial of degree {degree} in the acceleration removed, at most {largest} m/s2")
+            format!(
+                "polynomial of degree {degree} in the acceleration removed, at most {largest} m/s2"
+            )
         }
         Baseline::Graizer { degree, from_s } => format!(
             "derivative of a polynomial of degree {degree} in the velocity from {from_s} s removed (Graizer 1979), at \
@@ -257,17 +299,23 @@ fn pass(processing: &Processing) -> Option<Pass> {
         (None, None) => None,
         (Some(low_cut_hz), None) => Some(Pass::High { low_cut_hz }),
         (None, Some(high_cut_hz)) => Some(Pass::Low { high_cut_hz }),
-        (Some(low_cut_hz), Some(high_cut_hz)) => Some(Pass::Band { low_cut_hz, high_cut_hz }),
+        (Some(low_cut_hz), Some(high_cut_hz)) => Some(Pass::Band {
+            low_cut_hz,
+            high_cut_hz,
+        }),
     }
 }
 
 fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, String), Problem> {
-    let Filtered { motion, pad_s } =
-        filtered(motion, pass, order).map_err(|error| refused("filter", error, "change the cuts or the order"))?;
+    let Filtered { motion, pad_s } = filtered(motion, pass, order)
+        .map_err(|error| refused("filter", error, "change the cuts or the order"))?;
     let band = match pass {
         Pass::High { low_cut_hz } => format!("high-pass filter at {low_cut_hz} Hz"),
         Pass::Low { high_cut_hz } => format!("low-pass filter at {high_cut_hz} Hz"),
-        Pass::Band { low_cut_hz, high_cut_hz } => format!("filters from {low_cut_hz} Hz to {high_cut_hz} Hz"),
+        Pass::Band {
+            low_cut_hz,
+            high_cut_hz,
+        } => format!("filters from {low_cut_hz} Hz to {high_cut_hz} Hz"),
     };
     let pad = number(pad_s, 6);
     let step = format!(
@@ -279,14 +327,24 @@ fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, St
 
 fn at_step(motion: &Motion, dt_s: f64) -> Result<(Motion, String), Problem> {
     let result = resampled(motion, dt_s).map_err(|error| {
-        refused("resample", error, "choose a step shorter than the record and in a simple ratio to its step")
+        refused(
+            "resample",
+            error,
+            "choose a step shorter than the record and in a simple ratio to its step",
+        )
     })?;
     let lost = if dt_s > motion.dt_s() {
         format!(", frequencies above {} Hz removed", number(0.5 / dt_s, 6))
     } else {
         String::new()
     };
-    Ok((result, format!("resampled from {} s to {dt_s} s (band-limited){lost}", motion.dt_s())))
+    Ok((
+        result,
+        format!(
+            "resampled from {} s to {dt_s} s (band-limited){lost}",
+            motion.dt_s()
+        ),
+    ))
 }
 
 fn refused(step: &str, why: impl std::fmt::Display, hint: &str) -> Problem {

@@ -18,18 +18,31 @@ pub type Bearing<'f> = (&'f Component, f64);
 /// # Errors
 /// More or fewer than two components with an azimuth; the message says which component has none.
 pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), Problem> {
-    let horizontal: Vec<Bearing<'_>> =
-        file.components.iter().filter_map(|one| azimuth_of(one).map(|azimuth_deg| (one, azimuth_deg))).collect();
+    let horizontal: Vec<Bearing<'_>> = file
+        .components
+        .iter()
+        .filter_map(|one| azimuth_of(one).map(|azimuth_deg| (one, azimuth_deg)))
+        .collect();
     if let [first, second] = horizontal[..] {
         return Ok((first, second));
     }
-    let silent: Vec<&Component> = file.components.iter().filter(|one| one.direction.is_none()).collect();
+    let silent: Vec<&Component> = file
+        .components
+        .iter()
+        .filter(|one| one.direction.is_none())
+        .collect();
     let message = match horizontal.len() {
         count if count > 2 => {
             let all: Vec<&Component> = horizontal.iter().map(|one| one.0).collect();
-            format!("has {count} horizontal components, but two are needed: {}", names(&all))
+            format!(
+                "has {count} horizontal components, but two are needed: {}",
+                names(&all)
+            )
         }
-        _ if !silent.is_empty() => format!("the file does not state the direction of {}", names(&silent)),
+        _ if !silent.is_empty() => format!(
+            "the file does not state the direction of {}",
+            names(&silent)
+        ),
         1 => "has 1 horizontal component, but two are needed".to_owned(),
         count => format!("has {count} horizontal components, but two are needed"),
     };
@@ -47,7 +60,11 @@ fn azimuth_of(component: &Component) -> Option<f64> {
 
 fn names(components: &[&Component]) -> String {
     const MAX: usize = 8;
-    let listed: Vec<String> = components.iter().take(MAX).map(|one| shorten(&one.name)).collect();
+    let listed: Vec<String> = components
+        .iter()
+        .take(MAX)
+        .map(|one| shorten(&one.name))
+        .collect();
     listed.join(", ") + if components.len() > MAX { ", …" } else { "" }
 }
 
@@ -63,24 +80,40 @@ pub fn pair_of_one<'f>(
     if let Some((first, second)) = called {
         let (first, second) = (file.select(Some(first))?, file.select(Some(second))?);
         if std::ptr::eq(first, second) {
-            return Err(Problem::new(ProblemKind::Value, format!("\"{}\" is named twice", shorten(&first.name)))
-                .in_file(&file.path)
-                .hint("name two different components"));
+            return Err(Problem::new(
+                ProblemKind::Value,
+                format!("\"{}\" is named twice", shorten(&first.name)),
+            )
+            .in_file(&file.path)
+            .hint("name two different components"));
         }
         return Ok((first, second));
     }
-    let with_azimuth: Vec<&Component> = file.components.iter().filter(|one| azimuth_of(one).is_some()).collect();
-    let level: Vec<&Component> = file.components.iter().filter(|one| one.direction != Some(Direction::Up)).collect();
+    let with_azimuth: Vec<&Component> = file
+        .components
+        .iter()
+        .filter(|one| azimuth_of(one).is_some())
+        .collect();
+    let level: Vec<&Component> = file
+        .components
+        .iter()
+        .filter(|one| one.direction != Some(Direction::Up))
+        .collect();
     match (with_azimuth.as_slice(), level.as_slice()) {
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         (_, [only]) => {
             let message = format!("the file has only one horizontal component, {}", only.name);
             let hint = "give the file with the second component too, or use a file with both";
-            Err(Problem::new(ProblemKind::Value, message).in_file(&file.path).hint(hint))
+            Err(Problem::new(ProblemKind::Value, message)
+                .in_file(&file.path)
+                .hint(hint))
         }
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
-            let message = format!("cannot tell which two components are meant: {}", names(&all));
+            let message = format!(
+                "cannot tell which two components are meant: {}",
+                names(&all)
+            );
             Err(Problem::new(ProblemKind::Value, message)
                 .in_file(&file.path)
                 .hint("name two with `components`, or give two files"))
@@ -101,11 +134,16 @@ pub fn with_azimuths<'f>(
         return Ok(((first, one_deg), (second, two_deg)));
     }
     let bearing = |component: &'f Component| {
-        azimuth_of(component).map(|azimuth_deg| (component, azimuth_deg)).ok_or_else(|| {
-            let name = shorten(&component.name);
-            Problem::new(ProblemKind::Value, format!("the file does not state the direction of {name}"))
+        azimuth_of(component)
+            .map(|azimuth_deg| (component, azimuth_deg))
+            .ok_or_else(|| {
+                let name = shorten(&component.name);
+                Problem::new(
+                    ProblemKind::Value,
+                    format!("the file does not state the direction of {name}"),
+                )
                 .hint("give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`")
-        })
+            })
     };
     Ok((bearing(first)?, bearing(second)?))
 }
@@ -123,7 +161,10 @@ pub fn process_pair(
 ) -> Result<(Processed, Processed), Problem> {
     if !matches!(processing.scale, Scale::Factor(_)) {
         let message = "two components cannot be scaled to a target: each would get its own factor";
-        return Err(Problem::value(message, "give the factor itself with `scale`"));
+        return Err(Problem::value(
+            message,
+            "give the factor itself with `scale`",
+        ));
     }
     let [one, two] = aligned((first, second), names, processing.keep_mean)?;
     let finished = |one: Aligned| finish(one.motion, one.notes, None, processing);
@@ -154,9 +195,16 @@ pub fn turned(
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let [Aligned { motion: one, notes: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
+    let [
+        Aligned {
+            motion: one,
+            notes: mut unasked,
+        },
+        two,
+    ] = aligned((first.0, second.0), names, processing.keep_mean)?;
     unasked.extend(two.notes);
-    let rotated = Pair::new(&one, &two.motion).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
+    let rotated = Pair::new(&one, &two.motion)
+        .and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {
             RotateError::Steps { .. } => {

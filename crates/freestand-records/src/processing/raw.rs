@@ -24,8 +24,12 @@ pub(super) fn without_mean(
 
 /// The motion without its mean, and the note about it; `from` says what else it belongs to.
 pub(super) fn take_mean(motion: &Motion, from: &str) -> Result<(Motion, Note), Problem> {
-    let centred = corrected(motion, Baseline::Mean).map_err(|error| refused("the mean", error, "check the values"))?;
+    let centred = corrected(motion, Baseline::Mean)
+        .map_err(|error| refused("the mean", error, "check the values"))?;
     let mean_m_s2 = motion.mean_m_s2();
     let words = format!("mean of {mean_m_s2:.6} m/s2 removed{from} (raw record)");
-    Ok((centred, Note::new(NoteKind::MeanRemoved, words).amount(mean_m_s2, "m/s2")))
+    Ok((
+        centred,
+        Note::new(NoteKind::MeanRemoved, words).amount(mean_m_s2, "m/s2"),
+    ))
 }

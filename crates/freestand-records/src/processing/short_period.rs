@@ -8,7 +8,11 @@ const SAMPLES_A_PERIOD: f64 = 10.0;
 /// The shortest period, and by how much the samples must be refined for it; `None` if there are
 /// enough. A period of zero is the peak of the record itself.
 pub fn samples_needed(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<(f64, f64)> {
-    let shortest_s = periods_s.iter().copied().filter(|&t| t > 0.0).fold(f64::INFINITY, f64::min);
+    let shortest_s = periods_s
+        .iter()
+        .copied()
+        .filter(|&t| t > 0.0)
+        .fold(f64::INFINITY, f64::min);
     // Rounding in the last bits must not turn ten steps into fewer.
     let needed = (SAMPLES_A_PERIOD * dt_s / shortest_s * (1.0 - 1e-9)).ceil();
     (needed > upsample.max(1) as f64).then_some((shortest_s, needed))
@@ -29,7 +33,9 @@ pub fn short_period_warning(of: &str, periods_s: &[f64], dt_s: f64) -> Option<St
     // Half a step is in a simple ratio to the step and is short to write.
     let step_s = dt_s / needed.log2().ceil().exp2();
     let few = few_steps(&format!("the shortest period of {of}"), shortest_s, dt_s);
-    Some(format!("{few}: peaks between them are missed; `resample = \"{step_s} s\"` gives it ten"))
+    Some(format!(
+        "{few}: peaks between them are missed; `resample = \"{step_s} s\"` gives it ten"
+    ))
 }
 
 /// The beginning of all such warnings.

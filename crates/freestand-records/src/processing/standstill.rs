@@ -34,9 +34,14 @@ pub fn standstill_note(motion: &Motion) -> Option<Note> {
     let mean_m_s = tail.iter().sum::<f64>() / tail.len() as f64;
     let peak_m_s = velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     if motion.peak_m_s2() == 0.0 {
-        return Some(Note::new(NoteKind::Still, "all values are zero: the floor does not move"));
+        return Some(Note::new(
+            NoteKind::Still,
+            "all values are zero: the floor does not move",
+        ));
     }
-    let is_steady = tail.iter().all(|v| (v - mean_m_s).abs() <= STEADY * mean_m_s.abs());
+    let is_steady = tail
+        .iter()
+        .all(|v| (v - mean_m_s).abs() <= STEADY * mean_m_s.abs());
     (is_steady && tail.len() > 1 && mean_m_s.abs() > LEAST_M_S.max(SHARE * peak_m_s)).then(|| {
         let words = format!(
             "the floor does not stop: at the end it moves at {} m/s, {} % of its largest velocity; correct an offset of \

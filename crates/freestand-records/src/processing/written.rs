@@ -32,14 +32,27 @@ impl Processing {
     pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
         reader.exclusive("component", "azimuth");
         for (i, first) in SCALES.iter().enumerate() {
-            SCALES.iter().skip(i + 1).for_each(|second| reader.exclusive(first, second));
+            SCALES
+                .iter()
+                .skip(i + 1)
+                .for_each(|second| reader.exclusive(first, second));
         }
-        let share = ["above 0 and at most 50 %", "above 0 and up to 50 %; 5 % is usual"];
+        let share = [
+            "above 0 and at most 50 %",
+            "above 0 and up to 50 %; 5 % is usual",
+        ];
         let processing = Self {
             keep_mean: reader.words.get("keep_mean") == Some("true"),
-            azimuth_deg: reader.read("azimuth", |text| parse(text, Dimension::Angle)).map(azimuth_deg),
+            azimuth_deg: reader
+                .read("azimuth", |text| parse(text, Dimension::Angle))
+                .map(azimuth_deg),
             baseline: reader.read("baseline", parse_baseline),
-            taper_ratio: reader.accepted("taper", Dimension::Ratio, |share| share > 0.0 && share <= 0.5, share),
+            taper_ratio: reader.accepted(
+                "taper",
+                Dimension::Ratio,
+                |share| share > 0.0 && share <= 0.5,
+                share,
+            ),
             low_cut_hz: reader.positive("low_cut", Dimension::Frequency),
             high_cut_hz: reader.positive("high_cut", Dimension::Frequency),
             filter_order: filter_order(reader),
@@ -50,7 +63,8 @@ impl Processing {
             && low >= high
         {
             let message = format!("`low_cut`: {low} Hz is not below the high cut of {high} Hz");
-            let hint = "choose a lower low cut or a higher high cut: frequencies between them are kept";
+            let hint =
+                "choose a lower low cut or a higher high cut: frequencies between them are kept";
             reader.note(&["low_cut"], message, hint);
         }
         processing
@@ -58,10 +72,16 @@ impl Processing {
 }
 
 fn filter_order(reader: &mut WordReader<'_>) -> u32 {
-    let Some(order) = reader.whole("filter_order") else { return FILTER_ORDER };
+    let Some(order) = reader.whole("filter_order") else {
+        return FILTER_ORDER;
+    };
     if !reader.has("low_cut") && !reader.has("high_cut") {
         let hint = "give one of them, such as `low_cut = \"0.1 Hz\"`";
-        reader.note(&["filter_order"], "`filter_order` needs `low_cut` or `high_cut`", hint);
+        reader.note(
+            &["filter_order"],
+            "`filter_order` needs `low_cut` or `high_cut`",
+            hint,
+        );
     } else if !(1..=MAX_ORDER).contains(&order) {
         let message = format!("`filter_order` must be 1 to {MAX_ORDER}, not {order}");
         reader.note(&["filter_order"], message, "4 is usual");
@@ -81,12 +101,21 @@ fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
     let factor = reader.accepted("scale", Dimension::Ratio, is_factor, factor);
     let peak = reader.positive("scale_to", Dimension::Acceleration);
     let sa = reader.read("scale_to_sa", parse_sa_target);
-    let spectrum = reader.read("scale_to_spectrum", parse_target_source).and_then(|source| {
-        let read = read_target(&TargetSource { path: base_dir.join(&source.path), ..source });
-        reader.problems.keep(read.map_err(|problem| problem.of(&["scale_to_spectrum"])))
-    });
+    let spectrum = reader
+        .read("scale_to_spectrum", parse_target_source)
+        .and_then(|source| {
+            let read = read_target(&TargetSource {
+                path: base_dir.join(&source.path),
+                ..source
+            });
+            reader
+                .problems
+                .keep(read.map_err(|problem| problem.of(&["scale_to_spectrum"])))
+        });
     let peak = peak.map(|target_m_s2| Scale::Peak { target_m_s2 });
-    peak.or(sa).or(spectrum.map(Scale::Spectrum)).unwrap_or(Scale::Factor(factor.unwrap_or(1.0)))
+    peak.or(sa)
+        .or(spectrum.map(Scale::Spectrum))
+        .unwrap_or(Scale::Factor(factor.unwrap_or(1.0)))
 }
 
 /// A time step that a record may have \[s\].
@@ -116,29 +145,44 @@ const KNOWN: &str = "known: mean, pre-event:5s, linear, quadratic, cubic, poly:4
 /// ```
 pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
-    let word = parts.first().map(|word| word.to_lowercase()).unwrap_or_default();
+    let word = parts
+        .first()
+        .map(|word| word.to_lowercase())
+        .unwrap_or_default();
     let time = |text: &str| parse(text, Dimension::Time);
-    let from_zero = |text: &str| freestand_input::quantity::parse_non_negative(text, Dimension::Time, "the time");
+    let from_zero = |text: &str| {
+        freestand_input::quantity::parse_non_negative(text, Dimension::Time, "the time")
+    };
     match (word.as_str(), parts.get(1..).unwrap_or_default()) {
         ("mean", []) => Ok(Baseline::Mean),
-        ("pre-event", [until]) => {
-            Ok(Baseline::PreEvent { until_s: parse_positive(until, Dimension::Time, "the time")? })
-        }
+        ("pre-event", [until]) => Ok(Baseline::PreEvent {
+            until_s: parse_positive(until, Dimension::Time, "the time")?,
+        }),
         ("linear", []) => Ok(Baseline::Polynomial { degree: 1 }),
         ("quadratic", []) => Ok(Baseline::Polynomial { degree: 2 }),
         ("cubic", []) => Ok(Baseline::Polynomial { degree: 3 }),
-        ("poly", [degree]) => Ok(Baseline::Polynomial { degree: parse_degree(degree, 0)? }),
-        ("graizer", []) => Ok(Baseline::Graizer { degree: 2, from_s: 0.0 }),
-        ("graizer", [degree]) => Ok(Baseline::Graizer { degree: parse_degree(degree, 1)?, from_s: 0.0 }),
-        ("graizer", [degree, from]) => {
-            Ok(Baseline::Graizer { degree: parse_degree(degree, 1)?, from_s: from_zero(from)? })
-        }
+        ("poly", [degree]) => Ok(Baseline::Polynomial {
+            degree: parse_degree(degree, 0)?,
+        }),
+        ("graizer", []) => Ok(Baseline::Graizer {
+            degree: 2,
+            from_s: 0.0,
+        }),
+        ("graizer", [degree]) => Ok(Baseline::Graizer {
+            degree: parse_degree(degree, 1)?,
+            from_s: 0.0,
+        }),
+        ("graizer", [degree, from]) => Ok(Baseline::Graizer {
+            degree: parse_degree(degree, 1)?,
+            from_s: from_zero(from)?,
+        }),
         ("boore", [t1, t2]) => {
             let (t1_s, t2_s) = (from_zero(t1)?, time(t2)?);
             if t1_s < t2_s {
                 return Ok(Baseline::Boore2001 { t1_s, t2_s });
             }
-            Err(wrong(text, "does not end after it begins").hint("the shaking lasts from the first time to the second"))
+            Err(wrong(text, "does not end after it begins")
+                .hint("the shaking lasts from the first time to the second"))
         }
         ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete").hint(KNOWN)),
         _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
@@ -146,10 +190,14 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
 }
 
 fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
-    let degree = text.parse::<usize>().ok().filter(|degree| (least..=MAX_DEGREE).contains(degree));
+    let degree = text
+        .parse::<usize>()
+        .ok()
+        .filter(|degree| (least..=MAX_DEGREE).contains(degree));
     degree.ok_or_else(|| {
-        wrong(text, "is not a degree")
-            .hint(format!("write a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
+        wrong(text, "is not a degree").hint(format!(
+            "write a whole number from {least} to {MAX_DEGREE}, such as poly:4"
+        ))
     })
 }
 
@@ -167,11 +215,14 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
-    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for a damping other than 5 %";
+    const HINT: &str =
+        "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for a damping other than 5 %";
     let Some((target, rest)) = text.split_once(" at ") else {
         return Err(wrong(text, "is not an acceleration at a period").hint(HINT));
     };
-    let (period, damping) = rest.split_once(',').map_or((rest, None), |(period, damping)| (period, Some(damping)));
+    let (period, damping) = rest
+        .split_once(',')
+        .map_or((rest, None), |(period, damping)| (period, Some(damping)));
     let damping_ratio = match damping {
         Some(damping) => parse(damping, Dimension::Ratio)?,
         None => DAMPING_RATIO,
@@ -181,7 +232,11 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     }
     Ok(Scale::Sa {
         target_m_s2: parse_positive(target, Dimension::Acceleration, "the acceleration")?,
-        period_s: freestand_input::quantity::parse_non_negative(period, Dimension::Time, "the period")?,
+        period_s: freestand_input::quantity::parse_non_negative(
+            period,
+            Dimension::Time,
+            "the period",
+        )?,
         damping_ratio,
     })
 }
@@ -203,20 +258,28 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
 pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     const HINT: &str = "write a file name, then periods and damping after commas: \"target.csv, 0.1 s to 2 s, 2 %\"";
     let mut parts = text.split(',').map(str::trim);
-    let path =
-        parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "does not name a file").hint(HINT))?;
-    let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
+    let path = parts
+        .next()
+        .filter(|path| !path.is_empty())
+        .ok_or_else(|| wrong(text, "does not name a file").hint(HINT))?;
+    let mut source = TargetSource {
+        path: path.into(),
+        range_s: None,
+        damping_ratio: None,
+    };
     for part in parts {
         let given = if let Some((from, to)) = part.split_once(" to ") {
-            let from_s = freestand_input::quantity::parse_non_negative(from, Dimension::Time, "the period")?;
+            let from_s =
+                freestand_input::quantity::parse_non_negative(from, Dimension::Time, "the period")?;
             let to_s = parse(to, Dimension::Time)?;
             if from_s > to_s {
                 return Err(wrong(part, "ends before it begins").hint(HINT));
             }
             source.range_s.replace((from_s, to_s)).is_some()
         } else {
-            let ratio = parse(part, Dimension::Ratio)
-                .map_err(|_| wrong(part, "is neither a range of periods nor a damping").hint(HINT))?;
+            let ratio = parse(part, Dimension::Ratio).map_err(|_| {
+                wrong(part, "is neither a range of periods nor a damping").hint(HINT)
+            })?;
             if !(0.0..1.0).contains(&ratio) {
                 return Err(wrong(part, "is not a damping from 0 to below 100 %").hint(HINT));
             }
@@ -235,7 +298,10 @@ pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
 }
 
 fn wrong(text: &str, why: &str) -> Problem {
-    Problem::new(ProblemKind::Value, format!("\"{}\" {why}", shorten(text.trim())))
+    Problem::new(
+        ProblemKind::Value,
+        format!("\"{}\" {why}", shorten(text.trim())),
+    )
 }
 
 #[cfg(test)]
@@ -252,10 +318,34 @@ mod tests {
             ("cubic", Baseline::Polynomial { degree: 3 }),
             ("poly:0", Baseline::Polynomial { degree: 0 }),
             ("poly: 10", Baseline::Polynomial { degree: 10 }),
-            ("graizer", Baseline::Graizer { degree: 2, from_s: 0.0 }),
-            ("graizer:3", Baseline::Graizer { degree: 3, from_s: 0.0 }),
-            ("graizer:3:5s", Baseline::Graizer { degree: 3, from_s: 5.0 }),
-            ("boore:10s:25 s", Baseline::Boore2001 { t1_s: 10.0, t2_s: 25.0 }),
+            (
+                "graizer",
+                Baseline::Graizer {
+                    degree: 2,
+                    from_s: 0.0,
+                },
+            ),
+            (
+                "graizer:3",
+                Baseline::Graizer {
+                    degree: 3,
+                    from_s: 0.0,
+                },
+            ),
+            (
+                "graizer:3:5s",
+                Baseline::Graizer {
+                    degree: 3,
+                    from_s: 5.0,
+                },
+            ),
+            (
+                "boore:10s:25 s",
+                Baseline::Boore2001 {
+                    t1_s: 10.0,
+                    t2_s: 25.0,
+                },
+            ),
         ] {
             assert_eq!(parse_baseline(text), Ok(expected), "{text}");
         }
@@ -281,32 +371,75 @@ mod tests {
             "linear:2",
         ] {
             let problem = parse_baseline(text).unwrap_err();
-            assert!(problem.hint.is_some() || problem.message.contains("must"), "{text}: {problem:?}");
+            assert!(
+                problem.hint.is_some() || problem.message.contains("must"),
+                "{text}: {problem:?}"
+            );
         }
     }
 
     #[test]
     fn targets_are_read_as_they_are_written() {
         let target = parse_sa_target("0.4 g at 1200 ms, 2 %").unwrap();
-        assert_eq!(target, Scale::Sa { target_m_s2: 0.4 * freestand::G0_M_S2, period_s: 1.2, damping_ratio: 0.02 });
-        for text in
-            ["0.4 g", "0.4 at 1 s", "0.4 g at 1", "-1 g at 1 s", "0 g at 1 s", "1 g at -1 s", "1 g at 1 s, 100 %", ""]
-        {
+        assert_eq!(
+            target,
+            Scale::Sa {
+                target_m_s2: 0.4 * freestand::G0_M_S2,
+                period_s: 1.2,
+                damping_ratio: 0.02
+            }
+        );
+        for text in [
+            "0.4 g",
+            "0.4 at 1 s",
+            "0.4 g at 1",
+            "-1 g at 1 s",
+            "0 g at 1 s",
+            "1 g at -1 s",
+            "1 g at 1 s, 100 %",
+            "",
+        ] {
             assert!(parse_sa_target(text).is_err(), "{text}");
         }
     }
 
     #[test]
     fn sources_of_targets_are_read_as_they_are_written() {
-        let whole = TargetSource { path: "a b/t.csv".into(), range_s: None, damping_ratio: None };
+        let whole = TargetSource {
+            path: "a b/t.csv".into(),
+            range_s: None,
+            damping_ratio: None,
+        };
         for (text, expected) in [
             (" a b/t.csv ", whole.clone()),
-            ("a b/t.csv, 2 %", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
-            ("a b/t.csv,0.02", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
-            ("a b/t.csv, 0 s to 500 ms", TargetSource { range_s: Some((0.0, 0.5)), ..whole.clone() }),
+            (
+                "a b/t.csv, 2 %",
+                TargetSource {
+                    damping_ratio: Some(0.02),
+                    ..whole.clone()
+                },
+            ),
+            (
+                "a b/t.csv,0.02",
+                TargetSource {
+                    damping_ratio: Some(0.02),
+                    ..whole.clone()
+                },
+            ),
+            (
+                "a b/t.csv, 0 s to 500 ms",
+                TargetSource {
+                    range_s: Some((0.0, 0.5)),
+                    ..whole.clone()
+                },
+            ),
             (
                 "a b/t.csv, 0 %, 1 s to 1 s",
-                TargetSource { range_s: Some((1.0, 1.0)), damping_ratio: Some(0.0), ..whole.clone() },
+                TargetSource {
+                    range_s: Some((1.0, 1.0)),
+                    damping_ratio: Some(0.0),
+                    ..whole.clone()
+                },
             ),
         ] {
             assert_eq!(parse_target_source(text), Ok(expected), "{text}");

@@ -34,7 +34,9 @@ pub struct CurveRow {
 /// No table, or no column of stress or acceleration with its unit.
 pub fn load_curve(path: &Path) -> Result<Vec<CurveRow>, Problem> {
     let mut bytes = load(path)?;
-    check_text(&mut bytes).and_then(|()| read_curve(&bytes)).map_err(|problem| problem.in_file(path))
+    check_text(&mut bytes)
+        .and_then(|()| read_curve(&bytes))
+        .map_err(|problem| problem.in_file(path))
 }
 
 fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
@@ -45,28 +47,41 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let column = |dimension: Dimension, words: &[&str]| -> Result<Option<Vec<f64>>, Problem> {
         let is_it = |heading: &Heading| {
             let name = heading.name.to_lowercase();
-            heading.measures(dimension) && (words.is_empty() || words.iter().any(|word| name.contains(word)))
+            heading.measures(dimension)
+                && (words.is_empty() || words.iter().any(|word| name.contains(word)))
         };
         let found = only(&headings, line, is_it, dimension.with_article())?;
         Ok(found.map(|index| in_si(&table, &headings, index)))
     };
     let missing = |what: &str| {
-        Problem::new(ProblemKind::Format, format!("no column holds a {what} with its unit")).at_line(line).hint(HINT)
+        Problem::new(
+            ProblemKind::Format,
+            format!("no column holds a {what} with its unit"),
+        )
+        .at_line(line)
+        .hint(HINT)
     };
     let stress = column(Dimension::Pressure, &[])?.ok_or_else(|| missing("static stress"))?;
     let peak = column(Dimension::Acceleration, &[])?.ok_or_else(|| missing("peak acceleration"))?;
     let heights = column(Dimension::Length, &["height", "drop", "fall"])?;
     let thicknesses = column(Dimension::Length, &["thick"])?;
-    let at = |column: &Option<Vec<f64>>, row: usize| column.as_ref().and_then(|column| column.get(row).copied());
-    let rows = table.lines_of_rows(bytes).zip(stress.into_iter().zip(peak)).enumerate();
+    let at = |column: &Option<Vec<f64>>, row: usize| {
+        column.as_ref().and_then(|column| column.get(row).copied())
+    };
+    let rows = table
+        .lines_of_rows(bytes)
+        .zip(stress.into_iter().zip(peak))
+        .enumerate();
     Ok(rows
-        .map(|(row, (line, (static_stress_pa, peak_acceleration_m_s2)))| CurveRow {
-            line,
-            static_stress_pa,
-            drop_height_m: at(&heights, row),
-            thickness_m: at(&thicknesses, row),
-            peak_acceleration_m_s2,
-        })
+        .map(
+            |(row, (line, (static_stress_pa, peak_acceleration_m_s2)))| CurveRow {
+                line,
+                static_stress_pa,
+                drop_height_m: at(&heights, row),
+                thickness_m: at(&thicknesses, row),
+                peak_acceleration_m_s2,
+            },
+        )
         .collect())
 }
 
@@ -82,7 +97,10 @@ mod tests {
         let rows = read_curve(text.as_bytes()).unwrap();
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[1].line, rows[1].static_stress_pa), (4, 6e3));
-        assert_eq!((rows[1].drop_height_m, rows[1].thickness_m), (Some(0.6), Some(0.05)));
+        assert_eq!(
+            (rows[1].drop_height_m, rows[1].thickness_m),
+            (Some(0.6), Some(0.05))
+        );
         assert!((rows[1].peak_acceleration_m_s2 / G0_M_S2 - 38.0).abs() < 1e-12);
         let bare = read_curve(b"stress [kPa],G [g]\n3,42\n4,40\n").unwrap();
         assert_eq!((bare[0].drop_height_m, bare[0].thickness_m), (None, None));

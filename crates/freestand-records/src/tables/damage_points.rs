@@ -54,14 +54,17 @@ pub struct DamageRow {
 /// A missing column, or a cell that cannot be read.
 pub fn load_damage_points(path: &Path) -> Result<Vec<DamageRow>, Problem> {
     let mut bytes = load(path)?;
-    check_text(&mut bytes).and_then(|()| read_damage_points(&bytes)).map_err(|problem| problem.in_file(path))
+    check_text(&mut bytes)
+        .and_then(|()| read_damage_points(&bytes))
+        .map_err(|problem| problem.in_file(path))
 }
 
 fn read_damage_points(bytes: &[u8]) -> Result<Vec<DamageRow>, Problem> {
     let cells = Cells::read(bytes, HINT)?;
     let velocity_change = cells.needed(Dimension::Velocity, "a velocity change")?;
     let peak = cells.needed(Dimension::Acceleration, "a peak acceleration")?;
-    let named = |word: &'static str| move |heading: &Heading| heading.name.to_lowercase().starts_with(word);
+    let named =
+        |word: &'static str| move |heading: &Heading| heading.name.to_lowercase().starts_with(word);
     let damaged = cells.only(named("damage"), "about damage")?;
     let damaged = damaged.ok_or_else(|| cells.missing("whether there was damage"))?;
     let method = cells.only(named("method"), "a method")?;
@@ -75,7 +78,9 @@ fn read_damage_points(bytes: &[u8]) -> Result<Vec<DamageRow>, Problem> {
             damaged: is_damaged(row.text(damaged)).map_err(|problem| problem.at_line(row.line))?,
             method: method_of(method.map_or("", |column| row.text(column)))
                 .map_err(|problem| problem.at_line(row.line))?,
-            duration_s: duration.map(|column| cells.positive(row, column, "duration")).transpose()?,
+            duration_s: duration
+                .map(|column| cells.positive(row, column, "duration"))
+                .transpose()?,
         })
     });
     rows.collect()
@@ -86,8 +91,12 @@ fn is_damaged(text: &str) -> Result<bool, Problem> {
         "1" | "yes" | "y" | "true" => Ok(true),
         "0" | "no" | "n" | "false" => Ok(false),
         other => {
-            let message = format!("\"{}\" does not say whether there was damage", shorten(other));
-            Err(Problem::new(ProblemKind::Format, message).hint("write 0 or 1, yes or no, true or false"))
+            let message = format!(
+                "\"{}\" does not say whether there was damage",
+                shorten(other)
+            );
+            Err(Problem::new(ProblemKind::Format, message)
+                .hint("write 0 or 1, yes or no, true or false"))
         }
     }
 }
@@ -99,7 +108,8 @@ fn method_of(text: &str) -> Result<Option<TestMethod>, Problem> {
         "B" => Ok(Some(TestMethod::B)),
         other => {
             let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
-            let hint = "write A (short pulses, critical velocity change) or B (critical acceleration)";
+            let hint =
+                "write A (short pulses, critical velocity change) or B (critical acceleration)";
             Err(Problem::new(ProblemKind::Format, message).hint(hint))
         }
     }
@@ -118,9 +128,16 @@ mod tests {
         assert_eq!(rows.iter().map(|row| row.line).collect::<Vec<_>>(), [4, 6]);
         assert!((rows[0].velocity_change_m_s - 0.6).abs() < 1e-15);
         assert!((rows[0].peak_acceleration_m_s2 / G0_M_S2 - 200.0).abs() < 1e-12);
-        assert_eq!((rows[0].method, rows[0].damaged, rows[0].duration_s), (Some(TestMethod::A), false, Some(2e-3)));
-        assert_eq!((rows[1].method, rows[1].damaged, rows[1].duration_s), (None, true, None));
-        let german = read_damage_points(b"velocity change [m/s];peak [g];damaged\n0,6;200;0\n").unwrap();
+        assert_eq!(
+            (rows[0].method, rows[0].damaged, rows[0].duration_s),
+            (Some(TestMethod::A), false, Some(2e-3))
+        );
+        assert_eq!(
+            (rows[1].method, rows[1].damaged, rows[1].duration_s),
+            (None, true, None)
+        );
+        let german =
+            read_damage_points(b"velocity change [m/s];peak [g];damaged\n0,6;200;0\n").unwrap();
         assert!((german[0].velocity_change_m_s - 0.6).abs() < 1e-15);
     }
 
@@ -129,18 +146,42 @@ mod tests {
         const NAMES: &str = "velocity change [m/s],peak [g],damaged,method\n";
         let cases = [
             ("", "empty"),
-            ("velocity change,peak [g],damaged\n1,2,0\n", "no column holds a velocity change"),
-            ("velocity change [m/s],peak [g]\n1,2\n", "whether there was damage"),
-            ("v [m/s],w [m/s],peak [g],damaged\n1,1,2,0\n", "both a velocity change"),
-            (&format!("{NAMES}1,2,maybe,A\n"), "line 2: \"maybe\" does not say"),
-            (&format!("{NAMES}1,2,0,A\n1,2,0,C\n"), "line 3: \"C\" is not a method"),
-            (&format!("{NAMES}1,-2,0,A\n"), "line 2: the peak acceleration is \"-2\""),
+            (
+                "velocity change,peak [g],damaged\n1,2,0\n",
+                "no column holds a velocity change",
+            ),
+            (
+                "velocity change [m/s],peak [g]\n1,2\n",
+                "whether there was damage",
+            ),
+            (
+                "v [m/s],w [m/s],peak [g],damaged\n1,1,2,0\n",
+                "both a velocity change",
+            ),
+            (
+                &format!("{NAMES}1,2,maybe,A\n"),
+                "line 2: \"maybe\" does not say",
+            ),
+            (
+                &format!("{NAMES}1,2,0,A\n1,2,0,C\n"),
+                "line 3: \"C\" is not a method",
+            ),
+            (
+                &format!("{NAMES}1,-2,0,A\n"),
+                "line 2: the peak acceleration is \"-2\"",
+            ),
             (&format!("{NAMES}1,nan,0,A\n"), "not a positive number"),
-            (&format!("{NAMES}1,2,0\n"), "this row has 3 cells, but the header has 4"),
+            (
+                &format!("{NAMES}1,2,0\n"),
+                "this row has 3 cells, but the header has 4",
+            ),
         ];
         for (text, said) in cases {
             let problem = read_damage_points(text.as_bytes()).unwrap_err();
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{problem}"
+            );
         }
     }
 }

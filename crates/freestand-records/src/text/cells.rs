@@ -41,10 +41,18 @@ impl Cells {
     /// Reads a table; `hint` says what its headings should be.
     pub(crate) fn read(bytes: &[u8], hint: &'static str) -> Result<Self, Problem> {
         let mut rest = lines(bytes).filter(|line| !line.is_blank() && !line.is_comment());
-        let header = rest.next().ok_or_else(|| Problem::new(ProblemKind::Format, "the file is empty").hint(hint))?;
+        let header = rest
+            .next()
+            .ok_or_else(|| Problem::new(ProblemKind::Format, "the file is empty").hint(hint))?;
         let text = header.text();
-        let separator = [b';', b'\t'].into_iter().find(|byte| text.as_bytes().contains(byte)).unwrap_or(b',');
-        let headings: Vec<Heading> = quoted_cells(&text, separator).iter().map(|cell| heading(cell)).collect();
+        let separator = [b';', b'\t']
+            .into_iter()
+            .find(|byte| text.as_bytes().contains(byte))
+            .unwrap_or(b',');
+        let headings: Vec<Heading> = quoted_cells(&text, separator)
+            .iter()
+            .map(|cell| heading(cell))
+            .collect();
         let mut rows = Vec::new();
         for line in rest {
             if rows.len() == MAX_ROWS {
@@ -56,11 +64,21 @@ impl Cells {
         if rows.is_empty() {
             return Err(wrong(header.number, "no rows follow the headings").hint(hint));
         }
-        Ok(Self { separator, headings, line: header.number, rows, hint })
+        Ok(Self {
+            separator,
+            headings,
+            line: header.number,
+            rows,
+            hint,
+        })
     }
 
     /// The only column for which `is_it` holds.
-    pub(crate) fn only(&self, is_it: impl Fn(&Heading) -> bool, what: &str) -> Result<Option<usize>, Problem> {
+    pub(crate) fn only(
+        &self,
+        is_it: impl Fn(&Heading) -> bool,
+        what: &str,
+    ) -> Result<Option<usize>, Problem> {
         only(&self.headings, self.line, is_it, what)
     }
 
@@ -82,7 +100,14 @@ impl Cells {
 
     /// The same for a number that must be positive.
     pub(crate) fn positive(&self, row: &Row, column: usize, what: &str) -> Result<f64, Problem> {
-        self.number_that(row, column, what, ("a positive number", |value| value > 0.0 && value.is_finite()))
+        self.number_that(
+            row,
+            column,
+            what,
+            ("a positive number", |value| {
+                value > 0.0 && value.is_finite()
+            }),
+        )
     }
 
     fn number_that(
@@ -94,19 +119,36 @@ impl Cells {
     ) -> Result<f64, Problem> {
         let text = row.text(column);
         // Where semicolons separate the cells, a comma is a decimal sign.
-        let plain = if self.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
+        let plain = if self.separator == b';' {
+            text.replace(',', ".")
+        } else {
+            text.to_owned()
+        };
         let unit = self.headings.get(column).and_then(|heading| heading.unit);
-        let value = plain.parse::<f64>().ok().map(|value| unit.map_or(value, |unit| unit.to_si(value)));
+        let value = plain
+            .parse::<f64>()
+            .ok()
+            .map(|value| unit.map_or(value, |unit| unit.to_si(value)));
         value.filter(|value| holds(*value)).ok_or_else(|| {
-            wrong(row.line, format!("the {what} is \"{}\", not {kind}", shorten(text)))
-                .hint("correct the cell, or make the row a comment with #")
+            wrong(
+                row.line,
+                format!("the {what} is \"{}\", not {kind}", shorten(text)),
+            )
+            .hint("correct the cell, or make the row a comment with #")
         })
     }
 
     /// The same for a cell that may be empty.
-    pub(crate) fn optional(&self, row: &Row, column: Option<usize>, what: &str) -> Result<Option<f64>, Problem> {
+    pub(crate) fn optional(
+        &self,
+        row: &Row,
+        column: Option<usize>,
+        what: &str,
+    ) -> Result<Option<f64>, Problem> {
         let filled = column.filter(|&column| !row.text(column).is_empty());
-        filled.map(|column| self.number(row, column, what)).transpose()
+        filled
+            .map(|column| self.number(row, column, what))
+            .transpose()
     }
 }
 
@@ -114,8 +156,14 @@ fn row(line: &Line<'_>, separator: u8, headings: usize) -> Result<Row, Problem> 
     let cells = quoted_cells(&line.text(), separator);
     if cells.len() != headings {
         let found = counted(cells.len(), "cell");
-        return Err(wrong(line.number, format!("this row has {found}, but the header has {headings}"))
-            .hint("write one row per line, with a cell for each heading"));
+        return Err(wrong(
+            line.number,
+            format!("this row has {found}, but the header has {headings}"),
+        )
+        .hint("write one row per line, with a cell for each heading"));
     }
-    Ok(Row { line: line.number, cells })
+    Ok(Row {
+        line: line.number,
+        cells,
+    })
 }

@@ -24,7 +24,11 @@ pub(crate) fn dialect_of(line: &[u8]) -> Option<Dialect> {
         (has(b';'), Separator::Byte(b';'), has(b',') && !has(b'.')),
         (has(b'\t') && has(b','), Separator::Byte(b'\t'), true),
         (has(b','), Separator::Byte(b','), false),
-        (has(b',') && has(b'"') && !has(b'.'), Separator::Byte(b','), true),
+        (
+            has(b',') && has(b'"') && !has(b'.'),
+            Separator::Byte(b','),
+            true,
+        ),
         (has(b'\t'), Separator::Byte(b'\t'), false),
         (has(b','), Separator::Blank, true),
         (true, Separator::Blank, false),
@@ -32,7 +36,10 @@ pub(crate) fn dialect_of(line: &[u8]) -> Option<Dialect> {
     candidates
         .into_iter()
         .filter(|(possible, ..)| *possible)
-        .map(|(_, separator, decimal_comma)| Dialect { separator, decimal_comma })
+        .map(|(_, separator, decimal_comma)| Dialect {
+            separator,
+            decimal_comma,
+        })
         .find(|dialect| looks_like_a_row(dialect, line))
 }
 
@@ -62,18 +69,26 @@ pub(crate) fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadFie
                 let _ = fields(line, |number| out.push(Ok(number)));
             } else {
                 out.extend(
-                    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
+                    line.split(u8::is_ascii_whitespace)
+                        .filter(|word| !word.is_empty())
+                        .map(|word| cell(dialect, word)),
                 );
             }
         }
         Separator::Blank => {
             out.extend(
-                line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
+                line.split(u8::is_ascii_whitespace)
+                    .filter(|word| !word.is_empty())
+                    .map(|word| cell(dialect, word)),
             );
         }
         // Tabs before the first column and after the last one only align the columns.
         Separator::Byte(b'\t') => {
-            out.extend(line.trim_ascii().split(|&b| b == b'\t').map(|text| cell(dialect, text)));
+            out.extend(
+                line.trim_ascii()
+                    .split(|&b| b == b'\t')
+                    .map(|text| cell(dialect, text)),
+            );
         }
         Separator::Byte(byte) => {
             let mut quoted = false;
@@ -89,7 +104,11 @@ pub(crate) fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadFie
 
 fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
     let text = text.trim_ascii();
-    let text = text.strip_prefix(b"\"").and_then(|text| text.strip_suffix(b"\"")).unwrap_or(text).trim_ascii();
+    let text = text
+        .strip_prefix(b"\"")
+        .and_then(|text| text.strip_suffix(b"\""))
+        .unwrap_or(text)
+        .trim_ascii();
     let found = match text.iter().position(|&b| b == b',') {
         Some(at) if dialect.decimal_comma => {
             let mut with_point = text.to_vec();
@@ -98,5 +117,11 @@ fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
         }
         _ => number(text),
     };
-    found.ok_or_else(|| if text.is_empty() { BadField::Missing(String::new()) } else { BadField::new(text) })
+    found.ok_or_else(|| {
+        if text.is_empty() {
+            BadField::Missing(String::new())
+        } else {
+            BadField::new(text)
+        }
+    })
 }

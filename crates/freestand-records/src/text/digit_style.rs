@@ -51,7 +51,8 @@ impl DigitStyle {
     pub(crate) fn note(&self) -> Option<Note> {
         let words = "a number has more or fewer characters after its decimal point than all others: the file may be damaged \
                      or cut off there";
-        self.odd_one().map(|line| Note::at(line, NoteKind::OddDigits, words))
+        self.odd_one()
+            .map(|line| Note::at(line, NoteKind::OddDigits, words))
     }
 
     /// The line of the only number that is printed in a different form.
@@ -72,17 +73,29 @@ mod tests {
 
     fn odd(texts: impl Iterator<Item = String>) -> Option<usize> {
         let mut style = DigitStyle::default();
-        texts.enumerate().for_each(|(at, text)| style.see(&number(text.as_bytes()).unwrap(), at));
+        texts
+            .enumerate()
+            .for_each(|(at, text)| style.see(&number(text.as_bytes()).unwrap(), at));
         style.odd_one()
     }
 
     #[test]
     fn one_number_in_another_form_is_found() {
         let fixed = |i: usize| format!("{:.7}E-03", (i as f64 + 1.5).sin());
-        for (damaged, at) in
-            [("-.2553", 199), ("-.2553209", 199), ("-.255320E-03", 7), ("-2553209E-03", 7), ("4000", 0)]
-        {
-            let text = |i: usize| if i == at { damaged.to_owned() } else { fixed(i) };
+        for (damaged, at) in [
+            ("-.2553", 199),
+            ("-.2553209", 199),
+            ("-.255320E-03", 7),
+            ("-2553209E-03", 7),
+            ("4000", 0),
+        ] {
+            let text = |i: usize| {
+                if i == at {
+                    damaged.to_owned()
+                } else {
+                    fixed(i)
+                }
+            };
             assert_eq!(odd((0..200).map(text)), Some(at), "{damaged}");
         }
         assert_eq!(odd((0..200).map(fixed)), None);
@@ -91,11 +104,30 @@ mod tests {
     #[test]
     fn other_ways_to_print_are_left_alone() {
         // Shortest decimals, some rounded ones, few numbers, a zero.
-        assert_eq!(odd((0..500).map(|i| format!("{}", f64::from(i).sin()))), None);
-        assert_eq!(odd((0..500).map(|i| format!("{}", (f64::from(i).sin() * 1e4).round() / 1e4))), None);
-        assert_eq!(odd((0..100).map(|i| if i == 50 { "1.5".to_owned() } else { "1.25".to_owned() })), None);
+        assert_eq!(
+            odd((0..500).map(|i| format!("{}", f64::from(i).sin()))),
+            None
+        );
+        assert_eq!(
+            odd((0..500).map(|i| format!("{}", (f64::from(i).sin() * 1e4).round() / 1e4))),
+            None
+        );
+        assert_eq!(
+            odd((0..100).map(|i| if i == 50 {
+                "1.5".to_owned()
+            } else {
+                "1.25".to_owned()
+            })),
+            None
+        );
         for zero in ["0", "0.000000", "0.0E+00"] {
-            let text = |i: usize| if i == 0 { zero.to_owned() } else { format!("{i}.25") };
+            let text = |i: usize| {
+                if i == 0 {
+                    zero.to_owned()
+                } else {
+                    format!("{i}.25")
+                }
+            };
             assert_eq!(odd((0..500).map(text)), None, "{zero}");
         }
     }

@@ -23,21 +23,34 @@ impl Direction {
     /// assert_eq!(Direction::parse("H1"), None);
     /// ```
     pub fn parse(text: &str) -> Option<Self> {
-        let name: String = text.chars().filter(|c| !c.is_whitespace() && *c != '-').collect::<String>().to_uppercase();
-        let name = name.trim_end_matches(['°', '.']).trim_end_matches("DEGREES").trim_end_matches("DEG");
+        let name: String = text
+            .chars()
+            .filter(|c| !c.is_whitespace() && *c != '-')
+            .collect::<String>()
+            .to_uppercase();
+        let name = name
+            .trim_end_matches(['°', '.'])
+            .trim_end_matches("DEGREES")
+            .trim_end_matches("DEG");
         match name {
             "N" | "NS" | "NORTH" | "NORTHSOUTH" => return Some(Self::Azimuth(0.0)),
             "E" | "EW" | "EAST" | "EASTWEST" => return Some(Self::Azimuth(90.0)),
             "S" | "SOUTH" => return Some(Self::Azimuth(180.0)),
             "W" | "WEST" => return Some(Self::Azimuth(270.0)),
-            "UP" | "U" | "UD" | "Z" | "V" | "VERT" | "VERTICAL" | "UPDOWN" => return Some(Self::Up),
+            "UP" | "U" | "UD" | "Z" | "V" | "VERT" | "VERTICAL" | "UPDOWN" => {
+                return Some(Self::Up);
+            }
             _ => {}
         }
         if let Ok(degrees) = name.parse::<f64>() {
-            return (0.0..=360.0).contains(&degrees).then_some(Self::Azimuth(degrees % 360.0));
+            return (0.0..=360.0)
+                .contains(&degrees)
+                .then_some(Self::Azimuth(degrees % 360.0));
         }
         if let [first @ (b'N' | b'S'), middle @ .., last @ (b'E' | b'W')] = name.as_bytes()
-            && let Some(degrees) = std::str::from_utf8(middle).ok().and_then(|digits| digits.parse::<f64>().ok())
+            && let Some(degrees) = std::str::from_utf8(middle)
+                .ok()
+                .and_then(|digits| digits.parse::<f64>().ok())
             && (0.0..=90.0).contains(&degrees)
         {
             let azimuth = match (first, last) {
@@ -50,7 +63,11 @@ impl Direction {
         }
         // Band, instrument, orientation: H or B or E or C, then L, N, G or H.
         match name.as_bytes() {
-            [b'B' | b'C' | b'E' | b'H' | b'S', b'L' | b'N' | b'G' | b'H', axis] => match axis {
+            [
+                b'B' | b'C' | b'E' | b'H' | b'S',
+                b'L' | b'N' | b'G' | b'H',
+                axis,
+            ] => match axis {
                 b'N' => Some(Self::Azimuth(0.0)),
                 b'E' => Some(Self::Azimuth(90.0)),
                 b'Z' => Some(Self::Up),
@@ -81,12 +98,18 @@ mod tests {
             ("BNE", 90.0),
             ("W", 270.0),
         ] {
-            assert_eq!(Direction::parse(text), Some(Direction::Azimuth(azimuth)), "{text}");
+            assert_eq!(
+                Direction::parse(text),
+                Some(Direction::Azimuth(azimuth)),
+                "{text}"
+            );
         }
         for text in ["UP", "u-d", "Vertical", "HNZ", "Z"] {
             assert_eq!(Direction::parse(text), Some(Direction::Up), "{text}");
         }
-        for text in ["H1", "H2", "WE", "SN", "LONG", "TRAN", "", "N95E", "361", "-5E", "NaN", "inf", "DOWN"] {
+        for text in [
+            "H1", "H2", "WE", "SN", "LONG", "TRAN", "", "N95E", "361", "-5E", "NaN", "inf", "DOWN",
+        ] {
             assert_eq!(Direction::parse(text), None, "{text}");
         }
     }

@@ -19,22 +19,46 @@ pub(crate) struct Uneven {
 /// # Errors
 /// A time that does not increase, a step that is not positive, more than `most` samples; the row
 /// counts from 0.
-pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usize) -> Result<Vec<f64>, Uneven> {
-    let uneven =
-        |row: usize, message: String, hint: &'static str| Uneven { row, message, hint, is_mended_by_lines: false };
-    let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
-        return Err(uneven(0, "there are no times".to_owned(), "a motion needs 2 samples or more"));
+pub(crate) fn on_even_grid(
+    times_s: &[f64],
+    values: &[f64],
+    dt_s: f64,
+    most: usize,
+) -> Result<Vec<f64>, Uneven> {
+    let uneven = |row: usize, message: String, hint: &'static str| Uneven {
+        row,
+        message,
+        hint,
+        is_mended_by_lines: false,
     };
-    let rises = |i: usize| times_s[i] > times_s[i - 1] || times_s[i] == times_s[i - 1] && values[i] == values[i - 1];
+    let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
+        return Err(uneven(
+            0,
+            "there are no times".to_owned(),
+            "a motion needs 2 samples or more",
+        ));
+    };
+    let rises = |i: usize| {
+        times_s[i] > times_s[i - 1] || times_s[i] == times_s[i - 1] && values[i] == values[i - 1]
+    };
     let points = times_s.len().min(values.len());
     if let Some(row) = (1..points).find(|&i| !rises(i)) {
-        let message = format!("the time does not increase: {} after {}", times_s[row], times_s[row - 1]);
-        return Err(uneven(row, message, "a record has one value at each time: repair the record"));
+        let message = format!(
+            "the time does not increase: {} after {}",
+            times_s[row],
+            times_s[row - 1]
+        );
+        return Err(uneven(
+            row,
+            message,
+            "a record has one value at each time: repair the record",
+        ));
     }
     // The last point is on the grid if only rounding separates them.
     let steps = ((last - first) / dt_s + ON_GRID).floor();
     if !(dt_s > 0.0 && steps < most as f64) {
-        let message = format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
+        let message =
+            format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
         return Err(uneven(0, message, "choose a longer step with `resample`"));
     }
     let mut samples = Vec::with_capacity(steps as usize + 1);
@@ -77,7 +101,9 @@ pub(crate) fn common_step(times_s: &[f64], last_digit_exponent: i32) -> Option<f
         divisor = greatest_common_divisor(divisor, units as u64);
     }
     // Parsed, so that it is the f64 nearest to the decimal: 5e-3, not 5 times 0.001.
-    (divisor > 0).then(|| format!("{divisor}e{last_digit_exponent}").parse().ok()).flatten()
+    (divisor > 0)
+        .then(|| format!("{divisor}e{last_digit_exponent}").parse().ok())
+        .flatten()
 }
 
 fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {
@@ -101,22 +127,41 @@ mod tests {
             [2.0, 3.0, 4.0, -1.0, 1.0, 3.0, 5.0, 7.0]
         );
         // The grid starts at the first time and ends at or before the last.
-        assert_eq!(on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75, MAX).unwrap(), [1.0, 4.0]);
+        assert_eq!(
+            on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75, MAX).unwrap(),
+            [1.0, 4.0]
+        );
         // One point twice is one point.
-        assert_eq!(on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0, MAX).unwrap(), [0.0, 3.0, 1.0]);
+        assert_eq!(
+            on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0, MAX).unwrap(),
+            [0.0, 3.0, 1.0]
+        );
     }
 
     #[test]
     fn every_printed_point_is_found_again_on_the_common_step() {
         // Times in milliseconds, as printed.
-        let ms: Vec<u32> = (0..4000).scan(7u32, |t, i| Some(std::mem::replace(t, *t + 3 + i * 7919 % 60))).collect();
-        let times: Vec<f64> = ms.iter().map(|ms| format!("{ms}e-3").parse().unwrap()).collect();
-        let values: Vec<f64> = (0..4000).map(|i| f64::from(i * 7919 % 2001 - 1000) * 1e-3).collect();
+        let ms: Vec<u32> = (0..4000)
+            .scan(7u32, |t, i| {
+                Some(std::mem::replace(t, *t + 3 + i * 7919 % 60))
+            })
+            .collect();
+        let times: Vec<f64> = ms
+            .iter()
+            .map(|ms| format!("{ms}e-3").parse().unwrap())
+            .collect();
+        let values: Vec<f64> = (0..4000)
+            .map(|i| f64::from(i * 7919 % 2001 - 1000) * 1e-3)
+            .collect();
         assert_eq!(common_step(&times, -3), Some(0.001));
         let samples = on_even_grid(&times, &values, 0.001, MAX).unwrap();
         assert_eq!(samples.len() as u32, ms.last().unwrap() - ms[0] + 1);
         for (ms_of, value) in ms.iter().zip(&values) {
-            assert_eq!(samples[(ms_of - ms[0]) as usize], *value, "exact: a point on the grid is taken as it is");
+            assert_eq!(
+                samples[(ms_of - ms[0]) as usize],
+                *value,
+                "exact: a point on the grid is taken as it is"
+            );
         }
         // Straight between: the second difference vanishes but for rounding. Times below 200 s are
         // off by 3e-14 s, intervals are 3 ms or more and values differ by 2 at most, in four terms:
@@ -139,7 +184,11 @@ mod tests {
 
     #[test]
     fn what_is_no_time_is_refused() {
-        let row = |times: &[f64], dt_s: f64| on_even_grid(times, &[1.0, 2.0, 3.0], dt_s, MAX).unwrap_err().row;
+        let row = |times: &[f64], dt_s: f64| {
+            on_even_grid(times, &[1.0, 2.0, 3.0], dt_s, MAX)
+                .unwrap_err()
+                .row
+        };
         assert_eq!(row(&[0.0, 1.0, 0.5], 0.1), 2);
         assert_eq!(row(&[0.0, 0.0, 0.5], 0.1), 1);
         assert_eq!(row(&[0.0, f64::NAN, 0.5], 0.1), 1);
@@ -149,7 +198,12 @@ mod tests {
         assert!(on_even_grid(&[], &[], 0.1, MAX).is_err());
         // No memory is reserved for more samples than `MAX`: 1e15 of them here.
         assert!(on_even_grid(&[0.0, 1e9], &[1.0, 2.0], 1e-6, MAX).is_err());
-        assert_eq!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 5).unwrap().len(), 5);
+        assert_eq!(
+            on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 5)
+                .unwrap()
+                .len(),
+            5
+        );
         assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 4).is_err());
     }
 }

@@ -33,8 +33,11 @@ pub(crate) fn scan(text: &[u8]) -> Option<Number> {
     let (whole, significand) = run_of_digits(&text[start..], 0);
     let mut end = start + whole;
     let has_point = text.get(end) == Some(&b'.');
-    let (fraction, significand) =
-        if has_point { run_of_digits(&text[end + 1..], significand) } else { (0, significand) };
+    let (fraction, significand) = if has_point {
+        run_of_digits(&text[end + 1..], significand)
+    } else {
+        (0, significand)
+    };
     if whole + fraction == 0 {
         return None;
     }
@@ -50,7 +53,8 @@ pub(crate) fn scan(text: &[u8]) -> Option<Number> {
             end = from + sign + length;
             exponent = &text[from..end];
         }
-    } else if has_point && is_sign(end) && digits(end + 1) == 3 && text.get(end + 4) != Some(&b'.') {
+    } else if has_point && is_sign(end) && digits(end + 1) == 3 && text.get(end + 4) != Some(&b'.')
+    {
         exponent = &text[end..end + 4];
         end += 4;
     }
@@ -58,15 +62,27 @@ pub(crate) fn scan(text: &[u8]) -> Option<Number> {
     // An exponent beyond i32 makes the value 0 or infinite; the last digit then means nothing.
     let power = power_of(exponent);
     let last_digit_exponent = power.unwrap_or(0).saturating_sub(fraction as i32);
-    let short = if power.is_some() && whole + fraction <= 15 { exact(significand, last_digit_exponent) } else { None };
+    let short = if power.is_some() && whole + fraction <= 15 {
+        exact(significand, last_digit_exponent)
+    } else {
+        None
+    };
     let value = match short {
         Some(size) if text[0] == b'-' => -size,
         Some(size) => size,
-        None => format!("{}e{}", str_of(mantissa)?, str_of(exponent)?).parse().ok()?,
+        None => format!("{}e{}", str_of(mantissa)?, str_of(exponent)?)
+            .parse()
+            .ok()?,
     };
     let zero_padded = whole > 1 && text[start] == b'0' && !has_point && end == start + whole;
     let tail = if has_point { end - start - whole } else { 0 };
-    Some(Number { value, length: end, last_digit_exponent, zero_padded, tail })
+    Some(Number {
+        value,
+        length: end,
+        last_digit_exponent,
+        zero_padded,
+        tail,
+    })
 }
 
 /// The number of an exponent, `-03` or `7`, if i32 holds it.
@@ -74,14 +90,22 @@ fn power_of(exponent: &[u8]) -> Option<i32> {
     let is_signed = matches!(exponent.first(), Some(b'+' | b'-'));
     let (length, size) = run_of_digits(&exponent[usize::from(is_signed)..], 0);
     let size = i32::try_from(size).ok().filter(|_| length <= 19)?;
-    Some(if exponent.first() == Some(&b'-') { -size } else { size })
+    Some(if exponent.first() == Some(&b'-') {
+        -size
+    } else {
+        size
+    })
 }
 
 /// How many digits `text` begins with, and `number` continued by them. The number is valid up to 19
 /// digits.
 fn run_of_digits(text: &[u8], mut number: u64) -> (usize, u64) {
     let mut length = 0;
-    while let Some(digit) = text.get(length).map(|b| b.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
+    while let Some(digit) = text
+        .get(length)
+        .map(|b| b.wrapping_sub(b'0'))
+        .filter(|digit| *digit < 10)
+    {
         number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
         length += 1;
     }
@@ -93,11 +117,15 @@ fn run_of_digits(text: &[u8], mut number: u64) -> (usize, u64) {
 /// rounded once, to the nearest (Clinger 1990).
 fn exact(significand: u64, exponent: i32) -> Option<f64> {
     const POWERS: [f64; 23] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
-        1e20, 1e21, 1e22,
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+        1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
     ];
     let power = *POWERS.get(exponent.unsigned_abs() as usize)?;
-    Some(if exponent < 0 { significand as f64 / power } else { significand as f64 * power })
+    Some(if exponent < 0 {
+        significand as f64 / power
+    } else {
+        significand as f64 * power
+    })
 }
 
 fn str_of(text: &[u8]) -> Option<&str> {
@@ -121,7 +149,11 @@ pub(crate) enum BadField {
 impl BadField {
     pub(crate) fn new(field: &[u8]) -> Self {
         let text = super::lines::text_of(&field[..field.len().min(64)]);
-        if is_missing_word(field) { Self::Missing(text) } else { Self::NotANumber(text) }
+        if is_missing_word(field) {
+            Self::Missing(text)
+        } else {
+            Self::NotANumber(text)
+        }
     }
 }
 
@@ -129,28 +161,45 @@ impl BadField {
 pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
     match bad {
         BadField::Missing(text) => missing(text, line),
-        BadField::NotANumber(text) => {
-            Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
-                .at_line(line)
-                .hint("the file may be damaged; comment lines must begin with #")
-        }
+        BadField::NotANumber(text) => Problem::new(
+            ProblemKind::Format,
+            format!("\"{}\" is not a number", shorten(text)),
+        )
+        .at_line(line)
+        .hint("the file may be damaged; comment lines must begin with #"),
     }
 }
 
 /// Words that mark a missing value.
 pub(crate) fn is_missing_word(field: &[u8]) -> bool {
-    let word = field.strip_prefix(b"-").or_else(|| field.strip_prefix(b"+")).unwrap_or(field).to_ascii_lowercase();
+    let word = field
+        .strip_prefix(b"-")
+        .or_else(|| field.strip_prefix(b"+"))
+        .unwrap_or(field)
+        .to_ascii_lowercase();
     let stars = !word.is_empty() && word.iter().all(|&b| b == b'*');
     stars
         || matches!(
             word.as_slice(),
-            b"nan" | b"inf" | b"infinity" | b"na" | b"n/a" | b"null" | b"none" | b"1.#inf" | b"1.#qnan"
+            b"nan"
+                | b"inf"
+                | b"infinity"
+                | b"na"
+                | b"n/a"
+                | b"null"
+                | b"none"
+                | b"1.#inf"
+                | b"1.#qnan"
         )
 }
 
 /// Values that agencies write for a missing value: -999, -9999, -32768, 1.7E38 and similar.
 pub(crate) fn is_missing_value(value: f64) -> bool {
-    value == -999.0 || value == -9999.0 || value == -32768.0 || value.abs() >= 1e30 || value.is_nan()
+    value == -999.0
+        || value == -9999.0
+        || value == -32768.0
+        || value.abs() >= 1e30
+        || value.is_nan()
 }
 
 /// As [`is_missing_value`], and numbers of nothing but nines, 9999.99 or 99999, with which data loggers and spreadsheets
@@ -169,7 +218,9 @@ pub(crate) fn is_gap_mark(value: f64) -> bool {
 pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
     let mut rest = line.trim_ascii();
     while !rest.is_empty() {
-        let Some(number) = scan(rest) else { return Err(BadField::new(first_word(rest))) };
+        let Some(number) = scan(rest) else {
+            return Err(BadField::new(first_word(rest)));
+        };
         let tail = &rest[number.length..];
         match tail.first() {
             None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C) => {}
@@ -182,7 +233,10 @@ pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), Ba
 }
 
 fn first_word(text: &[u8]) -> &[u8] {
-    &text[..text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len())]
+    &text[..text
+        .iter()
+        .position(u8::is_ascii_whitespace)
+        .unwrap_or(text.len())]
 }
 
 #[cfg(test)]
@@ -229,7 +283,11 @@ mod tests {
             ("--1", "--1"),
             ("1e", "1e"),
         ] {
-            assert_eq!(values(line), Err(BadField::NotANumber(field.to_owned())), "{line}");
+            assert_eq!(
+                values(line),
+                Err(BadField::NotANumber(field.to_owned())),
+                "{line}"
+            );
         }
         for line in ["NaN", "-inf", "*****", "+Infinity", "null"] {
             assert_eq!(values(line), Err(BadField::Missing(line.to_owned())));
@@ -238,10 +296,19 @@ mod tests {
 
     #[test]
     fn the_last_printed_digit() {
-        for (text, exponent) in
-            [("0.0100", -4), ("5", 0), ("5.", 0), ("1.50E-02", -4), ("1.5D+03", 2), ("1.25-101", -103)]
-        {
-            assert_eq!(number(text.as_bytes()).unwrap().last_digit_exponent, exponent, "{text}");
+        for (text, exponent) in [
+            ("0.0100", -4),
+            ("5", 0),
+            ("5.", 0),
+            ("1.50E-02", -4),
+            ("1.5D+03", 2),
+            ("1.25-101", -103),
+        ] {
+            assert_eq!(
+                number(text.as_bytes()).unwrap().last_digit_exponent,
+                exponent,
+                "{text}"
+            );
         }
         assert_eq!(number(b"1.5 "), None);
     }
@@ -258,7 +325,15 @@ mod tests {
 
     #[test]
     fn missing_values() {
-        for value in [-999.0, -9999.0, -32768.0, 1.7e38, -1.7e38, f64::NAN, f64::INFINITY] {
+        for value in [
+            -999.0,
+            -9999.0,
+            -32768.0,
+            1.7e38,
+            -1.7e38,
+            f64::NAN,
+            f64::INFINITY,
+        ] {
             assert!(is_missing_value(value));
         }
         for value in [0.0, 999.0, -998.9, -999.5, 32768.0] {

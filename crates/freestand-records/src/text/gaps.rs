@@ -15,16 +15,26 @@ pub(crate) fn is_no_value(value: f64) -> bool {
 /// marker by `is_marker` and larger than twice every other value. A series that reaches half of 999
 /// may well reach 999.
 pub(crate) fn gap(values: &[f64], is_marker: impl Fn(f64) -> bool) -> Option<usize> {
-    let first = values.iter().position(|&value| is_no_value(value) || is_marker(value))?;
-    let others = values.iter().filter(|value| !is_no_value(**value) && !is_marker(**value));
+    let first = values
+        .iter()
+        .position(|&value| is_no_value(value) || is_marker(value))?;
+    let others = values
+        .iter()
+        .filter(|value| !is_no_value(**value) && !is_marker(**value));
     let peak = others.fold(0.0f64, |peak, value| peak.max(value.abs()));
     let is_gap = |value: f64| is_no_value(value) || is_marker(value) && value.abs() > 2.0 * peak;
-    values.iter().skip(first).position(|&value| is_gap(value)).map(|at| first + at)
+    values
+        .iter()
+        .skip(first)
+        .position(|&value| is_gap(value))
+        .map(|at| first + at)
 }
 
 /// A note about a value that may mark a missing value but is read as a value.
 pub(crate) fn ordinary_note(value: f64, line: usize) -> Note {
-    let words = format!("{value} is read as a value because others are as large; it may mark a missing value");
+    let words = format!(
+        "{value} is read as a value because others are as large; it may mark a missing value"
+    );
     Note::at(line, NoteKind::GapMark, words)
 }
 
@@ -57,7 +67,9 @@ impl Markers {
     /// A value that marks a missing value.
     pub(crate) fn judge(&self, values: &[f64]) -> Result<Option<Note>, Problem> {
         match self.first {
-            Some((value, line)) if gap(values, is_gap_mark).is_some() => Err(missing(&value.to_string(), line)),
+            Some((value, line)) if gap(values, is_gap_mark).is_some() => {
+                Err(missing(&value.to_string(), line))
+            }
             first => Ok(first.map(|(value, line)| ordinary_note(value, line))),
         }
     }
@@ -70,12 +82,17 @@ mod tests {
 
     #[test]
     fn nothing_but_nines_marks_a_gap() {
-        let marks = [9999.99, -9999.99, 999.9, 999.99, 99999.0, -99999.9, 9999.0, 999_999.0, -999.0, 9999.999];
+        let marks = [
+            9999.99, -9999.99, 999.9, 999.99, 99999.0, -99999.9, 9999.0, 999_999.0, -999.0,
+            9999.999,
+        ];
         for value in marks {
             assert!(is_gap_mark(value), "{value}");
             assert_eq!(gap(&[1.0, value, 2.0], is_gap_mark), Some(1), "{value}");
         }
-        for value in [999.0, 99.99, 9998.99, 9.999, 9990.0, 1000.0, 999.95, 0.0, 1e-9] {
+        for value in [
+            999.0, 99.99, 9998.99, 9.999, 9990.0, 1000.0, 999.95, 0.0, 1e-9,
+        ] {
             assert!(!is_gap_mark(value), "{value}");
         }
         assert_eq!(gap(&[1.0, 9999.99, 6000.0], is_gap_mark), None);

@@ -12,7 +12,11 @@ pub(crate) struct Head {
 
 impl Head {
     /// Takes up to `most` lines, down to the first for which `ends` holds; that line stays unread.
-    pub(crate) fn take(rest: &mut Lines<'_>, most: usize, mut ends: impl FnMut(&Line<'_>) -> bool) -> Self {
+    pub(crate) fn take(
+        rest: &mut Lines<'_>,
+        most: usize,
+        mut ends: impl FnMut(&Line<'_>) -> bool,
+    ) -> Self {
         let mut lines = Vec::new();
         for _ in 0..most {
             let before = rest.clone();
@@ -36,11 +40,17 @@ impl Head {
         hint: &str,
         value: impl Fn(&'a str) -> Option<&'a str>,
     ) -> Result<(usize, &'a str), Problem> {
-        self.lines.iter().find_map(|(line, text)| Some((*line, value(text)?))).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("the header has no line \"{key}\""))
+        self.lines
+            .iter()
+            .find_map(|(line, text)| Some((*line, value(text)?)))
+            .ok_or_else(|| {
+                Problem::new(
+                    ProblemKind::Format,
+                    format!("the header has no line \"{key}\""),
+                )
                 .at_line(self.lines.last().map_or(1, |(line, _)| *line))
                 .hint(hint)
-        })
+            })
     }
 }
 
@@ -49,9 +59,15 @@ impl Head {
 /// # Errors
 /// No number.
 pub(crate) fn leading_number(key: &str, (line, text): (usize, &str)) -> Result<f64, Problem> {
-    scan(text.as_bytes()).map(|number| number.value).filter(|value| value.is_finite()).ok_or_else(|| {
-        Problem::new(ProblemKind::Format, format!("\"{}\" is not a number for \"{key}\"", shorten(text)))
+    scan(text.as_bytes())
+        .map(|number| number.value)
+        .filter(|value| value.is_finite())
+        .ok_or_else(|| {
+            Problem::new(
+                ProblemKind::Format,
+                format!("\"{}\" is not a number for \"{key}\"", shorten(text)),
+            )
             .at_line(line)
             .hint("the header is damaged: fetch the file again")
-    })
+        })
 }

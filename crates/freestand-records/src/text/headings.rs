@@ -33,13 +33,22 @@ pub(crate) fn only(
     is_it: impl Fn(&Heading) -> bool,
     what: &str,
 ) -> Result<Option<usize>, Problem> {
-    let mut found = headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
+    let mut found = headings
+        .iter()
+        .enumerate()
+        .filter(|(_, heading)| is_it(heading));
     let first = found.next();
     if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
-        let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-        return Err(Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
-            .at_line(line)
-            .hint("keep only one of them in the file"));
+        let names = format!(
+            "\"{}\" and \"{}\"",
+            shorten(&one.name),
+            shorten(&other.name)
+        );
+        return Err(
+            Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
+                .at_line(line)
+                .hint("keep only one of them in the file"),
+        );
     }
     Ok(first.map(|(index, _)| index))
 }
@@ -53,14 +62,24 @@ pub(crate) fn heading(cell: &str) -> Heading {
     {
         // Brackets without a unit belong to the name: "a (NS)", "a (EW)".
         let unit = column_unit(&cell[..open], &cell[open + 1..close]);
-        let name = if unit.is_some() { cell[..open].trim() } else { cell };
-        return Heading { name: name.to_owned(), unit };
+        let name = if unit.is_some() {
+            cell[..open].trim()
+        } else {
+            cell
+        };
+        return Heading {
+            name: name.to_owned(),
+            unit,
+        };
     }
     for separator in [", ", " / ", " in "] {
         if let Some((name, unit)) = cell.rsplit_once(separator)
             && let Some(unit) = column_unit(name, unit)
         {
-            return Heading { name: name.trim().to_owned(), unit: Some(unit) };
+            return Heading {
+                name: name.trim().to_owned(),
+                unit: Some(unit),
+            };
         }
     }
     let suffixes = [
@@ -82,7 +101,10 @@ pub(crate) fn heading(cell: &str) -> Heading {
         Some((_, symbol)) => lookup(symbol),
         None => time_suffix(cell),
     };
-    Heading { name: cell.to_owned(), unit }
+    Heading {
+        name: cell.to_owned(),
+        unit,
+    }
 }
 
 /// `time_ms`, `t_s`, `Time ms`: a word for time, then its unit.
@@ -94,17 +116,27 @@ fn time_suffix(cell: &str) -> Option<&'static Unit> {
 
 /// The unit of a column: N means newton for a force and north for anything else.
 fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
-    if is_force(name) && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
+    if is_force(name) && unit.trim() == "N" {
+        lookup("N")
+    } else {
+        record_unit(unit)
+    }
 }
 
 fn is_force(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
-    ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f"
+    ["force", "load", "kraft"]
+        .iter()
+        .any(|word| name.contains(word))
+        || name.trim() == "f"
 }
 
 /// Names of a time column, without its unit.
 pub(crate) fn is_time_name(name: &str) -> bool {
-    matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
+    matches!(
+        name.to_ascii_lowercase().as_str(),
+        "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo"
+    )
 }
 
 /// Names of a column that counts samples, which is no time: its steps are not seconds.
@@ -149,12 +181,22 @@ fn is_other_name(name: &str) -> bool {
 /// What a column holds, if not an acceleration.
 pub(crate) fn other_quantity(heading: &Heading) -> Option<&'static str> {
     match heading.unit {
-        Some(unit) if unit.dimension != Dimension::Acceleration => Some(unit.dimension.with_article()),
+        Some(unit) if unit.dimension != Dimension::Acceleration => {
+            Some(unit.dimension.with_article())
+        }
         Some(_) => None,
         None => {
             let name = heading.name.to_ascii_lowercase();
-            let others = [("vel", "a velocity"), ("disp", "a displacement"), ("force", "a force"), ("load", "a force")];
-            others.iter().find(|(start, _)| name.starts_with(start)).map(|(_, what)| *what)
+            let others = [
+                ("vel", "a velocity"),
+                ("disp", "a displacement"),
+                ("force", "a force"),
+                ("load", "a force"),
+            ];
+            others
+                .iter()
+                .find(|(start, _)| name.starts_with(start))
+                .map(|(_, what)| *what)
         }
     }
 }
@@ -164,24 +206,48 @@ pub(crate) fn other_quantity(heading: &Heading) -> Option<&'static str> {
 /// there are columns does not.
 pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
     // The comment marks of other programs do not belong to the first heading.
-    let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
+    let unmarked = |text: &str| {
+        text.trim_start_matches(['%', '!', '*', '/'])
+            .trim()
+            .to_owned()
+    };
     let from = |text: &str| -> Option<Vec<Heading>> {
         let text = &unmarked(text);
-        let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
+        let headings: Vec<Heading> = table
+            .names(text)?
+            .iter()
+            .map(|cell| heading(cell))
+            .collect();
         // "Units: cm/s2" above two columns has two words but is not a header.
         let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
         (!statement).then_some(headings)
     };
     // A line of dashes underlines the headings.
-    let lines: Vec<_> =
-        table.header.iter().rev().filter(|(_, text)| text.contains(char::is_alphanumeric)).take(4).collect();
-    let units_of =
-        |text: &str| -> Option<Vec<_>> { table.names(&unmarked(text))?.iter().map(|cell| record_unit(cell)).collect() };
+    let lines: Vec<_> = table
+        .header
+        .iter()
+        .rev()
+        .filter(|(_, text)| text.contains(char::is_alphanumeric))
+        .take(4)
+        .collect();
+    let units_of = |text: &str| -> Option<Vec<_>> {
+        table
+            .names(&unmarked(text))?
+            .iter()
+            .map(|cell| record_unit(cell))
+            .collect()
+    };
     // Plotting programs write a line of remarks below names and units.
-    let units = lines.iter().enumerate().find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
+    let units = lines
+        .iter()
+        .enumerate()
+        .find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
     if let Some((i, line, units)) = units {
-        let above = lines.get(i + 1).and_then(|(above, text)| Some((*above, from(text)?)));
-        let (line, mut headings) = above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
+        let above = lines
+            .get(i + 1)
+            .and_then(|(above, text)| Some((*above, from(text)?)));
+        let (line, mut headings) =
+            above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
         for (heading, unit) in headings.iter_mut().zip(units) {
             heading.unit = Some(unit);
         }
@@ -194,15 +260,23 @@ pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
     }
     let (line, text) = table.comments.last()?;
     let headings = from(text)?;
-    let all_named = headings.iter().all(|heading| heading.unit.is_some() && !heading.name.is_empty());
+    let all_named = headings
+        .iter()
+        .all(|heading| heading.unit.is_some() && !heading.name.is_empty());
     all_named.then_some((headings, *line))
 }
 
 /// The values of a column, in SI if its heading has a unit.
 pub(crate) fn in_si(table: &Table, headings: &[Heading], index: usize) -> Vec<f64> {
     let unit = headings.get(index).and_then(|heading| heading.unit);
-    let values = table.columns.get(index).map_or(&[][..], |column| &column.values);
-    values.iter().map(|&value| unit.map_or(value, |unit| unit.to_si(value))).collect()
+    let values = table
+        .columns
+        .get(index)
+        .map_or(&[][..], |column| &column.values);
+    values
+        .iter()
+        .map(|&value| unit.map_or(value, |unit| unit.to_si(value)))
+        .collect()
 }
 
 /// Whether a line of prose states a unit explicitly.

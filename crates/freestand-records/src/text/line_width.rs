@@ -40,10 +40,14 @@ impl LineWidth {
     /// # Errors
     /// The first line that is too short.
     pub(crate) fn check(&self) -> Result<(), Problem> {
-        match self.first_short.filter(|_| self.has_blank && self.filled > self.short) {
+        match self
+            .first_short
+            .filter(|_| self.has_blank && self.filled > self.short)
+        {
             None => Ok(()),
             Some((line, length, full)) => {
-                let message = format!("the line has {length} characters, but its numbers need {full}");
+                let message =
+                    format!("the line has {length} characters, but its numbers need {full}");
                 Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(
                     "a character is missing or the file is cut off: fetch it again, or align the numbers with \
                      those of the other lines",
@@ -61,14 +65,22 @@ mod tests {
     /// 8 lines of 4F8.3 and a last of 2.
     fn block() -> String {
         let value = |i: i32| format!("{:8.3}", f64::from(i * 37 % 23 - 11) * 0.731);
-        let lines: Vec<String> =
-            (0..9).map(|row| (4 * row..(4 * row + 4).min(34)).map(value).collect::<String>() + "\r\n").collect();
+        let lines: Vec<String> = (0..9)
+            .map(|row| {
+                (4 * row..(4 * row + 4).min(34))
+                    .map(value)
+                    .collect::<String>()
+                    + "\r\n"
+            })
+            .collect();
         lines.concat()
     }
 
     fn read(text: &str) -> Result<Vec<f64>, String> {
         let block = Format::new(4, 8).read(&mut lines(text.as_bytes()), 34, "it");
-        block.map(|block| block.values).map_err(|problem| problem.to_string())
+        block
+            .map(|block| block.values)
+            .map_err(|problem| problem.to_string())
     }
 
     #[test]
@@ -82,25 +94,40 @@ mod tests {
             let line = whole[..at].matches('\n').count() + 1;
             match read(&cut) {
                 Err(problem) => {
-                    assert!(problem.starts_with(&format!("line {line}: ")), "{at}: {problem}");
+                    assert!(
+                        problem.starts_with(&format!("line {line}: ")),
+                        "{at}: {problem}"
+                    );
                     refused += 1;
                 }
                 // CR or LF alone ends a line too.
-                Ok(values) => assert!(lost.is_whitespace() && values == read(&whole).unwrap(), "{at} {lost:?}"),
+                Ok(values) => assert!(
+                    lost.is_whitespace() && values == read(&whole).unwrap(),
+                    "{at} {lost:?}"
+                ),
             }
         }
         assert_eq!(refused, 34 * 8);
         // Cut off within the last number.
-        assert!(read(&whole[..whole.len() - 4]).unwrap_err().contains("line 9: the line has 14 characters"));
+        assert!(
+            read(&whole[..whole.len() - 4])
+                .unwrap_err()
+                .contains("line 9: the line has 14 characters")
+        );
     }
 
     #[test]
     fn blocks_that_are_not_set_in_columns_are_read_as_before() {
         let whole = block();
         let values = read(&whole).unwrap();
-        let trimmed: String = whole.lines().map(|line| line.trim().to_owned() + "\n").collect();
-        let single: String =
-            whole.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n").collect();
+        let trimmed: String = whole
+            .lines()
+            .map(|line| line.trim().to_owned() + "\n")
+            .collect();
+        let single: String = whole
+            .lines()
+            .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n")
+            .collect();
         // C widens a field that its number does not fit; nothing is lost.
         let wider = whole.replacen("  -8.041", "-8.0410000", 1);
         assert_ne!(wider, whole);

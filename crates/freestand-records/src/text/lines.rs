@@ -3,19 +3,35 @@
 use freestand_input::problem::{Problem, ProblemKind};
 
 const UNPACK: &str = "unpack it first";
-const CONVERT: &str = "convert the record to miniSEED, AT2, or CSV with time and acceleration columns";
+const CONVERT: &str =
+    "convert the record to miniSEED, AT2, or CSV with time and acceleration columns";
 const NAME_RECORD: &str = "name the record file; name a StationXML file with `station_xml`";
 
 /// Other files that people try to read: position of the signature, signature, kind of file, remedy.
 const OTHERS: &[(usize, &[u8], &str, &str)] = &[
     (0, b"\x1F\x8B", "a gzip file", UNPACK),
-    (0, b"PK\x03\x04", "a zip file (or an office document, which is one)", "unpack it first; save a worksheet as CSV"),
+    (
+        0,
+        b"PK\x03\x04",
+        "a zip file (or an office document, which is one)",
+        "unpack it first; save a worksheet as CSV",
+    ),
     (0, b"BZh", "a bzip2 file", UNPACK),
     (0, b"\xFD7zXZ\x00", "an xz file", UNPACK),
     (0, b"7z\xBC\xAF", "a 7-zip file", UNPACK),
     (257, b"ustar", "a tar file", UNPACK),
-    (0, b"\xD0\xCF\x11\xE0", "an old Excel or Word file", "save the worksheet as CSV"),
-    (0, b"\x89HDF\r\n\x1A\n", "an HDF5 file (ASDF, MATLAB 7.3)", CONVERT),
+    (
+        0,
+        b"\xD0\xCF\x11\xE0",
+        "an old Excel or Word file",
+        "save the worksheet as CSV",
+    ),
+    (
+        0,
+        b"\x89HDF\r\n\x1A\n",
+        "an HDF5 file (ASDF, MATLAB 7.3)",
+        CONVERT,
+    ),
     (0, b"MATLAB 5.0", "a MATLAB file", CONVERT),
     (0, b"\x93NUMPY", "a NumPy file", CONVERT),
     (0, b"K\x01\x01", "a Kinemetrics EVT file", CONVERT),
@@ -23,8 +39,18 @@ const OTHERS: &[(usize, &[u8], &str, &str)] = &[
     (0, b"BEGIN GSE2", "a GSE2 file", CONVERT),
     (0, b"XW01", "a GSE1 file", CONVERT),
     (0, b"WID1 ", "a GSE1 file", CONVERT),
-    (0, b"\x89PNG", "a picture (PNG)", "name the record file itself"),
-    (0, b"\xFF\xD8\xFF", "a picture (JPEG)", "name the record file itself"),
+    (
+        0,
+        b"\x89PNG",
+        "a picture (PNG)",
+        "name the record file itself",
+    ),
+    (
+        0,
+        b"\xFF\xD8\xFF",
+        "a picture (JPEG)",
+        "name the record file itself",
+    ),
     (0, b"%PDF", "a PDF document", "name the record file itself"),
     (0, b"<?xml", "an XML document", NAME_RECORD),
     (0, b"<FDSNStationXML", "a StationXML", NAME_RECORD),
@@ -43,16 +69,20 @@ pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
         bytes.truncate(bytes.trim_ascii_end().len() - 1);
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(Problem::new(ProblemKind::Format, "the file is empty").hint("check that the record was saved"));
+        return Err(Problem::new(ProblemKind::Format, "the file is empty")
+            .hint("check that the record was saved"));
     }
-    if let Some((_, _, kind, remedy)) =
-        OTHERS.iter().find(|(at, start, ..)| bytes.get(*at..).is_some_and(|rest| rest.starts_with(start)))
+    if let Some((_, _, kind, remedy)) = OTHERS
+        .iter()
+        .find(|(at, start, ..)| bytes.get(*at..).is_some_and(|rest| rest.starts_with(start)))
     {
         return Err(Problem::new(ProblemKind::Format, format!("is {kind}")).hint(*remedy));
     }
     if bytes.contains(&0) {
-        return Err(Problem::new(ProblemKind::Format, "is a binary file of an unknown format")
-            .hint("convert the record to AT2, or to CSV with time and acceleration columns"));
+        return Err(
+            Problem::new(ProblemKind::Format, "is a binary file of an unknown format")
+                .hint("convert the record to AT2, or to CSV with time and acceleration columns"),
+        );
     }
     Ok(())
 }
@@ -68,10 +98,12 @@ fn from_utf16(bytes: &[u8]) -> Result<Option<String>, Problem> {
         _ => return Ok(None),
     };
     let (pairs, rest) = bytes[2..].as_chunks::<2>();
-    let text: Result<String, _> = char::decode_utf16(pairs.iter().map(|pair| unit(*pair))).collect();
+    let text: Result<String, _> =
+        char::decode_utf16(pairs.iter().map(|pair| unit(*pair))).collect();
     match text {
         Ok(text) if rest.is_empty() => Ok(Some(text)),
-        _ => Err(Problem::new(ProblemKind::Format, "is damaged UTF-16 text").hint("save it as UTF-8 or plain text")),
+        _ => Err(Problem::new(ProblemKind::Format, "is damaged UTF-16 text")
+            .hint("save it as UTF-8 or plain text")),
     }
 }
 
@@ -91,7 +123,10 @@ pub(crate) struct Lines<'a> {
 }
 
 pub(crate) fn lines(bytes: &[u8]) -> Lines<'_> {
-    Lines { rest: bytes, number: 0 }
+    Lines {
+        rest: bytes,
+        number: 0,
+    }
 }
 
 impl<'a> Lines<'a> {
@@ -128,7 +163,10 @@ impl<'a> Iterator for Lines<'a> {
         };
         self.rest = &tail[ending..];
         self.number += 1;
-        Some(Line { number: self.number, bytes })
+        Some(Line {
+            number: self.number,
+            bytes,
+        })
     }
 }
 
@@ -144,8 +182,10 @@ impl Line<'_> {
     /// Whether it holds words. The letters of an exponent are not words.
     pub(crate) fn is_text(&self) -> bool {
         let bytes = self.bytes.trim_ascii();
-        let is_word =
-            |b: &u8| b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D') || matches!(b, b'/' | b'&');
+        let is_word = |b: &u8| {
+            b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D')
+                || matches!(b, b'/' | b'&')
+        };
         bytes.iter().any(is_word) || bytes.starts_with(b"--")
     }
 
@@ -171,8 +211,11 @@ mod tests {
     fn every_line_ending_ends_one_line() {
         for ending in ["\n", "\r\n", "\r", "\r\r\n"] {
             let text = ["a", "", "b c", "d"].join(ending);
-            let found: Vec<_> = lines(text.as_bytes()).map(|line| (line.number, line.text())).collect();
-            let expected = [(1, "a"), (2, ""), (3, "b c"), (4, "d")].map(|(n, s)| (n, s.to_owned()));
+            let found: Vec<_> = lines(text.as_bytes())
+                .map(|line| (line.number, line.text()))
+                .collect();
+            let expected =
+                [(1, "a"), (2, ""), (3, "b c"), (4, "d")].map(|(n, s)| (n, s.to_owned()));
             assert_eq!(found, expected, "{ending:?}");
         }
     }
@@ -180,7 +223,10 @@ mod tests {
     #[test]
     fn utf16_is_text() {
         for unit in [u16::to_le_bytes, u16::to_be_bytes] {
-            let mut bytes: Vec<u8> = "\u{feff}Kraft [N]\r\n1\r\n".encode_utf16().flat_map(unit).collect();
+            let mut bytes: Vec<u8> = "\u{feff}Kraft [N]\r\n1\r\n"
+                .encode_utf16()
+                .flat_map(unit)
+                .collect();
             check_text(&mut bytes).unwrap();
             assert_eq!(bytes, b"Kraft [N]\r\n1\r\n");
         }
@@ -200,7 +246,13 @@ mod tests {
             (b"WID2 2009/05/18 06:47:20.255", "a GSE2 file"),
             (b"\xEF\xBB\xBF<?xml version=", "an XML document"),
         ] {
-            assert!(check_text(&mut bytes.to_vec()).unwrap_err().message.contains(message), "{bytes:?}");
+            assert!(
+                check_text(&mut bytes.to_vec())
+                    .unwrap_err()
+                    .message
+                    .contains(message),
+                "{bytes:?}"
+            );
         }
         let mut bytes = b"\xEF\xBB\xBF1\n\x1A".to_vec();
         check_text(&mut bytes).unwrap();

@@ -59,9 +59,12 @@ pub(crate) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
         }
         for pair in numbers.chunks(2) {
             let [time, value] = pair else {
-                return Err(Problem::new(ProblemKind::Format, "a time without a value ends the line")
-                    .at_line(line.number)
-                    .hint("the file may be damaged: fetch it again"));
+                return Err(Problem::new(
+                    ProblemKind::Format,
+                    "a time without a value ends the line",
+                )
+                .at_line(line.number)
+                .hint("the file may be damaged: fetch it again"));
             };
             if is_missing_value(time.value) {
                 return Err(missing(&time.value.to_string(), line.number));
@@ -89,7 +92,12 @@ fn numbers_of(line: &Line<'_>) -> Result<Vec<Number>, Problem> {
 /// point as the last one does: `10.020 -.123100.005` in 7 columns each.
 fn by_points(line: &[u8]) -> Option<Vec<Number>> {
     let line = line.trim_ascii_end();
-    let points: Vec<usize> = line.iter().enumerate().filter(|(_, b)| **b == b'.').map(|(at, _)| at).collect();
+    let points: Vec<usize> = line
+        .iter()
+        .enumerate()
+        .filter(|(_, b)| **b == b'.')
+        .map(|(at, _)| at)
+        .collect();
     let decimals = line.len() - 1 - points.last()?;
     let mut from = 0;
     points
@@ -134,10 +142,17 @@ impl Pairs {
                 .at_line(self.first_line)
                 .hint("give a step for interpolation, such as `resample = \"0.005 s\"`"));
         };
-        let values = on_even_grid(&self.times_s, &self.values, dt_s, room).map_err(|uneven| self.problem(uneven))?;
+        let values = on_even_grid(&self.times_s, &self.values, dt_s, room)
+            .map_err(|uneven| self.problem(uneven))?;
         let points = self.times_s.len();
-        let words = format!("{points} points at uneven times were interpolated on straight lines to steps of {dt_s} s");
-        Ok((dt_s, values, Some(Note::of(name, NoteKind::Interpolated, words))))
+        let words = format!(
+            "{points} points at uneven times were interpolated on straight lines to steps of {dt_s} s"
+        );
+        Ok((
+            dt_s,
+            values,
+            Some(Note::of(name, NoteKind::Interpolated, words)),
+        ))
     }
 
     fn problem(&self, uneven: Uneven) -> Problem {
@@ -159,7 +174,12 @@ mod tests {
         // Exact: each is the nearest number to its decimals.
         assert_eq!(found.times_s, [99.99, 100.005, 100.02]);
         assert_eq!(found.values, [0.123, -0.124, -10.125]);
-        let told = |text: &str| read(&mut lines(text.as_bytes())).map(|pairs| pairs.values).unwrap_err().to_string();
+        let told = |text: &str| {
+            read(&mut lines(text.as_bytes()))
+                .map(|pairs| pairs.values)
+                .unwrap_err()
+                .to_string()
+        };
         assert!(told("  1.000   .123\n  2.000\n").contains("line 2: a time without a value"));
         assert!(told("  1.000-999.00\n").contains("line 1: \"-999\" marks a missing"));
     }
@@ -167,24 +187,47 @@ mod tests {
     #[test]
     fn uneven_points_are_straight_lines() {
         let pairs = |text: &str| read(&mut lines(text.as_bytes())).unwrap();
-        let (dt_s, values, note) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", None, 1000).unwrap();
+        let (dt_s, values, note) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
+            .evenly("up", None, 1000)
+            .unwrap();
         // The common step of 20 ms and 50 ms is 10 ms. Rounding of one product and one sum.
         assert_eq!((dt_s, values.len()), (0.01, 6));
         for (found, expected) in values.iter().zip([1.0, 2.0, 3.0, 2.0, 1.0, 0.0]) {
             assert!((found - expected).abs() < 1e-14);
         }
         assert!(note.unwrap().to_string().contains("3 points"));
-        let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n").evenly("up", None, 1000).unwrap();
+        let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n")
+            .evenly("up", None, 1000)
+            .unwrap();
         assert_eq!((dt_s, values, note), (0.01, vec![1.0, 3.0, 0.0], None));
-        let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", Some(0.025), 1000).unwrap();
+        let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
+            .evenly("up", Some(0.025), 1000)
+            .unwrap();
         assert_eq!((dt_s, values.len()), (0.025, 3));
-        assert!((values[1] - 2.5).abs() < 1e-14, "a sixth of the way from 3 to 0");
+        assert!(
+            (values[1] - 2.5).abs() < 1e-14,
+            "a sixth of the way from 3 to 0"
+        );
         let long = "0.000 1.0 0.001 2.0\n99999.999 1.0 0.0 0.0\n";
-        assert!(pairs(long).evenly("up", None, 1000).err().unwrap().to_string().contains("does not increase"));
+        assert!(
+            pairs(long)
+                .evenly("up", None, 1000)
+                .err()
+                .unwrap()
+                .to_string()
+                .contains("does not increase")
+        );
         let long = "0.000 1.0 0.001 2.0\n99999.999 1.0\n";
         let problem = pairs(long).evenly("up", None, 1000).err().unwrap();
         assert!(problem.hint.unwrap().contains("`resample = "));
         let damaged = pairs("0.000 1.0 0.001 2.0\n1000000000.0 1.0\n");
-        assert!(damaged.evenly("up", Some(1e-6), 1000).err().unwrap().to_string().contains("too long for steps"));
+        assert!(
+            damaged
+                .evenly("up", Some(1e-6), 1000)
+                .err()
+                .unwrap()
+                .to_string()
+                .contains("too long for steps")
+        );
     }
 }

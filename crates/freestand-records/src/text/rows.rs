@@ -20,7 +20,11 @@ pub(crate) struct Rows {
 impl Rows {
     pub(crate) fn of_width(width: usize) -> Self {
         let markers = (0..width).map(|_| Markers::default()).collect();
-        Self { columns: vec![Vec::new(); width], first_line: 0, markers }
+        Self {
+            columns: vec![Vec::new(); width],
+            first_line: 0,
+            markers,
+        }
     }
 
     /// How many rows there are.
@@ -57,7 +61,11 @@ impl Rows {
     /// # Errors
     /// A value that marks a missing value.
     pub(crate) fn judge(&self) -> Result<Vec<Note>, Problem> {
-        let judged = self.markers.iter().zip(&self.columns).map(|(markers, column)| markers.judge(column));
+        let judged = self
+            .markers
+            .iter()
+            .zip(&self.columns)
+            .map(|(markers, column)| markers.judge(column));
         judged.filter_map(Result::transpose).collect()
     }
 
@@ -66,7 +74,11 @@ impl Rows {
     /// # Errors
     /// No rows.
     pub(crate) fn not_empty(self, lines: &Lines<'_>) -> Result<Self, Problem> {
-        if self.first_line == 0 { Err(no_row(lines)) } else { Ok(self) }
+        if self.first_line == 0 {
+            Err(no_row(lines))
+        } else {
+            Ok(self)
+        }
     }
 }
 
@@ -82,8 +94,16 @@ pub(crate) fn no_row(lines: &Lines<'_>) -> Problem {
 /// # Errors
 /// No rows, a field that is not a number, a line that is too short although the others are not;
 /// otherwise as [`Rows::push`] and [`Rows::judge`].
-pub(crate) fn read(lines: &mut Lines<'_>, format: Format, notes: &mut Vec<Note>) -> Result<Rows, Problem> {
-    let (mut rows, mut row, mut line_width) = (Rows::of_width(format.per_line), Vec::new(), LineWidth::default());
+pub(crate) fn read(
+    lines: &mut Lines<'_>,
+    format: Format,
+    notes: &mut Vec<Note>,
+) -> Result<Rows, Problem> {
+    let (mut rows, mut row, mut line_width) = (
+        Rows::of_width(format.per_line),
+        Vec::new(),
+        LineWidth::default(),
+    );
     for line in lines.by_ref().filter(|line| !line.is_blank()) {
         row.clear();
         let by_column = format.read_line(&line, format.per_line, &mut row)?;
@@ -103,19 +123,35 @@ mod tests {
     #[test]
     fn rows_are_read_by_column_and_odd_ones_refused() {
         let read = |text: &str| {
-            read(&mut lines(text.as_bytes()), Format::new(2, 8), &mut Vec::new())
-                .map(|rows| (rows.columns, rows.first_line))
-                .map_err(|problem| problem.to_string())
+            read(
+                &mut lines(text.as_bytes()),
+                Format::new(2, 8),
+                &mut Vec::new(),
+            )
+            .map(|rows| (rows.columns, rows.first_line))
+            .map_err(|problem| problem.to_string())
         };
         // Exact: each value is the nearest f64 to the decimal number.
         let touching = "\n   0.000-999.999\r\n   0.0051234.567\n\n";
-        assert_eq!(read(touching), Ok((vec![vec![0.0, 0.005], vec![-999.999, 1234.567]], 2)));
+        assert_eq!(
+            read(touching),
+            Ok((vec![vec![0.0, 0.005], vec![-999.999, 1234.567]], 2))
+        );
         for (text, line) in [
             ("\n \n", "line 2: no row"),
             ("", "line 1: no row"),
-            ("   0.000   1.000\n   0.005\n", "line 2: a row must have 2 values"),
-            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: a row must have 2 values"),
-            ("   0.000   1.000\n   0.005-999.000\n", "line 2: \"-999\" marks a missing value"),
+            (
+                "   0.000   1.000\n   0.005\n",
+                "line 2: a row must have 2 values",
+            ),
+            (
+                "   0.000   1.000\n   0.005   1.000   1.000\n",
+                "line 2: a row must have 2 values",
+            ),
+            (
+                "   0.000   1.000\n   0.005-999.000\n",
+                "line 2: \"-999\" marks a missing value",
+            ),
             ("   0.000     x\n", "line 1: "),
         ] {
             assert!(read(text).unwrap_err().starts_with(line), "{text}");

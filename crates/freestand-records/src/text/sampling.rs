@@ -13,9 +13,12 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
     if rate_hz > 0.0 && rate_hz <= 1e5 {
         return Ok(1.0 / rate_hz);
     }
-    Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} Hz"))
-        .at_line(line)
-        .hint("this header line must give samples per second, such as 100 or 200: correct it"))
+    Err(Problem::new(
+        ProblemKind::Format,
+        format!("the sampling rate is {rate_hz} Hz"),
+    )
+    .at_line(line)
+    .hint("this header line must give samples per second, such as 100 or 200: correct it"))
 }
 
 /// The step of equally spaced `times`, in their own unit. Their last printed digit counts
@@ -28,7 +31,12 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
 pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, Uneven> {
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
         let message = "there are no times".to_owned();
-        return Err(Uneven { row: 0, message, hint: "a motion needs 2 samples or more", is_mended_by_lines: false });
+        return Err(Uneven {
+            row: 0,
+            message,
+            hint: "a motion needs 2 samples or more",
+            is_mended_by_lines: false,
+        });
     };
     let intervals = times.len().saturating_sub(1) as f64;
     if intervals == 0.0 {
@@ -85,7 +93,11 @@ fn plain_step(times: &[f64], first: f64, last: f64, mean: f64) -> f64 {
 fn falling(times: &[f64], row: usize) -> Uneven {
     Uneven {
         row,
-        message: format!("the time does not increase: {} after {}", times[row], times[row - 1]),
+        message: format!(
+            "the time does not increase: {} after {}",
+            times[row],
+            times[row - 1]
+        ),
         hint: "the first column must be the time; without a time column, give `dt`",
         is_mended_by_lines: false,
     }
@@ -102,12 +114,18 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
     if digit >= 0.5 * mean && (odd_steps * 10 > steps.len() || usual == 0.0) && steps.len() > 10 {
         return Uneven {
             row: found,
-            message: format!("the times are printed too coarsely for a step of about {}", number(mean)),
+            message: format!(
+                "the times are printed too coarsely for a step of about {}",
+                number(mean)
+            ),
             hint: "remove the time column and give `dt`",
             is_mended_by_lines: false,
         };
     }
-    let row = times.windows(2).position(|pair| is_odd(pair[1] - pair[0])).map_or(found, |i| i + 1);
+    let row = times
+        .windows(2)
+        .position(|pair| is_odd(pair[1] - pair[0]))
+        .map_or(found, |i| i + 1);
     let step = times[row] - times[row - 1];
     // Where the other samples are even, a line over what is missing would be made up.
     let is_gap = odd_steps * 100 <= steps.len() && step > 1.5 * usual;
@@ -155,13 +173,18 @@ mod tests {
 
     fn rounded(dt: f64, decimals: i32, n: usize, start: usize) -> Vec<f64> {
         let unit = 10f64.powi(decimals);
-        (start..start + n).map(|i| (i as f64 * dt * unit).round() / unit).collect()
+        (start..start + n)
+            .map(|i| (i as f64 * dt * unit).round() / unit)
+            .collect()
     }
 
     #[test]
     fn a_rate_gives_the_step_or_is_refused() {
         // Exact: one division.
-        assert_eq!([100.0, 200.0, 1e5].map(|rate| step_of_rate(rate, 7).ok()), [Some(0.01), Some(0.005), Some(1e-5)]);
+        assert_eq!(
+            [100.0, 200.0, 1e5].map(|rate| step_of_rate(rate, 7).ok()),
+            [Some(0.01), Some(0.005), Some(1e-5)]
+        );
         for rate in [0.0, -100.0, 1.1e5, 1.7e38, f64::NAN, f64::INFINITY] {
             assert_eq!(
                 step_of_rate(rate, 7).unwrap_err().to_string(),
@@ -173,10 +196,19 @@ mod tests {
     #[test]
     fn printed_times_give_the_step_that_was_meant() {
         // Exact: these steps are decimals, and must come back as the nearest f64 to them.
-        for (dt, decimals, start) in
-            [(0.01, 4, 0), (0.01, 2, 1), (0.02, 2, 0), (0.005, 3, 7), (1.0, 0, 0), (5.0, 0, 1000)]
-        {
-            assert_eq!(time_step(&rounded(dt, decimals, 3989, start), -decimals), Ok(dt), "{dt} {start}");
+        for (dt, decimals, start) in [
+            (0.01, 4, 0),
+            (0.01, 2, 1),
+            (0.02, 2, 0),
+            (0.005, 3, 7),
+            (1.0, 0, 0),
+            (5.0, 0, 1000),
+        ] {
+            assert_eq!(
+                time_step(&rounded(dt, decimals, 3989, start), -decimals),
+                Ok(dt),
+                "{dt} {start}"
+            );
         }
         // All digits of any step, as in freestand's own files.
         for dt in [1.0 / 256.0, 1.0 / 3.0, 0.1 + 0.2, 1e-9, 12345.678] {
@@ -207,10 +239,16 @@ mod tests {
 
     #[test]
     fn jitter_of_a_clock_is_taken_and_what_is_no_time_is_not() {
-        let jittered: Vec<f64> =
-            (0..100).map(|i| f64::from(i) * 0.01 + if i % 2 == 1 { 0.9e-4 } else { 0.0 }).collect();
+        let jittered: Vec<f64> = (0..100)
+            .map(|i| f64::from(i) * 0.01 + if i % 2 == 1 { 0.9e-4 } else { 0.0 })
+            .collect();
         assert!(time_step(&jittered, -6).is_ok());
-        assert!(time_step(&[0.0, 0.01, 0.005], -3).unwrap_err().message.contains("does not increase"));
+        assert!(
+            time_step(&[0.0, 0.01, 0.005], -3)
+                .unwrap_err()
+                .message
+                .contains("does not increase")
+        );
         assert!(time_step(&[0.0, 0.0, 0.0], -3).is_err());
         assert!(time_step(&[1.0], 0).is_err() && time_step(&[], 0).is_err());
         assert!(time_step(&[0.0, f64::MAX, f64::MAX], 300).is_err());

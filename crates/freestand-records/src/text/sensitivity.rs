@@ -24,18 +24,27 @@ impl Sensitivity {
     }
 }
 
-const VOLTS: [(f64, &[&str]); 3] =
-    [(1.0, &["V", "Volt", "Volts", "volt", "volts"]), (1e-3, &["mV"]), (1e-6, &["uV", "µV", "μV"])];
+const VOLTS: [(f64, &[&str]); 3] = [
+    (1.0, &["V", "Volt", "Volts", "volt", "volts"]),
+    (1e-3, &["mV"]),
+    (1e-6, &["uV", "µV", "μV"]),
+];
 
 /// The volts of a unit: `V`, `mV`.
 fn volts_of(unit: &str) -> Option<f64> {
-    VOLTS.iter().find(|(_, names)| names.contains(&unit.trim())).map(|(volts, _)| *volts)
+    VOLTS
+        .iter()
+        .find(|(_, names)| names.contains(&unit.trim()))
+        .map(|(volts, _)| *volts)
 }
 
 /// The volts in which a column is written, by its heading: `force [mV]`, `acc (V)`, `a, mV`, `a_mV`.
 pub(crate) fn volts_of_heading(heading: &Heading) -> Option<f64> {
     let name = heading.name.trim();
-    let bracketed = name.strip_suffix([']', ')']).and_then(|open| open.rsplit_once(['[', '('])).map(|(_, unit)| unit);
+    let bracketed = name
+        .strip_suffix([']', ')'])
+        .and_then(|open| open.rsplit_once(['[', '(']))
+        .map(|(_, unit)| unit);
     let unit = bracketed.or_else(|| name.rsplit_once([' ', ',', '_', '/']).map(|(_, unit)| unit));
     unit.filter(|_| heading.unit.is_none()).and_then(volts_of)
 }
@@ -51,8 +60,15 @@ pub fn parse_sensitivity(text: &str) -> Result<Sensitivity, Problem> {
         let (number, unit) = volts.split_at(at);
         let volts = number.trim().parse::<f64>().ok()? * volts_of(unit)?;
         let per = per.trim();
-        let unit = lookup(per.strip_prefix('(').and_then(|per| per.strip_suffix(')')).unwrap_or(per))?;
-        let is_measured = matches!(unit.dimension, Dimension::Acceleration | Dimension::Force | Dimension::Length);
+        let unit = lookup(
+            per.strip_prefix('(')
+                .and_then(|per| per.strip_suffix(')'))
+                .unwrap_or(per),
+        )?;
+        let is_measured = matches!(
+            unit.dimension,
+            Dimension::Acceleration | Dimension::Force | Dimension::Length
+        );
         (volts.is_finite() && volts != 0.0 && is_measured).then_some(Sensitivity { unit, volts })
     };
     read().ok_or_else(|| {
@@ -64,8 +80,15 @@ pub fn parse_sensitivity(text: &str) -> Result<Sensitivity, Problem> {
 
 /// The problem of a column in volts whose sensor is not known; `example` is a sensitivity.
 pub(crate) fn no_sensitivity(heading: &Heading, line: usize, example: &str) -> Problem {
-    let message = format!("\"{}\" is in volts, but the sensitivity of its sensor is not given", shorten(&heading.name));
-    Problem::value(message, format!("give it as `sensitivity`, such as \"{example}\"")).at_line(line)
+    let message = format!(
+        "\"{}\" is in volts, but the sensitivity of its sensor is not given",
+        shorten(&heading.name)
+    );
+    Problem::value(
+        message,
+        format!("give it as `sensitivity`, such as \"{example}\""),
+    )
+    .at_line(line)
 }
 
 /// The problem of a sensitivity for a column that is not in volts.
@@ -97,8 +120,13 @@ mod tests {
             let found = parse_sensitivity(text).unwrap().si_of(volts);
             assert!((found - si).abs() <= 1e-12 * si.abs(), "{text}: {found}");
         }
-        for text in ["10", "10 mV", "mV/g", "10 A/g", "10 mV/s", "0 mV/g", "inf V/g", "10 g/mV", ""] {
-            assert!(parse_sensitivity(text).unwrap_err().hint.is_some(), "{text}");
+        for text in [
+            "10", "10 mV", "mV/g", "10 A/g", "10 mV/s", "0 mV/g", "inf V/g", "10 g/mV", "",
+        ] {
+            assert!(
+                parse_sensitivity(text).unwrap_err().hint.is_some(),
+                "{text}"
+            );
         }
     }
 

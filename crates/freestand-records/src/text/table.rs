@@ -39,7 +39,10 @@ pub(crate) struct Column {
 
 impl Column {
     fn new() -> Self {
-        Self { last_digit_exponent: i32::MAX, ..Self::default() }
+        Self {
+            last_digit_exponent: i32::MAX,
+            ..Self::default()
+        }
     }
 
     fn push(&mut self, number: &Number, line: usize) {
@@ -76,7 +79,10 @@ fn is_row(line: &Line<'_>) -> bool {
 /// Reads a table.
 pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
     if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_ROW) {
-        let message = format!("a line of {} MB is not a row of a table", line.bytes.len() >> 20);
+        let message = format!(
+            "a line of {} MB is not a row of a table",
+            line.bytes.len() >> 20
+        );
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(line.number)
             .hint("write one row per line, or the values of one series under an AT2 header (NPTS, DT)"));
@@ -93,7 +99,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
         };
         if line.is_comment() {
             let text = line.text();
-            keep(&mut comments, (line.number, text.trim_start().trim_start_matches('#').trim().to_owned()));
+            keep(
+                &mut comments,
+                (
+                    line.number,
+                    text.trim_start().trim_start_matches('#').trim().to_owned(),
+                ),
+            );
         } else if let Some(dialect) = dialect_of(line.bytes) {
             rest = before;
             break (dialect, line);
@@ -103,7 +115,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
     };
     // A first row of whole numbers does not show the decimal sign.
     let shows_sign = |line: &Line| line.bytes.iter().any(|byte| matches!(byte, b',' | b'.'));
-    let below = rest.clone().filter(is_row).take(SIGN_ROWS).find(shows_sign).and_then(|line| dialect_of(line.bytes));
+    let below = rest
+        .clone()
+        .filter(is_row)
+        .take(SIGN_ROWS)
+        .find(shows_sign)
+        .and_then(|line| dialect_of(line.bytes));
     let dialect = match below {
         Some(below) if !shows_sign(&first) && below.separator == dialect.separator => below,
         _ => dialect,
@@ -137,21 +154,33 @@ impl Table {
     /// The first number of a single column of whole numbers if it is the number of those below it:
     /// it may be a value or their count. With fewer than ten numbers, a coincidence is too likely.
     pub(crate) fn possible_count(&self) -> Option<usize> {
-        let [column] = self.columns.as_slice() else { return None };
+        let [column] = self.columns.as_slice() else {
+            return None;
+        };
         let below = column.values.len().saturating_sub(1);
-        (below >= 10 && column.last_digit_exponent >= 0 && column.values.first() == Some(&(below as f64)))
-            .then_some(below)
+        (below >= 10
+            && column.last_digit_exponent >= 0
+            && column.values.first() == Some(&(below as f64)))
+        .then_some(below)
     }
 
     /// The line of row `row` (from 0). It is searched for only when a message needs it, because
     /// storing the lines of all rows would take more memory than a column.
     pub(crate) fn line_of_row(&self, bytes: &[u8], row: usize) -> usize {
-        self.lines_of_rows(bytes).nth(row).unwrap_or(self.line_of_first_value)
+        self.lines_of_rows(bytes)
+            .nth(row)
+            .unwrap_or(self.line_of_first_value)
     }
 
     /// The lines of the rows, in order.
-    pub(crate) fn lines_of_rows<'a>(&self, bytes: &'a [u8]) -> impl Iterator<Item = usize> + use<'a> {
-        lines(bytes).skip(self.line_of_first_value - 1).filter(is_row).map(|line| line.number)
+    pub(crate) fn lines_of_rows<'a>(
+        &self,
+        bytes: &'a [u8],
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        lines(bytes)
+            .skip(self.line_of_first_value - 1)
+            .filter(is_row)
+            .map(|line| line.number)
     }
 
     /// The cells of a header line, if there are as many as columns.
@@ -210,15 +239,23 @@ fn words(text: &str) -> Vec<String> {
             }
             _ => out.push(word.to_owned()),
         }
-        open = out.last().is_some_and(|last| last.matches(['(', '[']).count() > last.matches([')', ']']).count());
+        open = out.last().is_some_and(|last| {
+            last.matches(['(', '[']).count() > last.matches([')', ']']).count()
+        });
     }
     out
 }
 
 /// Refuses a last header line that is really a first row with a typing error ("O.123"): skipping it
 /// would silently lose a sample.
-fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: &[u8]) -> Result<(), Problem> {
-    let Some((line, text)) = header.last() else { return Ok(()) };
+fn check_not_a_broken_row(
+    dialect: &Dialect,
+    header: &[(usize, String)],
+    first: &[u8],
+) -> Result<(), Problem> {
+    let Some((line, text)) = header.last() else {
+        return Ok(());
+    };
     let own = cells(dialect, text.as_bytes());
     if own.len() != cells(dialect, first).len() {
         return Ok(());
@@ -233,7 +270,9 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
                 broken.get_or_insert(bad);
             }
             // A lone dash or point marks a missing value; dashes below other words underline them.
-            Err(bad @ BadField::NotANumber(text)) if is_damaged_number(text, own.len() == 1, header.len() == 1) => {
+            Err(bad @ BadField::NotANumber(text))
+                if is_damaged_number(text, own.len() == 1, header.len() == 1) =>
+            {
                 broken.get_or_insert(bad);
             }
             // Prose with numbers in it ("Station 24278") has words that are not damaged numbers.
@@ -243,9 +282,8 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
     match broken {
         // "1st" and "2nd" above two columns are names; a name alone above its column does not begin
         // with a digit.
-        Some(bad) if values > 0 || own.len() == 1 => {
-            Err(bad_field(bad, *line).hint("correct the number, or begin the line with # if it is a comment"))
-        }
+        Some(bad) if values > 0 || own.len() == 1 => Err(bad_field(bad, *line)
+            .hint("correct the number, or begin the line with # if it is a comment")),
         _ => Ok(()),
     }
 }
@@ -255,9 +293,10 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
 fn is_damaged_number(word: &str, is_alone: bool, is_first: bool) -> bool {
     let unsigned = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
     let has_digit = unsigned.contains(|c: char| c.is_ascii_digit());
-    let like_zero =
-        unsigned.starts_with('o') && (!is_alone || unsigned.starts_with("o.") || unsigned.starts_with("o,"));
-    let starts_as_number = word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || like_zero;
+    let like_zero = unsigned.starts_with('o')
+        && (!is_alone || unsigned.starts_with("o.") || unsigned.starts_with("o,"));
+    let starts_as_number =
+        word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || like_zero;
     let placeholder = is_alone && is_first && word.chars().all(|c| "+-.".contains(c));
     has_digit && starts_as_number || unsigned.starts_with("nan(") || placeholder
 }
@@ -265,7 +304,11 @@ fn is_damaged_number(word: &str, is_alone: bool, is_first: bool) -> bool {
 /// Pushes the rows into the columns.
 fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Result<(), Problem> {
     let dialect = table.dialect;
-    let plain_blanks = dialect == Dialect { separator: Separator::Blank, decimal_comma: false };
+    let plain_blanks = dialect
+        == Dialect {
+            separator: Separator::Blank,
+            decimal_comma: false,
+        };
     for line in rows {
         let mut at = 0;
         let first_row = table.columns.is_empty();
@@ -279,7 +322,8 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
             at += 1;
         };
         if plain_blanks {
-            fields(line.bytes, |number| put(&mut table.columns, number)).map_err(|bad| bad_field(&bad, line.number))?;
+            fields(line.bytes, |number| put(&mut table.columns, number))
+                .map_err(|bad| bad_field(&bad, line.number))?;
         } else {
             let mut separated = cells(&dialect, line.bytes);
             // A separator at the end of every line does not begin a column.
@@ -289,7 +333,10 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
                 separated.pop();
             }
             for cell in separated {
-                put(&mut table.columns, cell.map_err(|bad| empty_or_bad(&bad, line.number))?);
+                put(
+                    &mut table.columns,
+                    cell.map_err(|bad| empty_or_bad(&bad, line.number))?,
+                );
             }
         }
         if !first_row && at != table.columns.len() {
@@ -301,9 +348,13 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
 
 fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
     match bad {
-        BadField::Missing(text) if text.is_empty() => Problem::new(ProblemKind::Format, "a value is missing")
-            .at_line(line)
-            .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"),
+        BadField::Missing(text) if text.is_empty() => {
+            Problem::new(ProblemKind::Format, "a value is missing")
+                .at_line(line)
+                .hint(
+                    "a motion with gaps cannot be used: repair the record or cut it before the gap",
+                )
+        }
         _ => bad_field(bad, line),
     }
 }
@@ -320,15 +371,24 @@ fn ragged(line: usize, found: usize, expected: usize) -> Problem {
 /// Refuses a whole number above a column of decimals that is larger than all of them: it is a
 /// number of values that does not match.
 fn check_first_row(table: &Table) -> Result<(), Problem> {
-    let [column] = table.columns.as_slice() else { return Ok(()) };
-    let Some((&first, others)) = column.values.split_first() else { return Ok(()) };
+    let [column] = table.columns.as_slice() else {
+        return Ok(());
+    };
+    let Some((&first, others)) = column.values.split_first() else {
+        return Ok(());
+    };
     // If the same program had printed it as a value, it would have a point.
-    let is_count = column.whole == 1 && column.digit_style.first_is_whole() && first >= 2.0 && others.len() >= 2;
+    let is_count = column.whole == 1
+        && column.digit_style.first_is_whole()
+        && first >= 2.0
+        && others.len() >= 2;
     if !(is_count && others.iter().all(|other| other.abs() < first)) {
         return Ok(());
     }
-    let message =
-        format!("the first row, {first}, seems to be the number of values, but {} values follow", others.len());
+    let message = format!(
+        "the first row, {first}, seems to be the number of values, but {} values follow",
+        others.len()
+    );
     Err(Problem::new(ProblemKind::Format, message)
         .at_line(table.line_of_first_value)
         .hint("the file may be cut off: fetch it again; if the row is a value, write it with a decimal point"))
@@ -337,12 +397,18 @@ fn check_first_row(table: &Table) -> Result<(), Problem> {
 /// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program
 /// prints a whole number with a leading zero, so a leading zero after the comma reveals them.
 fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
-    let whole = table.columns.iter().all(|column| column.last_digit_exponent == 0);
+    let whole = table
+        .columns
+        .iter()
+        .all(|column| column.last_digit_exponent == 0);
     let padded = table.columns.iter().any(|column| column.zero_padded);
     if table.dialect.separator == Separator::Byte(b',') && whole && padded {
-        return Err(Problem::new(ProblemKind::Format, "the comma may be a decimal sign or a separator")
-            .at_line(table.line_of_first_value)
-            .hint("write decimal points, or a ; between the columns"));
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "the comma may be a decimal sign or a separator",
+        )
+        .at_line(table.line_of_first_value)
+        .hint("write decimal points, or a ; between the columns"));
     }
     Ok(())
 }
@@ -350,16 +416,30 @@ fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
 /// Reads old dialects whose first row is `npts dt`, `dt npts` or `npts`. This applies only if the
 /// rows below have another width and hold exactly npts values, or are npts rows whose time has that
 /// step: then no other reading is possible.
-fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>> + Clone) -> Result<bool, Problem> {
-    let Some(first) = rows.next() else { return Ok(false) };
-    let Some((npts, dt)) = counts(&cells(&table.dialect, first.bytes)) else { return Ok(false) };
-    let Some(second) = rows.clone().next() else { return Ok(false) };
-    let Some(own) = dialect_of(second.bytes) else { return Ok(false) };
+fn read_as_series<'a>(
+    table: &mut Table,
+    mut rows: impl Iterator<Item = Line<'a>> + Clone,
+) -> Result<bool, Problem> {
+    let Some(first) = rows.next() else {
+        return Ok(false);
+    };
+    let Some((npts, dt)) = counts(&cells(&table.dialect, first.bytes)) else {
+        return Ok(false);
+    };
+    let Some(second) = rows.clone().next() else {
+        return Ok(false);
+    };
+    let Some(own) = dialect_of(second.bytes) else {
+        return Ok(false);
+    };
     let width = cells(&own, second.bytes).len();
     match dt {
         Some(dt) if width == 2 => {
-            let time =
-                |line: Line<'a>| cells(&own, line.bytes).first().and_then(|cell| Some(cell.as_ref().ok()?.value));
+            let time = |line: Line<'a>| {
+                cells(&own, line.bytes)
+                    .first()
+                    .and_then(|cell| Some(cell.as_ref().ok()?.value))
+            };
             let times: Vec<f64> = rows.clone().take(2).filter_map(time).collect();
             let fits = matches!(times.as_slice(), [t0, t1] if (t1 - t0 - dt).abs() <= 1e-3 * dt);
             if !fits || rows.clone().count() as f64 != npts {
@@ -379,7 +459,8 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
                 }
             }
             // A number alone is taken as a count only above values with decimals.
-            if column.values.len() as f64 != npts || dt.is_none() && column.last_digit_exponent >= 0 {
+            if column.values.len() as f64 != npts || dt.is_none() && column.last_digit_exponent >= 0
+            {
                 return Ok(false);
             }
             // The reader of the columns reports values that are not numbers.

@@ -28,8 +28,14 @@ pub(crate) fn record_unit(text: &str) -> Option<&'static Unit> {
         return None;
     }
     let mut name = text.to_lowercase().replace("**", "");
-    for (long, short) in [("seconds", "s"), ("second", "s"), ("secs", "s"), ("sec", "s"), ("gals", "gal"), ("g's", "g")]
-    {
+    for (long, short) in [
+        ("seconds", "s"),
+        ("second", "s"),
+        ("secs", "s"),
+        ("sec", "s"),
+        ("gals", "gal"),
+        ("g's", "g"),
+    ] {
         name = name.replace(long, short);
     }
     lookup(&name)
@@ -43,8 +49,11 @@ pub(crate) fn unit_in_prose(line: &str) -> Option<&'static Unit> {
     for (at, _) in lower.match_indices("unit") {
         let mut rest = line[at + 4..].trim_start_matches(['s', 'S']);
         loop {
-            let trimmed = rest.trim_start_matches(|c: char| c.is_whitespace() || ":=([".contains(c));
-            let word = ["of ", "are ", "is ", "in "].iter().find(|word| starts_with_ignore_case(trimmed, word));
+            let trimmed =
+                rest.trim_start_matches(|c: char| c.is_whitespace() || ":=([".contains(c));
+            let word = ["of ", "are ", "is ", "in "]
+                .iter()
+                .find(|word| starts_with_ignore_case(trimmed, word));
             match word {
                 Some(word) => rest = &trimmed[word.len()..],
                 None => {
@@ -57,13 +66,21 @@ pub(crate) fn unit_in_prose(line: &str) -> Option<&'static Unit> {
             return Some(unit);
         }
     }
-    let bracketed = line.split(['(', '[']).skip(1).filter_map(|part| part.split([')', ']']).next());
-    if let Some(unit) = bracketed.filter_map(record_unit).find(|unit| unit.dimension == Dimension::Acceleration) {
+    let bracketed = line
+        .split(['(', '['])
+        .skip(1)
+        .filter_map(|part| part.split([')', ']']).next());
+    if let Some(unit) = bracketed
+        .filter_map(record_unit)
+        .find(|unit| unit.dimension == Dimension::Acceleration)
+    {
         return Some(unit);
     }
     if lower.contains("accel") {
         for (at, _) in lower.match_indices(" in ") {
-            if let Some(unit) = leading_unit(&line[at + 4..]).filter(|unit| unit.dimension == Dimension::Acceleration) {
+            if let Some(unit) = leading_unit(&line[at + 4..])
+                .filter(|unit| unit.dimension == Dimension::Acceleration)
+            {
                 return Some(unit);
             }
         }
@@ -72,7 +89,9 @@ pub(crate) fn unit_in_prose(line: &str) -> Option<&'static Unit> {
 }
 
 fn starts_with_ignore_case(text: &str, start: &str) -> bool {
-    text.as_bytes().get(..start.len()).is_some_and(|head| head.eq_ignore_ascii_case(start.as_bytes()))
+    text.as_bytes()
+        .get(..start.len())
+        .is_some_and(|head| head.eq_ignore_ascii_case(start.as_bytes()))
 }
 
 fn leading_unit(text: &str) -> Option<&'static Unit> {
@@ -80,20 +99,30 @@ fn leading_unit(text: &str) -> Option<&'static Unit> {
     let mut words = joined.split(|c: char| c.is_whitespace() || ",;)]".contains(c));
     let (first, second) = (words.next()?, words.next().unwrap_or(""));
     // "m s^-2" is two words.
-    let is_power = second.starts_with(['s', 'S']) && (second.ends_with("-2") || second.ends_with("⁻²"));
+    let is_power =
+        second.starts_with(['s', 'S']) && (second.ends_with("-2") || second.ends_with("⁻²"));
     // In prose, "in" is a preposition before it is an inch.
-    let unit = if is_power { record_unit(&format!("{first} {second}")) } else { record_unit(first) };
+    let unit = if is_power {
+        record_unit(&format!("{first} {second}"))
+    } else {
+        record_unit(first)
+    };
     unit.filter(|_| !first.trim_end_matches(':').eq_ignore_ascii_case("in"))
 }
 
 /// A problem if the first of `lines` that seems to state a unit states an unknown one: `a [kN]`,
 /// `Units: furlong`.
 pub(crate) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Option<Problem> {
-    let (line, text) = lines.filter_map(|(line, text)| Some((line, unknown_unit(text)?))).next()?;
+    let (line, text) = lines
+        .filter_map(|(line, text)| Some((line, unknown_unit(text)?)))
+        .next()?;
     Some(
-        Problem::new(ProblemKind::Value, format!("the unit \"{}\" is not known", shorten(&text)))
-            .at_line(line)
-            .hint("state a known one with `unit`: g, m/s2, cm/s2 or another"),
+        Problem::new(
+            ProblemKind::Value,
+            format!("the unit \"{}\" is not known", shorten(&text)),
+        )
+        .at_line(line)
+        .hint("state a known one with `unit`: g, m/s2, cm/s2 or another"),
     )
 }
 
@@ -104,9 +133,13 @@ fn unknown_unit(text: &str) -> Option<String> {
     let stated = lower.find("unit").and_then(|at| {
         let rest = text[at + 4..].trim_start_matches(['s', 'S']).trim_start();
         let words = [":", "=", "of ", "are "];
-        let rest =
-            words.iter().find(|word| starts_with_ignore_case(rest, word)).and_then(|word| rest.get(word.len()..))?;
-        rest.trim_start().split(|c: char| c.is_whitespace() || ",;".contains(c)).next()
+        let rest = words
+            .iter()
+            .find(|word| starts_with_ignore_case(rest, word))
+            .and_then(|word| rest.get(word.len()..))?;
+        rest.trim_start()
+            .split(|c: char| c.is_whitespace() || ",;".contains(c))
+            .next()
     });
     let bracketed = || {
         let open = text.rfind(['[', '('])?;
@@ -114,14 +147,17 @@ fn unknown_unit(text: &str) -> Option<String> {
         inside.find([']', ')']).map(|close| &inside[..close])
     };
     let stated = stated.or_else(bracketed)?.trim();
-    let is_other =
-        stated.is_empty() || record_unit(stated).is_some() || super::direction::Direction::parse(stated).is_some();
+    let is_other = stated.is_empty()
+        || record_unit(stated).is_some()
+        || super::direction::Direction::parse(stated).is_some();
     (!is_other && stated.contains(char::is_alphabetic)).then(|| stated.to_owned())
 }
 
 /// The unit that the user states.
 pub(crate) fn requested(option: Option<&str>) -> Result<Option<&'static Unit>, Problem> {
-    option.map(|text| find_unit(text, Dimension::Acceleration)).transpose()
+    option
+        .map(|text| find_unit(text, Dimension::Acceleration))
+        .transpose()
 }
 
 /// The unit to read in: the stated one, else the requested one. If there are both, they must agree.
@@ -131,18 +167,28 @@ pub(crate) fn decide(
     what: &str,
 ) -> Result<&'static Unit, Problem> {
     match (stated, requested) {
-        (Some(stated), _) if stated.unit.dimension != Dimension::Acceleration => Err(not_acceleration(stated, what)),
+        (Some(stated), _) if stated.unit.dimension != Dimension::Acceleration => {
+            Err(not_acceleration(stated, what))
+        }
         // gal and cm/s2 are the same unit, so the values are compared.
-        (Some(stated), Some(requested)) if stated.unit.to_si(1.0) != requested.to_si(1.0) => Err(Problem::new(
-            ProblemKind::Value,
-            format!("{what} is in {} according to the file, not in {}", stated.unit.symbol, requested.symbol),
-        )
-        .at_line(stated.line)
-        .hint("leave out `unit`, or correct the file if it is wrong")),
+        (Some(stated), Some(requested)) if stated.unit.to_si(1.0) != requested.to_si(1.0) => {
+            Err(Problem::new(
+                ProblemKind::Value,
+                format!(
+                    "{what} is in {} according to the file, not in {}",
+                    stated.unit.symbol, requested.symbol
+                ),
+            )
+            .at_line(stated.line)
+            .hint("leave out `unit`, or correct the file if it is wrong"))
+        }
         (Some(stated), _) => Ok(stated.unit),
         (None, Some(requested)) => Ok(requested),
-        (None, None) => Err(Problem::new(ProblemKind::Value, format!("the unit of {what} is not stated in the file"))
-            .hint("state it with `unit`: g, m/s2, cm/s2 or another")),
+        (None, None) => Err(Problem::new(
+            ProblemKind::Value,
+            format!("the unit of {what} is not stated in the file"),
+        )
+        .hint("state it with `unit`: g, m/s2, cm/s2 or another")),
     }
 }
 
@@ -161,9 +207,12 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
 
 /// The problem of a value that marks a missing value.
 pub(crate) fn missing(text: &str, line: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("\"{}\" marks a missing value", shorten(text)))
-        .at_line(line)
-        .hint("a motion with gaps cannot be used: repair the record or cut it before the gap")
+    Problem::new(
+        ProblemKind::Format,
+        format!("\"{}\" marks a missing value", shorten(text)),
+    )
+    .at_line(line)
+    .hint("a motion with gaps cannot be used: repair the record or cut it before the gap")
 }
 
 #[cfg(test)]
@@ -174,7 +223,10 @@ mod tests {
     fn units_of_headers() {
         for (line, symbol) in [
             ("ACCELERATION TIME SERIES IN UNITS OF G", Some("g")),
-            ("ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=40.0 Hz", Some("g")),
+            (
+                "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=40.0 Hz",
+                Some("g"),
+            ),
             ("The units are (g)", Some("g")),
             ("(UNITS: CM/SEC/SEC)", Some("cm/s2")),
             ("Units of cm / sec / sec, corrected", Some("cm/s2")),
@@ -197,7 +249,11 @@ mod tests {
             ("UNITS OF MG", None),
             ("units", None),
         ] {
-            assert_eq!(unit_in_prose(line).map(|unit| unit.symbol), symbol, "{line}");
+            assert_eq!(
+                unit_in_prose(line).map(|unit| unit.symbol),
+                symbol,
+                "{line}"
+            );
         }
     }
 
@@ -214,18 +270,46 @@ mod tests {
             ("United States Geological Survey", None),
         ] {
             let said = unit.map(|unit| format!("line 7: the unit \"{unit}\" is not known"));
-            assert_eq!(not_known([(7, line)].into_iter()).map(|problem| problem.to_string()), said, "{line}");
+            assert_eq!(
+                not_known([(7, line)].into_iter()).map(|problem| problem.to_string()),
+                said,
+                "{line}"
+            );
         }
     }
 
     #[test]
     fn the_file_and_the_flag_must_agree() {
-        let cm = Some(Stated { unit: lookup("cm/s2").unwrap(), line: 3 });
-        assert_eq!(decide(cm, requested(Some("gal")).unwrap(), "it").unwrap().symbol, "cm/s2");
+        let cm = Some(Stated {
+            unit: lookup("cm/s2").unwrap(),
+            line: 3,
+        });
+        assert_eq!(
+            decide(cm, requested(Some("gal")).unwrap(), "it")
+                .unwrap()
+                .symbol,
+            "cm/s2"
+        );
         assert_eq!(decide(cm, None, "it").unwrap().symbol, "cm/s2");
-        assert_eq!(decide(cm, requested(Some("g")).unwrap(), "it").unwrap_err().line, Some(3));
-        assert_eq!(decide(None, requested(Some("g")).unwrap(), "it").unwrap().symbol, "g");
-        assert!(decide(None, None, "it").unwrap_err().hint.unwrap().contains("`unit`"));
+        assert_eq!(
+            decide(cm, requested(Some("g")).unwrap(), "it")
+                .unwrap_err()
+                .line,
+            Some(3)
+        );
+        assert_eq!(
+            decide(None, requested(Some("g")).unwrap(), "it")
+                .unwrap()
+                .symbol,
+            "g"
+        );
+        assert!(
+            decide(None, None, "it")
+                .unwrap_err()
+                .hint
+                .unwrap()
+                .contains("`unit`")
+        );
         assert!(requested(Some("mm")).is_err());
     }
 }

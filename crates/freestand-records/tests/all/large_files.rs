@@ -28,49 +28,95 @@ fn read(title: &str, bytes: Vec<u8>, options: &ReadOptions) -> Result<MotionFile
         Err(error) => error.problems[0].message.clone(),
     };
     let elapsed = start.elapsed().as_secs_f64();
-    println!("{title}, {megabytes} MB: {elapsed:.2} s, at most {} MB so far; {outcome}", peak_megabytes());
+    println!(
+        "{title}, {megabytes} MB: {elapsed:.2} s, at most {} MB so far; {outcome}",
+        peak_megabytes()
+    );
     read
 }
 
 /// The most memory that this process has had, where the system tells.
 fn peak_megabytes() -> String {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")?.trim().strip_suffix(" kB")?.parse().ok());
-    peak.map_or_else(|| "?".to_owned(), |kilobytes: u64| (kilobytes / 1000).to_string())
+    let peak = status.lines().find_map(|line| {
+        line.strip_prefix("VmHWM:")?
+            .trim()
+            .strip_suffix(" kB")?
+            .parse()
+            .ok()
+    });
+    peak.map_or_else(
+        || "?".to_owned(),
+        |kilobytes: u64| (kilobytes / 1000).to_string(),
+    )
 }
 
 /// Knuth's linear congruential generator (TAOCP 2, MMIX), its upper bits.
 fn random_bytes(alphabet: &[u8]) -> Vec<u8> {
     let mut state = 1u64;
     let next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         alphabet[(state >> 33) as usize % alphabet.len()]
     };
     std::iter::repeat_with(next).take(BYTES).collect()
 }
 
 fn seed(name: &str) -> Vec<u8> {
-    std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds").join(name)).unwrap()
+    std::fs::read(
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../../fuzz/seeds")
+            .join(name),
+    )
+    .unwrap()
 }
 
 #[test]
 fn large_files_end() {
-    let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
+    let told = ReadOptions {
+        unit: Some("g".to_owned()),
+        dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
     // Made one at a time: together they would take more memory than any reader.
     type Kind = (&'static str, fn() -> Vec<u8>, &'static str);
     let kinds: [Kind; 8] = [
         ("zeros", || vec![0; BYTES], "binary file"),
-        ("random bytes", || random_bytes(&Vec::from_iter(0..=255)), "binary file"),
-        ("random digits and line ends", || random_bytes(DIGITS), "is not a number"),
-        ("one line of digits", || vec![b'7'; BYTES], "not a row of a table"),
-        ("one line of numbers", || b" 1.25".repeat(BYTES / 5), "not a row of a table"),
-        ("one line of letters", || vec![b'x'; BYTES], "not a row of a table"),
+        (
+            "random bytes",
+            || random_bytes(&Vec::from_iter(0..=255)),
+            "binary file",
+        ),
+        (
+            "random digits and line ends",
+            || random_bytes(DIGITS),
+            "is not a number",
+        ),
+        (
+            "one line of digits",
+            || vec![b'7'; BYTES],
+            "not a row of a table",
+        ),
+        (
+            "one line of numbers",
+            || b" 1.25".repeat(BYTES / 5),
+            "not a row of a table",
+        ),
+        (
+            "one line of letters",
+            || vec![b'x'; BYTES],
+            "not a row of a table",
+        ),
         ("line ends", || vec![b'\n'; BYTES], "empty"),
         ("comments", || b"#\n".repeat(BYTES / 2), "no row of numbers"),
     ];
     for (title, bytes, message) in kinds {
         let error = read(title, bytes(), &told).expect_err(title);
-        assert!(error.problems[0].message.contains(message), "{title}: {error}");
+        assert!(
+            error.problems[0].message.contains(message),
+            "{title}: {error}"
+        );
     }
     let digits = random_bytes(DIGITS);
     for name in [
@@ -92,7 +138,11 @@ fn large_files_end() {
         "unam/three.asa",
     ] {
         let bytes = [seed(name), digits[..BYTES - 4096].to_vec()].concat();
-        let options = if name.starts_with("sac") { &told } else { &ReadOptions::default() };
+        let options = if name.starts_with("sac") {
+            &told
+        } else {
+            &ReadOptions::default()
+        };
         assert!(read(name, bytes, options).is_err(), "{name}");
     }
     // What a header promises, the file does not hold: 2e9 samples of SAC.
@@ -108,9 +158,17 @@ const CHANNELS: usize = 50_000;
 /// there often.
 #[test]
 fn two_hundred_thousand_records_end() {
-    let told = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
+    let told = ReadOptions {
+        unit: Some("g".to_owned()),
+        ..ReadOptions::default()
+    };
     let record = seed("mseed/int32.mseed");
-    let file = read("miniSEED of one record many times", record.repeat(BYTES / 512), &told).unwrap();
+    let file = read(
+        "miniSEED of one record many times",
+        record.repeat(BYTES / 512),
+        &told,
+    )
+    .unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), 40);
     // As many channels as records, each with a station of its own.
     let mut bytes = Vec::new();
@@ -133,9 +191,18 @@ fn ten_million_counts_are_read() {
     let (head, _) = head.split_once("Memo.").unwrap();
     let mut text = head.replace("Duration Time(s)  2\n", "Duration Time(s)  100000\n") + "Memo.\n";
     for i in 0..SAMPLES / 8 {
-        let _ = writeln!(text, "{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} ", i, -5, 6, 7, 8, 9, 10, 11);
+        let _ = writeln!(
+            text,
+            "{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} ",
+            i, -5, 6, 7, 8, 9, 10, 11
+        );
     }
-    let file = read("K-NET of ten million counts", text.into_bytes(), &ReadOptions::default()).unwrap();
+    let file = read(
+        "K-NET of ten million counts",
+        text.into_bytes(),
+        &ReadOptions::default(),
+    )
+    .unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), SAMPLES);
 }
 
@@ -144,7 +211,12 @@ fn read_rows(count: usize) {
     for i in 0..count {
         let _ = writeln!(text, "{}.{:02},0.{:03}", i / 100, i % 100, i % 997);
     }
-    let file = read(&format!("CSV of {count} rows"), text.into_bytes(), &ReadOptions::default()).unwrap();
+    let file = read(
+        &format!("CSV of {count} rows"),
+        text.into_bytes(),
+        &ReadOptions::default(),
+    )
+    .unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), count);
 }
 

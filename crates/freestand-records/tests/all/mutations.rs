@@ -68,19 +68,40 @@ const READ: &[(&str, &str, &str)] = &[
 /// that end one another.
 const WITHOUT_COUNT: &[&str] = &["columns", "long_table"];
 /// Families whose last lines are no acceleration, or that have no lines.
-const OTHER_ENDS: &[&str] = &["columns", "csmip_v2", "geonet", "long_table", "mseed", "sac", "usc"];
+const OTHER_ENDS: &[&str] = &[
+    "columns",
+    "csmip_v2",
+    "geonet",
+    "long_table",
+    "mseed",
+    "sac",
+    "usc",
+];
 
 fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
     let mut seeds = Vec::new();
-    for family in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+    for family in std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+    {
         let name = family.file_name().unwrap().to_str().unwrap().to_owned();
         // These are no records.
-        let others = ["inventory_csv", "inventory_xlsx", "processing", "quantity", "station_xml", "study_toml"];
+        let others = [
+            "inventory_csv",
+            "inventory_xlsx",
+            "processing",
+            "quantity",
+            "station_xml",
+            "study_toml",
+        ];
         if others.contains(&name.as_str()) {
             continue;
         }
-        for path in std::fs::read_dir(&family).unwrap().map(|entry| entry.unwrap().path()) {
+        for path in std::fs::read_dir(&family)
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+        {
             let bytes = std::fs::read(&path).unwrap();
             seeds.push((name.clone(), path, bytes));
         }
@@ -93,10 +114,21 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
 fn every_seed_is_read_as_its_format() {
     let named = |(family, path, bytes): (String, PathBuf, Vec<u8>)| {
         // Columns may leave the unit open, and counts do.
-        let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-        let resampled = ReadOptions { uneven_dt_s: Some(0.01), ..ReadOptions::default() };
-        let read = |options: &ReadOptions| parse_motions(bytes.clone(), Path::new("/nowhere/record.dat"), options);
-        let file = read(&ReadOptions::default()).or_else(|_| read(&told)).or_else(|_| read(&resampled));
+        let told = ReadOptions {
+            unit: Some("g".to_owned()),
+            dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let resampled = ReadOptions {
+            uneven_dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let read = |options: &ReadOptions| {
+            parse_motions(bytes.clone(), Path::new("/nowhere/record.dat"), options)
+        };
+        let file = read(&ReadOptions::default())
+            .or_else(|_| read(&told))
+            .or_else(|_| read(&resampled));
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let format = file.map_or_else(|error| error.to_string(), |file| file.format.to_owned());
         (family, name, format)
@@ -105,7 +137,10 @@ fn every_seed_is_read_as_its_format() {
         let [family, name, format] = [family, name, format].map(|text| (*text).to_owned());
         (family, name, format)
     });
-    assert_eq!(seeds().into_iter().map(named).collect::<Vec<_>>(), expected.collect::<Vec<_>>());
+    assert_eq!(
+        seeds().into_iter().map(named).collect::<Vec<_>>(),
+        expected.collect::<Vec<_>>()
+    );
 }
 
 /// Formats that state how many values they have, or how long they last, tell that some of it is
@@ -115,10 +150,18 @@ fn part_of_a_file_is_refused() {
     for (family, path, bytes) in seeds() {
         // Less than half: the half of a file of two components is a file.
         let is_counted = !WITHOUT_COUNT.contains(&family.as_str());
-        assert!(!is_counted || !check_record(&bytes[..bytes.len() * 2 / 5]), "{}", path.display());
+        assert!(
+            !is_counted || !check_record(&bytes[..bytes.len() * 2 / 5]),
+            "{}",
+            path.display()
+        );
         if !OTHER_ENDS.contains(&family.as_str()) {
             let lines = split_lines(&bytes);
-            assert!(!check_record(&lines[..lines.len() - 2].concat()), "{}", path.display());
+            assert!(
+                !check_record(&lines[..lines.len() - 2].concat()),
+                "{}",
+                path.display()
+            );
         }
     }
 }
@@ -130,7 +173,10 @@ fn damaged_descriptions_are_refused_or_read_but_never_break() {
     let record = std::fs::read(folder.join("mseed/int32.mseed")).unwrap();
     let xml = std::fs::read(folder.join("station_xml/one.xml")).unwrap();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("damaged.xml");
-    let options = ReadOptions { station_xml: Some(path.clone()), ..ReadOptions::default() };
+    let options = ReadOptions {
+        station_xml: Some(path.clone()),
+        ..ReadOptions::default()
+    };
     let read = |xml: &[u8]| {
         std::fs::write(&path, xml).unwrap();
         parse_motions(record.clone(), Path::new("/nowhere/record.mseed"), &options)
@@ -138,8 +184,19 @@ fn damaged_descriptions_are_refused_or_read_but_never_break() {
     assert_eq!(read(&xml).unwrap().components[0].unit, "m/s2");
     let mutations = mutations(&xml, &mut Chance(1));
     let accels = mutations.iter().filter_map(|mutation| read(mutation).ok());
-    let count = accels.filter(|file| file.components[0].motion.accel_m_s2().iter().all(|a| a.is_finite())).count();
-    println!("station_xml: {} mutations, {count} of them read", mutations.len());
+    let count = accels
+        .filter(|file| {
+            file.components[0]
+                .motion
+                .accel_m_s2()
+                .iter()
+                .all(|a| a.is_finite())
+        })
+        .count();
+    println!(
+        "station_xml: {} mutations, {count} of them read",
+        mutations.len()
+    );
     // Most of the file is not looked at, and some of it cannot be left out.
     assert!(count > mutations.len() / 10 && count < mutations.len());
 }
@@ -158,7 +215,11 @@ fn damaged_files_are_refused_or_read_but_never_break() {
             .filter(|(i, mutation)| {
                 // The bytes themselves, so that a failure can be looked into.
                 catch_unwind(AssertUnwindSafe(|| check_record(mutation))).unwrap_or_else(|_| {
-                    panic!("{}, mutation {i}: {:?}", path.display(), String::from_utf8_lossy(mutation))
+                    panic!(
+                        "{}, mutation {i}: {:?}",
+                        path.display(),
+                        String::from_utf8_lossy(mutation)
+                    )
                 })
             })
             .count();
@@ -167,12 +228,17 @@ fn damaged_files_are_refused_or_read_but_never_break() {
         }
         if let Some((_, counts)) = families.last_mut() {
             let found = [1, usize::from(is_read), mutations.len(), read];
-            counts.iter_mut().zip(found).for_each(|(count, more)| *count += more);
+            counts
+                .iter_mut()
+                .zip(found)
+                .for_each(|(count, more)| *count += more);
         }
     }
     let mut total = 0;
     for (family, [seeds, seeds_read, mutations, read]) in &families {
-        println!("{family}: {seeds} seeds, {seeds_read} read; {mutations} mutations, {read} of them read");
+        println!(
+            "{family}: {seeds} seeds, {seeds_read} read; {mutations} mutations, {read} of them read"
+        );
         total += mutations;
     }
     println!("{total} mutations in all");

@@ -59,7 +59,11 @@ pub(super) struct Ground {
 impl Ground {
     /// The acceleration `tau` later.
     pub(super) fn after(self, tau: f64) -> Self {
-        Self { u: self.u + self.u_slope * tau, v: self.v + self.v_slope * tau, ..self }
+        Self {
+            u: self.u + self.u_slope * tau,
+            v: self.v + self.v_slope * tau,
+            ..self
+        }
     }
 }
 
@@ -96,9 +100,22 @@ impl Edge {
         let (sin, cos, threshold) = if linearised {
             (alpha, 1.0, alpha)
         } else {
-            (cg_from_edge_m / pivot.half_diagonal_m, cg_height_m / pivot.half_diagonal_m, cg_from_edge_m / cg_height_m)
+            (
+                cg_from_edge_m / pivot.half_diagonal_m,
+                cg_height_m / pivot.half_diagonal_m,
+                cg_from_edge_m / cg_height_m,
+            )
         };
-        Self { side, pivot, p2: p * p, linearised, threshold, wall: None, sin, cos }
+        Self {
+            side,
+            pivot,
+            p2: p * p,
+            linearised,
+            threshold,
+            wall: None,
+            sin,
+            cos,
+        }
     }
 
     /// The rotation that ends the motion about this edge: θ_c, or π/2 without a wall.
@@ -128,7 +145,11 @@ impl Edge {
     /// at rest.
     pub(super) fn swings_back(&self, w: f64) -> bool {
         let alpha = self.pivot.slenderness_angle_rad;
-        let climb = if self.linearised { 0.5 * alpha * alpha } else { 1.0 - alpha.cos() };
+        let climb = if self.linearised {
+            0.5 * alpha * alpha
+        } else {
+            1.0 - alpha.cos()
+        };
         0.5 * w * w < self.p2 * climb
     }
 
@@ -141,7 +162,10 @@ impl Edge {
 impl Segment {
     /// The motion from (y, w) at `start_s` over `step_s`, which is halved as often as the series
     /// needs.
-    #[expect(clippy::too_many_arguments, reason = "the state, the step and the accuracy are what a Taylor step takes")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the state, the step and the accuracy are what a Taylor step takes"
+    )]
     pub(super) fn new(
         edge: Edge,
         y: f64,
@@ -172,7 +196,10 @@ impl Segment {
         while !segment.expand(y, w, tolerance, start) {
             segment.step_s *= 0.5;
             if segment.step_s <= least_s {
-                return Err(RockingError::StepTooSmall { time_s: start_s, step_s: segment.step_s });
+                return Err(RockingError::StepTooSmall {
+                    time_s: start_s,
+                    step_s: segment.step_s,
+                });
             }
         }
         Ok(segment)
@@ -185,7 +212,12 @@ impl Segment {
         let (edge, ground, h) = (&self.edge, &self.ground, self.step_s);
         let e = {
             let margin = edge.margin(ground.u, ground.v);
-            edge.cos * if start == Start::Lifting { margin.min(0.0) } else { margin }
+            edge.cos
+                * if start == Start::Lifting {
+                    margin.min(0.0)
+                } else {
+                    margin
+                }
         };
         let e_slope = h * edge.cos * edge.margin(ground.u_slope, ground.v_slope);
         let (d, d_slope) = if edge.linearised {
@@ -203,7 +235,11 @@ impl Segment {
         c[1] = w * h;
         let mut sin = [0.0; MAX_DEGREE + 1];
         let mut cos = [0.0; MAX_DEGREE + 1];
-        (sin[0], cos[0]) = if edge.linearised { (y, 1.0) } else { y.sin_cos() };
+        (sin[0], cos[0]) = if edge.linearised {
+            (y, 1.0)
+        } else {
+            y.sin_cos()
+        };
         // k·cₖ, the series of the derivative.
         let mut slope = [0.0; MAX_DEGREE + 1];
         slope[1] = c[1];
@@ -234,7 +270,11 @@ impl Segment {
             slope[k + 2] = (k + 2) as f64 * next;
             largest = largest.max(next.abs());
             // The term of the derivative is tested: velocities are then as accurate as rotations.
-            small = if slope[k + 2].abs() <= tolerance * largest { small + 1 } else { 0 };
+            small = if slope[k + 2].abs() <= tolerance * largest {
+                small + 1
+            } else {
+                0
+            };
             if small >= 2 && k >= 2 {
                 self.degree = k + 2;
                 return largest.is_finite();
@@ -277,15 +317,24 @@ impl Segment {
     pub fn friction_needed_ratio(&self) -> f64 {
         const PARTS: usize = 4;
         let at = |i: usize| self.end_ratio * i as f64 / PARTS as f64;
-        let best = (0..=PARTS).max_by(|&i, &j| self.friction(at(i)).total_cmp(&self.friction(at(j)))).unwrap_or(0);
+        let best = (0..=PARTS)
+            .max_by(|&i, &j| self.friction(at(i)).total_cmp(&self.friction(at(j))))
+            .unwrap_or(0);
         let mut most = self.friction(at(best));
         if (1..PARTS).contains(&best) {
             // A smooth maximum inside the segment: golden sections around it, to far below the
             // printed digits.
             let (mut lo, mut hi) = (at(best - 1), at(best + 1));
             for _ in 0..40 {
-                let (a, b) = (hi - 0.618_033_988_75 * (hi - lo), lo + 0.618_033_988_75 * (hi - lo));
-                if self.friction(a) > self.friction(b) { hi = b } else { lo = a }
+                let (a, b) = (
+                    hi - 0.618_033_988_75 * (hi - lo),
+                    lo + 0.618_033_988_75 * (hi - lo),
+                );
+                if self.friction(a) > self.friction(b) {
+                    hi = b
+                } else {
+                    lo = a
+                }
             }
             most = most.max(self.friction(0.5 * (lo + hi)));
         }
@@ -307,10 +356,17 @@ impl Segment {
             let (lift, push) = wall.force_angle_rad.sin_cos();
             (u + edge.side * pressed * push, v - pressed * lift)
         } else {
-            let acceleration =
-                -edge.p2 * if edge.linearised { edge.margin(u, v) - v * y } else { v * sin + edge.side * u * cos };
+            let acceleration = -edge.p2
+                * if edge.linearised {
+                    edge.margin(u, v) - v * y
+                } else {
+                    v * sin + edge.side * u * cos
+                };
             let r = edge.pivot.half_diagonal_m / self.gravity_m_s2;
-            (u + edge.side * r * (cos * acceleration + sin * w * w), v + r * (sin * acceleration - cos * w * w))
+            (
+                u + edge.side * r * (cos * acceleration + sin * w * w),
+                v + r * (sin * acceleration - cos * w * w),
+            )
         };
         if y > edge.pivot.slenderness_angle_rad {
             0.0
@@ -329,9 +385,32 @@ mod tests {
 
     fn segment(step_s: f64, model: RockingModel) -> Segment {
         let block = Block::uniform(1.5, 0.5).unwrap();
-        let edge = Edge::new(1.0, block.right_pivot(), block.cg_from_right_m(), block.cg_height_m(), 9.81, model);
-        let ground = Ground { u: -0.4, u_slope: 3.0, v: 1.1, v_slope: 1.3 };
-        Segment::new(edge, 0.07, 0.3, ground, 9.81, 0.0, step_s, 1e-16, Start::Moving).unwrap()
+        let edge = Edge::new(
+            1.0,
+            block.right_pivot(),
+            block.cg_from_right_m(),
+            block.cg_height_m(),
+            9.81,
+            model,
+        );
+        let ground = Ground {
+            u: -0.4,
+            u_slope: 3.0,
+            v: 1.1,
+            v_slope: 1.3,
+        };
+        Segment::new(
+            edge,
+            0.07,
+            0.3,
+            ground,
+            9.81,
+            0.0,
+            step_s,
+            1e-16,
+            Start::Moving,
+        )
+        .unwrap()
     }
 
     /// The local error of the series truncated after degree n decreases like hⁿ⁺¹: every
@@ -342,13 +421,18 @@ mod tests {
             for degree in 2..=4_u8 {
                 let error = |step_s: f64| {
                     let full = segment(step_s, model);
-                    (polynomial::value(&full.series()[..=usize::from(degree)], 1.0) - full.state(1.0).0).abs()
+                    (polynomial::value(&full.series()[..=usize::from(degree)], 1.0)
+                        - full.state(1.0).0)
+                        .abs()
                 };
                 let order = (error(0.04) / error(0.02)).log2();
                 // A wrong coefficient of degree k ≤ n would show as order k; the next term changes
                 // the order by less than half.
                 let excess = order - (f64::from(degree) + 1.0);
-                assert!((-0.5..0.75).contains(&excess), "{model:?} degree {degree}: order {order}");
+                assert!(
+                    (-0.5..0.75).contains(&excess),
+                    "{model:?} degree {degree}: order {order}"
+                );
             }
         }
     }
@@ -358,14 +442,22 @@ mod tests {
     #[test]
     fn the_series_solves_the_equation_of_motion() {
         let full = segment(0.08, RockingModel::Rigid);
-        let second: Vec<f64> =
-            full.series().iter().enumerate().skip(2).map(|(k, c)| (k * (k - 1)) as f64 * c / (0.08 * 0.08)).collect();
+        let second: Vec<f64> = full
+            .series()
+            .iter()
+            .enumerate()
+            .skip(2)
+            .map(|(k, c)| (k * (k - 1)) as f64 * c / (0.08 * 0.08))
+            .collect();
         for ratio in [0.0, 0.3, 0.7, 1.0] {
             let Ground { u, v, .. } = full.ground.after(0.08 * ratio);
             let phi = full.edge.pivot.slenderness_angle_rad - full.state(ratio).0;
             let expected = -full.edge.p2 * (v * phi.sin() + u * phi.cos());
             // Double precision for a sum of terms of up to 20.
-            assert!((polynomial::value(&second, ratio) - expected).abs() < 1e-11, "{ratio}");
+            assert!(
+                (polynomial::value(&second, ratio) - expected).abs() < 1e-11,
+                "{ratio}"
+            );
         }
     }
 }

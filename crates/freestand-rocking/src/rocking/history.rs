@@ -30,17 +30,28 @@ pub struct HistoryRecorder<'a> {
 impl<'a> HistoryRecorder<'a> {
     /// A recorder that samples at the steps of `base`, or every `dt_s` without one.
     pub fn new(base: Option<&'a Motion>, dt_s: f64) -> Self {
-        Self { base, dt_s: base.map_or(dt_s, Motion::dt_s), points: Vec::new(), sampled: 0 }
+        Self {
+            base,
+            dt_s: base.map_or(dt_s, Motion::dt_s),
+            points: Vec::new(),
+            sampled: 0,
+        }
     }
 
     fn point(&self, time_s: f64, (theta_rad, omega_rad_s): (f64, f64)) -> HistoryPoint {
-        HistoryPoint { time_s, theta_rad, omega_rad_s, base_accel_m_s2: self.base.map_or(0.0, |m| m.at_m_s2(time_s)) }
+        HistoryPoint {
+            time_s,
+            theta_rad,
+            omega_rad_s,
+            base_accel_m_s2: self.base.map_or(0.0, |m| m.at_m_s2(time_s)),
+        }
     }
 
     /// Adds samples at rest up to, but not including, `until_s`.
     fn rest(&mut self, until_s: f64) {
         while (self.sampled as f64) * self.dt_s < until_s {
-            self.points.push(self.point(self.sampled as f64 * self.dt_s, (0.0, 0.0)));
+            self.points
+                .push(self.point(self.sampled as f64 * self.dt_s, (0.0, 0.0)));
             self.sampled += 1;
         }
     }
@@ -52,29 +63,39 @@ impl<'a> HistoryRecorder<'a> {
         // An event gets its own point even between samples.
         let event = segment.starts_with_an_event();
         if event {
-            self.points.push(self.point(segment.start_s, segment.rotation(0.0)));
+            self.points
+                .push(self.point(segment.start_s, segment.rotation(0.0)));
         }
         while (self.sampled as f64) * self.dt_s < end_s {
             let time_s = self.sampled as f64 * self.dt_s;
             if time_s > segment.start_s || !event {
-                self.points.push(self.point(time_s, segment.rotation((time_s - segment.start_s) / segment.step_s)));
+                self.points.push(self.point(
+                    time_s,
+                    segment.rotation((time_s - segment.start_s) / segment.step_s),
+                ));
             }
             self.sampled += 1;
         }
         if segment.end_ratio < 1.0 {
-            self.points.push(self.point(end_s, segment.rotation(segment.end_ratio)));
+            self.points
+                .push(self.point(end_s, segment.rotation(segment.end_ratio)));
         }
     }
 
     /// Adds the instant of the largest rotation, unless a sample is already there.
     fn peak(&mut self, time_s: f64, rotation_rad: f64) {
         let next = self.points.partition_point(|p| p.time_s < time_s);
-        let near = |index: usize| self.points.get(index).filter(|p| (p.time_s - time_s).abs() < 1e-9 * self.dt_s);
+        let near = |index: usize| {
+            self.points
+                .get(index)
+                .filter(|p| (p.time_s - time_s).abs() < 1e-9 * self.dt_s)
+        };
         if near(next).is_some() || next.checked_sub(1).and_then(near).is_some() {
             return;
         }
         let side = self.points.get(next).map_or(1.0, |p| p.theta_rad);
-        self.points.insert(next, self.point(time_s, (rotation_rad.copysign(side), 0.0)));
+        self.points
+            .insert(next, self.point(time_s, (rotation_rad.copysign(side), 0.0)));
     }
 
     /// The history, filled up to the end that the solver reports.
@@ -88,7 +109,8 @@ impl<'a> HistoryRecorder<'a> {
             self.peak(time_s, rocking.peak_rotation_rad);
         }
         // An overturned block ends with an event that is already among the points.
-        self.points.dedup_by(|b, a| a.time_s == b.time_s && a.omega_rad_s == b.omega_rad_s);
+        self.points
+            .dedup_by(|b, a| a.time_s == b.time_s && a.omega_rad_s == b.omega_rad_s);
         self.points
     }
 }

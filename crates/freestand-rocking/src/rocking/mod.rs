@@ -180,13 +180,20 @@ impl Base<'_> {
     /// # Errors
     /// They have not.
     pub fn check(&self) -> Result<(), RockingError> {
-        let Some((h, v)) = self.horizontal.zip(self.vertical) else { return Ok(()) };
+        let Some((h, v)) = self.horizontal.zip(self.vertical) else {
+            return Ok(());
+        };
         let (samples, vertical_samples) = (h.accel_m_s2().len(), v.accel_m_s2().len());
         let (dt_s, vertical_dt_s) = (h.dt_s(), v.dt_s());
         if (samples, dt_s) == (vertical_samples, vertical_dt_s) {
             return Ok(());
         }
-        Err(RockingError::VerticalMismatch { samples, dt_s, vertical_samples, vertical_dt_s })
+        Err(RockingError::VerticalMismatch {
+            samples,
+            dt_s,
+            vertical_samples,
+            vertical_dt_s,
+        })
     }
 }
 
@@ -459,7 +466,9 @@ pub enum RockingError {
         time_s: f64,
     },
     /// With a restitution of (nearly) 1 the block never comes to rest.
-    #[error("the object is not at rest at {time_s} s, after {limit} impacts: its restitution is too close to 1")]
+    #[error(
+        "the object is not at rest at {time_s} s, after {limit} impacts: its restitution is too close to 1"
+    )]
     TooManyImpacts {
         /// Time at which the calculation was abandoned \[s\].
         time_s: f64,

@@ -4,8 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::equation::{Edge, Ground, Segment, Start};
 use super::{
-    Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingModel, RockingOptions,
-    STEADY_IMPACTS, Side, SideExtremes, StopReason, Until, WallImpact,
+    Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact,
+    RockingModel, RockingOptions, STEADY_IMPACTS, Side, SideExtremes, StopReason, Until,
+    WallImpact,
 };
 use crate::block::Block;
 use crate::motion::Motion;
@@ -131,22 +132,45 @@ impl Intervals<'_> {
             return None;
         }
         if i == self.samples {
-            return Some((self.end_s - start_s, Ground { u: 0.0, u_slope: 0.0, v: 1.0, v_slope: 0.0 }));
+            return Some((
+                self.end_s - start_s,
+                Ground {
+                    u: 0.0,
+                    u_slope: 0.0,
+                    v: 1.0,
+                    v_slope: 0.0,
+                },
+            ));
         }
         let (u, v) = (self.u(i), self.v(i));
-        let ground =
-            Ground { u, u_slope: (self.u(i + 1) - u) / self.dt_s, v, v_slope: (self.v(i + 1) - v) / self.dt_s };
+        let ground = Ground {
+            u,
+            u_slope: (self.u(i + 1) - u) / self.dt_s,
+            v,
+            v_slope: (self.v(i + 1) - v) / self.dt_s,
+        };
         // The end may cut an interval; rounding must not cut a last interval that is whole.
-        let length_s = if self.start_s(i + 1) <= self.end_s { self.dt_s } else { self.end_s - start_s };
+        let length_s = if self.start_s(i + 1) <= self.end_s {
+            self.dt_s
+        } else {
+            self.end_s - start_s
+        };
         Some((length_s, ground))
     }
 }
 
 impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
-    fn new(block: &Block, base: Base<'a>, options: &RockingOptions, observe: F) -> Result<Self, RockingError> {
+    fn new(
+        block: &Block,
+        base: Base<'a>,
+        options: &RockingOptions,
+        observe: F,
+    ) -> Result<Self, RockingError> {
         let gravity = options.gravity_m_s2;
         if !(gravity > 0.0 && gravity.is_finite()) {
-            return Err(RockingError::Gravity { gravity_m_s2: gravity });
+            return Err(RockingError::Gravity {
+                gravity_m_s2: gravity,
+            });
         }
         let tolerance = options.accuracy.tolerance();
         if !options.accuracy.is_valid() {
@@ -155,9 +179,14 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let restitution = options.restitution.ratios(block)?;
         let (theta, omega) = (options.initial_rotation_rad, options.initial_omega_rad_s);
         if !(theta.abs() < FRAC_PI_2 && omega.is_finite()) {
-            return Err(RockingError::InitialState { rotation_rad: theta, omega_rad_s: omega });
+            return Err(RockingError::InitialState {
+                rotation_rad: theta,
+                omega_rad_s: omega,
+            });
         }
-        let edge = |side: f64, pivot, x| Edge::new(side, pivot, x, block.cg_height_m(), gravity, options.model);
+        let edge = |side: f64, pivot, x| {
+            Edge::new(side, pivot, x, block.cg_height_m(), gravity, options.model)
+        };
         let mut edges = [
             edge(1.0, block.right_pivot(), block.cg_from_right_m()),
             edge(-1.0, block.pivot(), block.cg_from_left_m()),
@@ -174,14 +203,27 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             if let Some(wall) = edge.wall
                 && rotation_rad > wall.angle_rad
             {
-                return Err(RockingError::BeyondWall { side, rotation_rad, contact_rad: wall.angle_rad });
+                return Err(RockingError::BeyondWall {
+                    side,
+                    rotation_rad,
+                    contact_rad: wall.angle_rad,
+                });
             }
         }
         let given = theta != 0.0 || omega != 0.0;
         let phase = if given {
-            let index = if theta > 0.0 || (theta == 0.0 && omega > 0.0) { RIGHT } else { LEFT };
+            let index = if theta > 0.0 || (theta == 0.0 && omega > 0.0) {
+                RIGHT
+            } else {
+                LEFT
+            };
             let s = edges[index].side;
-            Phase::Moving { edge: index, y: s * theta, w: s * omega, start: Start::Moving }
+            Phase::Moving {
+                edge: index,
+                y: s * theta,
+                w: s * omega,
+                start: Start::Moving,
+            }
         } else {
             Phase::Rest
         };
@@ -202,7 +244,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             bounced: false,
             phase,
             result: Rocking {
-                outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
+                outcome: if given {
+                    Outcome::Rocked
+                } else {
+                    Outcome::NoUplift
+                },
                 stop: StopReason::EndOfMotion,
                 end_time_s: 0.0,
                 peak_rotation_rad: theta.abs(),
@@ -239,7 +285,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             }
             let at_end = ground.after(length_s);
             if at_end.v <= 0.0 {
-                return Err(RockingError::FreeFlight { time_s: start_s - ground.v / ground.v_slope });
+                return Err(RockingError::FreeFlight {
+                    time_s: start_s - ground.v / ground.v_slope,
+                });
             }
             if self.settle && index >= self.intervals.samples && self.stays_leaning() {
                 self.result.stop = StopReason::Settled;
@@ -252,8 +300,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 }
                 // A straight line cannot pass the threshold between two points that are both below
                 // it.
-                if self.edges.iter().all(|e| e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0)
-                {
+                if self.edges.iter().all(|e| {
+                    e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0
+                }) {
                     self.result.end_time_s = start_s + length_s;
                     index += 1;
                     continue;
@@ -271,7 +320,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             }
             if self.settle && index >= self.intervals.samples && self.stays_leaning() {
                 self.result.stop = StopReason::Settled;
-                self.result.end_time_s = self.result.wall_impacts.last().map_or(start_s, |impact| impact.time_s);
+                self.result.end_time_s = self
+                    .result
+                    .wall_impacts
+                    .last()
+                    .map_or(start_s, |impact| impact.time_s);
                 break;
             }
             index += 1;
@@ -287,7 +340,12 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 Phase::Rest => match self.uplift(ground, tau, length_s) {
                     Some((edge, at)) => {
                         tau = at;
-                        self.phase = Phase::Moving { edge, y: 0.0, w: 0.0, start: Start::Lifting };
+                        self.phase = Phase::Moving {
+                            edge,
+                            y: 0.0,
+                            w: 0.0,
+                            start: Start::Lifting,
+                        };
                         self.result.uplift_count += 1;
                         self.result.first_uplift_time_s.get_or_insert(start_s + tau);
                         self.result.outcome = Outcome::Rocked;
@@ -302,12 +360,20 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                     }
                     if until.is_some() {
                         let y = self.edges[edge].ceiling();
-                        self.phase = Phase::Moving { edge, y, w: 0.0, start: Start::Leaving };
+                        self.phase = Phase::Moving {
+                            edge,
+                            y,
+                            w: 0.0,
+                            start: Start::Leaving,
+                        };
                     }
                 }
                 // It moves towards the wall that it touches.
                 Phase::Moving { edge, y, w, .. }
-                    if w > 0.0 && self.edges[edge].wall.is_some_and(|wall| y >= wall.angle_rad) =>
+                    if w > 0.0
+                        && self.edges[edge]
+                            .wall
+                            .is_some_and(|wall| y >= wall.angle_rad) =>
                 {
                     self.strike(edge, w, start_s + tau, ground.after(tau))?;
                 }
@@ -327,7 +393,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                     )?;
                     let used_s = self.advance(edge, segment)?;
                     // The last step of an interval ends exactly on the sample.
-                    tau = if used_s == rest_s { length_s } else { tau + used_s };
+                    tau = if used_s == rest_s {
+                        length_s
+                    } else {
+                        tau + used_s
+                    };
                     if self.result.overturn_time_s.is_some() || self.steady {
                         break;
                     }
@@ -342,7 +412,12 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     fn uplift(&self, ground: Ground, tau: f64, length_s: f64) -> Option<(usize, f64)> {
         let (now, end) = (ground.after(tau), ground.after(length_s));
         let mut first: Option<(usize, f64)> = None;
-        for (index, edge) in self.edges.iter().enumerate().filter(|(_, edge)| !edge.touches_wall()) {
+        for (index, edge) in self
+            .edges
+            .iter()
+            .enumerate()
+            .filter(|(_, edge)| !edge.touches_wall())
+        {
             let (from, to) = (edge.margin(now.u, now.v), edge.margin(end.u, end.v));
             let at = if from < 0.0 {
                 tau
@@ -375,10 +450,26 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     /// A time during which the block leans on the wall.
-    fn lean(&mut self, edge: usize, ground: Ground, start_s: f64, step_s: f64) -> Result<(), RockingError> {
+    fn lean(
+        &mut self,
+        edge: usize,
+        ground: Ground,
+        start_s: f64,
+        step_s: f64,
+    ) -> Result<(), RockingError> {
         let held = self.edges[edge];
         let (y, gravity) = (held.ceiling(), self.gravity_m_s2);
-        let segment = Segment::new(held, y, 0.0, ground, gravity, start_s, step_s, self.tolerance, Start::Held)?;
+        let segment = Segment::new(
+            held,
+            y,
+            0.0,
+            ground,
+            gravity,
+            start_s,
+            step_s,
+            self.tolerance,
+            Start::Held,
+        )?;
         (self.observe)(&segment);
         Ok(())
     }
@@ -386,7 +477,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     /// Whether the block leans and the base at rest does not let it go.
     fn stays_leaning(&self) -> bool {
         match self.phase {
-            Phase::Leaning { edge } => self.edges[edge].pull(self.edges[edge].ceiling(), 0.0, 1.0) <= 0.0,
+            Phase::Leaning { edge } => {
+                self.edges[edge].pull(self.edges[edge].ceiling(), 0.0, 1.0) <= 0.0
+            }
             Phase::Rest | Phase::Moving { .. } => false,
         }
     }
@@ -406,11 +499,19 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return Ok(segment.step_s);
         };
         let reach: f64 = c.iter().skip(lead + 1).map(|c| c.abs()).sum();
-        let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
+        let impact = if c[lead] > reach {
+            None
+        } else {
+            first_root(&c[lead..])
+        };
         let highest = c[lead] + reach;
         let walled = segment.edge.wall.is_some();
         let ceiling = segment.edge.ceiling();
-        let stop = if highest < ceiling { None } else { reaches(c, ceiling) };
+        let stop = if highest < ceiling {
+            None
+        } else {
+            reaches(c, ceiling)
+        };
         if walled && stop == Some(0.0) {
             // Without velocity at the wall, and pressed on: it leans for the rest of the step.
             let step_s = segment.step_s;
@@ -431,7 +532,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         }
         self.track_peak(edge, &segment, end, y, highest);
         segment.end_ratio = end;
-        let used_s = if end == 1.0 { segment.step_s } else { end * segment.step_s };
+        let used_s = if end == 1.0 {
+            segment.step_s
+        } else {
+            end * segment.step_s
+        };
         let time_s = segment.start_s + used_s;
         (self.observe)(&segment);
 
@@ -439,19 +544,38 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             self.strike(edge, w.max(0.0), time_s, segment.ground.after(used_s))?;
         } else if stopped {
             self.result.overturn_time_s = Some(time_s);
-            (self.result.peak_rotation_rad, self.result.peak_rotation_time_s) = (FRAC_PI_2, Some(time_s));
+            (
+                self.result.peak_rotation_rad,
+                self.result.peak_rotation_time_s,
+            ) = (FRAC_PI_2, Some(time_s));
             self.result.sides[edge].peak_rotation_rad = FRAC_PI_2;
-            self.phase = Phase::Moving { edge, y: FRAC_PI_2, w, start: Start::Moving };
+            self.phase = Phase::Moving {
+                edge,
+                y: FRAC_PI_2,
+                w,
+                start: Start::Moving,
+            };
         } else if landed {
             self.land(edge, w.min(0.0), time_s, segment.ground.after(used_s))?;
         } else {
-            self.phase = Phase::Moving { edge, y, w, start: Start::Moving };
+            self.phase = Phase::Moving {
+                edge,
+                y,
+                w,
+                start: Start::Moving,
+            };
         }
         Ok(used_s)
     }
 
     /// An impact at velocity `w` ≤ 0 that ends the rotation about `edge`.
-    fn land(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
+    fn land(
+        &mut self,
+        edge: usize,
+        w: f64,
+        time_s: f64,
+        ground: Ground,
+    ) -> Result<(), RockingError> {
         let other = 1 - edge;
         let side = self.edges[edge].side;
         let mut after = -w * self.restitution[other];
@@ -462,7 +586,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             // touches the block stops.
             let back = after * wall.restitution_ratio;
             self.note_wall(other, after, back, time_s)?;
-            after = if self.edges[edge].touches_wall() { 0.0 } else { back * self.restitution[edge] };
+            after = if self.edges[edge].touches_wall() {
+                0.0
+            } else {
+                back * self.restitution[edge]
+            };
             next = edge;
         }
         let hardest = &mut self.result.sides[edge].impact_omega_rad_s;
@@ -473,7 +601,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             omega_after_rad_s: self.edges[next].side * after,
         });
         if self.result.impacts.len() > MAX_IMPACTS {
-            return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
+            return Err(RockingError::TooManyImpacts {
+                time_s,
+                limit: MAX_IMPACTS,
+            });
         }
         let loss = -self.restitution[0].max(self.restitution[1]).ln();
         self.steady = self.settle
@@ -481,11 +612,23 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss
             && self.edges.iter().all(|edge| edge.swings_back(after));
         self.phase = if after > REST_OMEGA_RAD_S {
-            Phase::Moving { edge: next, y: 0.0, w: after, start: Start::Moving }
-        } else if let Some(lifted) =
-            self.edges.iter().position(|e| !e.touches_wall() && e.margin(ground.u, ground.v) < 0.0)
+            Phase::Moving {
+                edge: next,
+                y: 0.0,
+                w: after,
+                start: Start::Moving,
+            }
+        } else if let Some(lifted) = self
+            .edges
+            .iter()
+            .position(|e| !e.touches_wall() && e.margin(ground.u, ground.v) < 0.0)
         {
-            Phase::Moving { edge: lifted, y: 0.0, w: 0.0, start: Start::Lifting }
+            Phase::Moving {
+                edge: lifted,
+                y: 0.0,
+                w: 0.0,
+                start: Start::Lifting,
+            }
         } else {
             self.result.rest_time_s = Some(time_s);
             Phase::Rest
@@ -494,7 +637,13 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     /// An impact at velocity `w` ≥ 0 on the wall beyond `edge`.
-    fn strike(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
+    fn strike(
+        &mut self,
+        edge: usize,
+        w: f64,
+        time_s: f64,
+        ground: Ground,
+    ) -> Result<(), RockingError> {
         let held = self.edges[edge];
         let ceiling = held.ceiling();
         let after = w * held.wall.map_or(0.0, |wall| wall.restitution_ratio);
@@ -505,9 +654,19 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return self.land(edge, -after, time_s, ground);
         }
         self.phase = if after > REST_OMEGA_RAD_S {
-            Phase::Moving { edge, y: ceiling, w: -after, start: Start::Moving }
+            Phase::Moving {
+                edge,
+                y: ceiling,
+                w: -after,
+                start: Start::Moving,
+            }
         } else if held.pull(ceiling, ground.u, ground.v) > 0.0 {
-            Phase::Moving { edge, y: ceiling, w: 0.0, start: Start::Leaving }
+            Phase::Moving {
+                edge,
+                y: ceiling,
+                w: 0.0,
+                start: Start::Leaving,
+            }
         } else {
             Phase::Leaning { edge }
         };
@@ -515,7 +674,13 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     /// Adds a wall impact on the side of `edge`; the speeds are towards the wall and back.
-    fn note_wall(&mut self, edge: usize, before: f64, after: f64, time_s: f64) -> Result<(), RockingError> {
+    fn note_wall(
+        &mut self,
+        edge: usize,
+        before: f64,
+        after: f64,
+        time_s: f64,
+    ) -> Result<(), RockingError> {
         let side = self.edges[edge].side;
         let hardest = &mut self.result.sides[edge].wall_omega_rad_s;
         *hardest = hardest.max(before);
@@ -526,7 +691,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             omega_after_rad_s: -side * after,
         });
         if self.result.wall_impacts.len() > MAX_IMPACTS {
-            return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
+            return Err(RockingError::TooManyImpacts {
+                time_s,
+                limit: MAX_IMPACTS,
+            });
         }
         Ok(())
     }
@@ -546,7 +714,12 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         }
         let mut peak = (y_end, end);
         // A maximum inside the step, unless the rotation grows throughout.
-        let slope_reach: f64 = c.iter().enumerate().skip(2).map(|(k, c)| k as f64 * c.abs()).sum();
+        let slope_reach: f64 = c
+            .iter()
+            .enumerate()
+            .skip(2)
+            .map(|(k, c)| k as f64 * c.abs())
+            .sum();
         if c[1] <= slope_reach {
             let mut slope = [0.0; crate::polynomial::MAX_DEGREE + 1];
             for (k, &c) in c.iter().enumerate().skip(1) {
@@ -600,7 +773,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             result.stop = StopReason::Overturned;
         }
         result.uplift_m = self.base_width_m * result.peak_rotation_rad.sin();
-        let rises = self.edges.iter().zip(result.sides).map(|(e, side)| e.pivot.largest_rise_m(side.peak_rotation_rad));
+        let rises = self
+            .edges
+            .iter()
+            .zip(result.sides)
+            .map(|(e, side)| e.pivot.largest_rise_m(side.peak_rotation_rad));
         result.cg_rise_m = rises.fold(0.0, f64::max);
         result
     }
@@ -611,7 +788,11 @@ pub(super) fn reaches(series: &[f64], limit: f64) -> Option<f64> {
     let gap = &below(series, limit)[..series.len()];
     // A block that has just left the wall is on it: a root that does not count.
     let lead = gap.iter().position(|&c| c != 0.0)?;
-    if gap[lead] > 0.0 { first_root(&gap[lead..]) } else { Some(0.0) }
+    if gap[lead] > 0.0 {
+        first_root(&gap[lead..])
+    } else {
+        Some(0.0)
+    }
 }
 
 /// The series of limit − y.

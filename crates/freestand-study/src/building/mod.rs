@@ -4,7 +4,9 @@ mod words;
 
 use std::path::{Path, PathBuf};
 
-use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model};
+use freestand::building::{
+    Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model,
+};
 use freestand::code_spectrum::PeriodCode;
 
 use freestand_input::file::InputFile;
@@ -111,7 +113,10 @@ pub struct BuildingInput {
 impl BuildingInput {
     /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
     pub fn tail_s(&self) -> f64 {
-        self.across.as_ref().map_or(0.0, Building::tail_s).max(self.along.tail_s())
+        self.across
+            .as_ref()
+            .map_or(0.0, Building::tail_s)
+            .max(self.along.tail_s())
     }
 }
 
@@ -122,14 +127,24 @@ impl BuildingInput {
 /// possible building.
 pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
     match &request.model {
-        AxisModel::Beam { period_s, shear_flexure_ratio } => {
+        AxisModel::Beam {
+            period_s,
+            shear_flexure_ratio,
+        } => {
             let modes = request.modes.unwrap_or(DEFAULT_MODES);
             let building = Building::beam(*period_s, 0.0, *shear_flexure_ratio, modes)
                 .and_then(|building| building.with_damping(&request.damping))
                 .map_err(|error| refused(&error))?;
-            Ok(Axis { building, height_m: None, table: None, warnings: Vec::new() })
+            Ok(Axis {
+                building,
+                height_m: None,
+                table: None,
+                warnings: Vec::new(),
+            })
         }
-        AxisModel::StoreyTable(path) => storeys(path, request).map_err(|problem| problem.in_file(path)),
+        AxisModel::StoreyTable(path) => {
+            storeys(path, request).map_err(|problem| problem.in_file(path))
+        }
         AxisModel::ModeTable(path) => modes(path, request).map_err(|problem| problem.in_file(path)),
     }
 }
@@ -137,11 +152,14 @@ pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
 fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     let text = load_table(path)?;
     let table = read_storeys(&text)?;
-    let modes = request.modes.unwrap_or_else(|| table.storeys.len().clamp(1, DEFAULT_MODES));
-    let building = Building::shear(&table.storeys, &request.damping, modes).map_err(|error| match error {
-        BuildingError::Storey { storey, .. } => at_row(refused(&error), &table.lines, storey),
-        _ => refused(&error),
-    })?;
+    let modes = request
+        .modes
+        .unwrap_or_else(|| table.storeys.len().clamp(1, DEFAULT_MODES));
+    let building =
+        Building::shear(&table.storeys, &request.damping, modes).map_err(|error| match error {
+            BuildingError::Storey { storey, .. } => at_row(refused(&error), &table.lines, storey),
+            _ => refused(&error),
+        })?;
     let heights_m: Vec<f64> = table.storeys.iter().map(|storey| storey.height_m).collect();
     let warnings = look_like_elevations(&heights_m).then(|| {
         format!(
@@ -154,7 +172,12 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     Ok(Axis {
         building,
         height_m: Some(heights_m.iter().sum()),
-        table: Some(BuildingTable { key: "storey_table", file, text, states_damping: false }),
+        table: Some(BuildingTable {
+            key: "storey_table",
+            file,
+            text,
+            states_damping: false,
+        }),
         warnings: warnings.into_iter().collect(),
     })
 }
@@ -164,48 +187,77 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
 /// lowest.
 fn look_like_elevations(heights_m: &[f64]) -> bool {
     let steps_m: Vec<f64> = heights_m.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let (Some(&first), true) = (steps_m.first(), heights_m.len() >= 3) else { return false };
+    let (Some(&first), true) = (steps_m.first(), heights_m.len() >= 3) else {
+        return false;
+    };
     let least_m = heights_m.iter().copied().fold(f64::INFINITY, f64::min);
     let sizes = || steps_m.iter().map(|step| step.abs());
-    let (smallest_m, largest_m) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+    let (smallest_m, largest_m) = (
+        sizes().fold(f64::INFINITY, f64::min),
+        sizes().fold(0.0, f64::max),
+    );
     steps_m.iter().all(|step| step.signum() == first.signum())
         && largest_m <= 2.0 * smallest_m
         && smallest_m >= least_m / 3.0
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    path.file_name()
+        .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
 fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     let text = load_table(path)?;
     let mut table = read_modes(&text)?;
-    for ratio in table.modes.iter_mut().filter_map(|mode| mode.effective_mass_ratio.as_mut()) {
+    for ratio in table
+        .modes
+        .iter_mut()
+        .filter_map(|mode| mode.effective_mass_ratio.as_mut())
+    {
         // Ratios in tables have few digits: a ratio just above 1 is a rounded 1.
         if *ratio > 1.0 && *ratio <= LARGEST_ROUNDED_RATIO {
             *ratio = 1.0;
         }
     }
     let roof_m = table.heights_m.last().copied().unwrap_or(1.0);
-    let levels_ratio: Vec<f64> = table.heights_m.iter().map(|height_m| height_m / roof_m).collect();
+    let levels_ratio: Vec<f64> = table
+        .heights_m
+        .iter()
+        .map(|height_m| height_m / roof_m)
+        .collect();
     let building =
-        Building::from_modes(&levels_ratio, &table.modes, &request.damping).map_err(|error| match error {
-            BuildingError::ModeValue { mode, .. } => at_row(refused(&error), &table.lines, mode),
-            BuildingError::ModeDamping { mode, .. } if table.modes.iter().any(|m| m.damping_ratio.is_some()) => {
-                at_row(refused(&error), &table.lines, mode)
+        Building::from_modes(&levels_ratio, &table.modes, &request.damping).map_err(|error| {
+            match error {
+                BuildingError::ModeValue { mode, .. } => {
+                    at_row(refused(&error), &table.lines, mode)
+                }
+                BuildingError::ModeDamping { mode, .. }
+                    if table.modes.iter().any(|m| m.damping_ratio.is_some()) =>
+                {
+                    at_row(refused(&error), &table.lines, mode)
+                }
+                BuildingError::Modes { at_most, .. } => refused(&error).hint(format!(
+                    "delete the modes with the least mass until {at_most} are left"
+                )),
+                _ => refused(&error),
             }
-            BuildingError::Modes { at_most, .. } => {
-                refused(&error).hint(format!("delete the modes with the least mass until {at_most} are left"))
-            }
-            _ => refused(&error),
         })?;
     let name = file_name(path);
     let states_damping = table.modes.iter().all(|mode| mode.damping_ratio.is_some());
-    let warnings = building.doubts().into_iter().map(|doubt| format!("{name}: {}", doubt_words(doubt))).collect();
+    let warnings = building
+        .doubts()
+        .into_iter()
+        .map(|doubt| format!("{name}: {}", doubt_words(doubt)))
+        .collect();
     Ok(Axis {
         building,
         height_m: Some(roof_m),
-        table: Some(BuildingTable { key: "mode_table", file: InputFile::new(path, &text), text, states_damping }),
+        table: Some(BuildingTable {
+            key: "mode_table",
+            file: InputFile::new(path, &text),
+            text,
+            states_damping,
+        }),
         warnings,
     })
 }
@@ -219,20 +271,27 @@ fn at_row(problem: Problem, lines: &[usize], row: usize) -> Problem {
 
 fn refused(error: &BuildingError) -> Problem {
     let hint = match error {
-        BuildingError::Period { .. } => "check the period, or the units of mass and stiffness in the table",
-        BuildingError::RayleighModes { .. } => "give two modes, such as `rayleigh_modes = \"1, 3\"`",
+        BuildingError::Period { .. } => {
+            "check the period, or the units of mass and stiffness in the table"
+        }
+        BuildingError::RayleighModes { .. } => {
+            "give two modes, such as `rayleigh_modes = \"1, 3\"`"
+        }
         BuildingError::ModeDamping { .. } => {
             "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep \
              fewer modes, or give a higher second mode"
         }
-        BuildingError::ModeValue { quantity: ModeQuantity::EffectiveMass, .. } => {
-            "shares in percent need the heading \"effective mass [%]\""
-        }
+        BuildingError::ModeValue {
+            quantity: ModeQuantity::EffectiveMass,
+            ..
+        } => "shares in percent need the heading \"effective mass [%]\"",
         BuildingError::RoofShare { .. } => {
             "take participation factors and shapes from one export, in the same units, normalisation and direction"
         }
         BuildingError::Storeys { .. } => "combine storeys, or use the modes of your own model",
-        BuildingError::Modes { .. } => "a building has no more modes than storeys, and only the first few matter",
+        BuildingError::Modes { .. } => {
+            "a building has no more modes than storeys, and only the first few matter"
+        }
         _ => "correct the value",
     };
     Problem::value(error.to_string(), hint)
@@ -260,12 +319,17 @@ fn doubt_words(doubt: ModalDoubt) -> String {
 /// The kind of building, in words.
 pub fn model_words(building: &Building) -> String {
     match building.model() {
-        Model::Beam { shear_flexure_ratio } => format!(
+        Model::Beam {
+            shear_flexure_ratio,
+        } => format!(
             "uniform shear-flexure beam (Miranda and Taghavi 2005), α₀ = H√(GA/EI) = {}",
             number(shear_flexure_ratio, 4)
         ),
         Model::Shear { storeys } => {
-            format!("shear building of {} with given masses and stiffnesses", counted(storeys, "storey"))
+            format!(
+                "shear building of {} with given masses and stiffnesses",
+                counted(storeys, "storey")
+            )
         }
         Model::Table { floors } => format!("modes of a table with {}", counted(floors, "floor")),
     }
@@ -298,7 +362,11 @@ mod tests {
     use super::*;
 
     fn request(model: AxisModel) -> AxisRequest {
-        AxisRequest { model, damping: Damping::Uniform(0.05), modes: None }
+        AxisRequest {
+            model,
+            damping: Damping::Uniform(0.05),
+            modes: None,
+        }
     }
 
     fn file(text: &str) -> (tempfile::TempDir, PathBuf) {
@@ -340,9 +408,16 @@ mod tests {
         ];
         for (text, storeys, said) in cases {
             let (_folder, path) = file(text);
-            let model = if storeys { AxisModel::StoreyTable(path) } else { AxisModel::ModeTable(path) };
+            let model = if storeys {
+                AxisModel::StoreyTable(path)
+            } else {
+                AxisModel::ModeTable(path)
+            };
             let problem = axis(&request(model)).unwrap_err();
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{problem}");
+            assert!(
+                problem.to_string().contains(said) && problem.hint.is_some(),
+                "{problem}"
+            );
         }
     }
 
@@ -350,10 +425,13 @@ mod tests {
     fn doubtful_modes_are_said() {
         let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1.9,78,1\n");
         let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
-        let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
+        let [mass, roof] = axis.warnings.as_slice() else {
+            panic!("{:?}", axis.warnings)
+        };
         assert!(
-            mass.contains("tower.csv: the effective masses of the modes add up to 78.0 % of the mass")
-                && roof.contains("adds up to 1.9 at")
+            mass.contains(
+                "tower.csv: the effective masses of the modes add up to 78.0 % of the mass"
+            ) && roof.contains("adds up to 1.9 at")
         );
     }
 
@@ -363,15 +441,21 @@ mod tests {
         for factor in [1300.0, 30.6, 3.1, 0.2, -1.3] {
             let (_folder, path) = file(&format!("period [s],participation,3 m\n1,{factor},1\n"));
             let problem = axis(&request(AxisModel::ModeTable(path))).unwrap_err();
-            assert!(problem.hint.is_some() && problem.to_string().contains("at the roof"), "{problem}");
+            assert!(
+                problem.hint.is_some() && problem.to_string().contains("at the roof"),
+                "{problem}"
+            );
         }
     }
 
     #[test]
     fn a_mass_above_one_by_rounding_is_one() {
         let of = |mass: &str| {
-            let (_folder, path) = file(&format!("period [s],participation,effective mass,3 m\n1,1,{mass},1\n"));
-            axis(&request(AxisModel::ModeTable(path))).map(|axis| axis.building.modes()[0].effective_mass_ratio())
+            let (_folder, path) = file(&format!(
+                "period [s],participation,effective mass,3 m\n1,1,{mass},1\n"
+            ));
+            axis(&request(AxisModel::ModeTable(path)))
+                .map(|axis| axis.building.modes()[0].effective_mass_ratio())
         };
         assert_eq!((of("1.0005"), of("1.01")), (Ok(Some(1.0)), Ok(Some(1.0))));
         assert!(of("1.011").is_err());
@@ -379,10 +463,18 @@ mod tests {
 
     #[test]
     fn too_many_modes_are_not_too_few_storeys() {
-        let rows: String = (1..=51).map(|i| format!("{},0.02,1\n", 1.0 / f64::from(i))).collect();
+        let rows: String = (1..=51)
+            .map(|i| format!("{},0.02,1\n", 1.0 / f64::from(i)))
+            .collect();
         let (_folder, path) = file(&format!("period [s],participation,3 m\n{rows}"));
-        let hint = axis(&request(AxisModel::ModeTable(path))).unwrap_err().hint.unwrap();
-        assert_eq!(hint, "delete the modes with the least mass until 50 are left");
+        let hint = axis(&request(AxisModel::ModeTable(path)))
+            .unwrap_err()
+            .hint
+            .unwrap();
+        assert_eq!(
+            hint,
+            "delete the modes with the least mass until 50 are left"
+        );
     }
 
     #[test]
@@ -390,18 +482,38 @@ mod tests {
         let said = |heights: &[f64]| {
             let rows: String = heights.iter().map(|h| format!("{h},100,100\n")).collect();
             let (_folder, path) = file(&format!("height [m],mass [t],stiffness [kN/mm]\n{rows}"));
-            axis(&request(AxisModel::StoreyTable(path))).unwrap().warnings.len()
+            axis(&request(AxisModel::StoreyTable(path)))
+                .unwrap()
+                .warnings
+                .len()
         };
-        for elevations in [&[4.0, 7.2, 10.4, 13.6][..], &[3.0, 6.0, 9.0], &[10.4, 7.2, 4.0], &[6.0, 8.8, 11.5]] {
+        for elevations in [
+            &[4.0, 7.2, 10.4, 13.6][..],
+            &[3.0, 6.0, 9.0],
+            &[10.4, 7.2, 4.0],
+            &[6.0, 8.8, 11.5],
+        ] {
             assert_eq!(said(elevations), 1, "{elevations:?}");
         }
         // A tall entrance, storeys that grow or shrink, two rows alone.
-        for heights in [&[4.0, 3.2, 3.2][..], &[6.0, 3.0, 2.8], &[3.0, 3.2, 3.4], &[2.8, 3.2, 4.0], &[3.0, 6.0]] {
+        for heights in [
+            &[4.0, 3.2, 3.2][..],
+            &[6.0, 3.0, 2.8],
+            &[3.0, 3.2, 3.4],
+            &[2.8, 3.2, 4.0],
+            &[3.0, 6.0],
+        ] {
             assert_eq!(said(heights), 0, "{heights:?}");
         }
-        let (_folder, path) = file("elevation [m],mass [t],stiffness [kN/mm]\n4,100,100\n7,100,100\n");
+        let (_folder, path) =
+            file("elevation [m],mass [t],stiffness [kN/mm]\n4,100,100\n7,100,100\n");
         let problem = axis(&request(AxisModel::StoreyTable(path))).unwrap_err();
-        assert!(problem.to_string().contains("tower.csv:1: the column \"elevation\""), "{problem}");
+        assert!(
+            problem
+                .to_string()
+                .contains("tower.csv:1: the column \"elevation\""),
+            "{problem}"
+        );
     }
 
     /// With any byte of a table changed, it is read or refused, without a panic or a number that is
@@ -410,8 +522,14 @@ mod tests {
     fn no_byte_of_a_table_brings_it_down() {
         let (folder, path) = file("");
         let tables = [
-            ("storey,height [m],mass [t],stiffness [kN/mm]\n1,3,1e2,9e1\n2,3,80,9e-1\n", true),
-            ("mode,period [s],participation,damping [%],3 m,6 m\n1,0.8,1.2,5,0.6,1e0\n2,0.3,-0.2,,-1.1,1\n", false),
+            (
+                "storey,height [m],mass [t],stiffness [kN/mm]\n1,3,1e2,9e1\n2,3,80,9e-1\n",
+                true,
+            ),
+            (
+                "mode,period [s],participation,damping [%],3 m,6 m\n1,0.8,1.2,5,0.6,1e0\n2,0.3,-0.2,,-1.1,1\n",
+                false,
+            ),
         ];
         for (text, storeys) in tables {
             for at in 0..text.len() {
@@ -420,10 +538,21 @@ mod tests {
                     bytes[at] = byte;
                     std::fs::write(&path, bytes).unwrap();
                     let path = path.clone();
-                    let model = if storeys { AxisModel::StoreyTable(path) } else { AxisModel::ModeTable(path) };
+                    let model = if storeys {
+                        AxisModel::StoreyTable(path)
+                    } else {
+                        AxisModel::ModeTable(path)
+                    };
                     if let Ok(axis) = axis(&request(model)) {
-                        let shares = axis.building.modes().iter().map(|mode| mode.share_ratio(1.0));
-                        assert!(shares.chain(axis.height_m).all(f64::is_finite), "{at} {byte}");
+                        let shares = axis
+                            .building
+                            .modes()
+                            .iter()
+                            .map(|mode| mode.share_ratio(1.0));
+                        assert!(
+                            shares.chain(axis.height_m).all(f64::is_finite),
+                            "{at} {byte}"
+                        );
                     }
                 }
             }

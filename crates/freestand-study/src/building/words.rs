@@ -10,8 +10,8 @@ use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::word_reader::WordReader;
 
 use super::{
-    Axis, AxisModel, AxisRequest, BuildingInput, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO,
-    DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
+    Axis, AxisModel, AxisRequest, BuildingInput, DEFAULT_DAMPING_RATIO,
+    DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
 };
 
 /// Largest number of storeys.
@@ -30,12 +30,22 @@ const AXIS_KEYS: [[&str; 2]; 8] = [
 ];
 
 /// Keys that a table replaces; the last four are not keys of an axis.
-const REPLACED_BY_TABLES: [&str; 7] =
-    ["period", "frame", "shear_flexure", "storeys", "storey_height", "height", "period_code"];
+const REPLACED_BY_TABLES: [&str; 7] = [
+    "period",
+    "frame",
+    "shear_flexure",
+    "storeys",
+    "storey_height",
+    "height",
+    "period_code",
+];
 
 /// The name of a key for the first axis (0) or the second (1).
 pub(crate) fn axis_key(key: &'static str, axis: usize) -> &'static str {
-    AXIS_KEYS.iter().find(|names| names[0] == key).map_or(key, |names| names[axis])
+    AXIS_KEYS
+        .iter()
+        .find(|names| names[0] == key)
+        .map_or(key, |names| names[axis])
 }
 
 /// The building that words describe; paths are relative to `base_dir`. Keys of the second axis begin
@@ -45,18 +55,36 @@ pub(crate) fn axis_key(key: &'static str, axis: usize) -> &'static str {
 ///
 /// # Errors
 /// Everything that is wrong with the values and the tables, each problem with its keys.
-pub fn resolve(words: &Words, base_dir: &Path, code: Option<PeriodCode>) -> Result<BuildingInput, Problems> {
+pub fn resolve(
+    words: &Words,
+    base_dir: &Path,
+    code: Option<PeriodCode>,
+) -> Result<BuildingInput, Problems> {
     let mut reader = WordReader::new(words);
     let building = building(&mut reader, base_dir, code);
     reader.problems.finish(building)
 }
 
-fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) -> Option<BuildingInput> {
-    let Storeys { count: storeys, each_m: storey_height_m, height_m: stated_m } = storeys(reader);
-    let named = reader.one_of("period_code", &PeriodCode::ALL.map(|code| (code.name(), code)));
+fn building(
+    reader: &mut WordReader,
+    base_dir: &Path,
+    code: Option<PeriodCode>,
+) -> Option<BuildingInput> {
+    let Storeys {
+        count: storeys,
+        each_m: storey_height_m,
+        height_m: stated_m,
+    } = storeys(reader);
+    let named = reader.one_of(
+        "period_code",
+        &PeriodCode::ALL.map(|code| (code.name(), code)),
+    );
     let code = named.or(code).unwrap_or_default();
     let along = AxisWords::read(reader, 0, base_dir);
-    let has_across = reader.words.entries().any(|(key, _)| key.starts_with("across"));
+    let has_across = reader
+        .words
+        .entries()
+        .any(|(key, _)| key.starts_with("across"));
     let across = has_across.then(|| AxisWords::read(reader, 1, base_dir).inheriting(&along));
     if !reader.problems.is_empty() {
         // Values that were refused above would be refused again.
@@ -68,22 +96,40 @@ fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) 
     let has_formula = |axis: &AxisWords| axis.table.is_none() && axis.period_s.is_none();
     let has_formula = has_formula(&along) || across.as_ref().is_some_and(has_formula);
     let first = along.resolve(reader, 0, height_m, code);
-    if let Some((Axis { height_m: Some(stated_m), building, .. }, _)) = &first {
+    if let Some((
+        Axis {
+            height_m: Some(stated_m),
+            building,
+            ..
+        },
+        _,
+    )) = &first
+    {
         (storeys, height_m) = (building.floors_ratio().len(), *stated_m);
     }
     // Resolved even if the first is wrong, so that the problems of both are reported at once.
     let second = across.map(|across| across.resolve(reader, 1, height_m, code));
     let states_damping = |axis: Option<&(Axis, String)>| {
-        axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping))
+        axis.is_some_and(|(axis, _)| {
+            axis.table
+                .as_ref()
+                .is_some_and(|table| table.states_damping)
+        })
     };
     let second_states = states_damping(second.as_ref().and_then(Option::as_ref));
     for key in ["damping", "rayleigh_modes"] {
         let own = axis_key(key, 1);
         let is_inherited = second.is_some() && !second_states && !reader.has(own);
-        for (key, is_unused) in [(key, states_damping(first.as_ref()) && !is_inherited), (own, second_states)] {
+        for (key, is_unused) in [
+            (key, states_damping(first.as_ref()) && !is_inherited),
+            (own, second_states),
+        ] {
             if is_unused && reader.has(key) {
-                let message = format!("`{key}` is not used: the table states the damping of every mode");
-                let hint = format!("leave `{key}` out, or clear the damping of the modes that it is meant for");
+                let message =
+                    format!("`{key}` is not used: the table states the damping of every mode");
+                let hint = format!(
+                    "leave `{key}` out, or clear the damping of the modes that it is meant for"
+                );
                 reader.note(&[key], message, hint);
             }
         }
@@ -96,15 +142,25 @@ fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) 
     if let Some(other_m) = second.as_ref().and_then(|axis| axis.height_m)
         && (other_m - height_m).abs() > 1e-3 * height_m
     {
-        let [there, here] = [other_m, height_m].map(|height_m| format_si(height_m, Dimension::Length));
-        let message = format!("the building is {there} high across, but {here} high along its first axis");
-        reader.note(&["across"], message, "give both axes the same height: levels are shares of it");
+        let [there, here] =
+            [other_m, height_m].map(|height_m| format_si(height_m, Dimension::Length));
+        let message =
+            format!("the building is {there} high across, but {here} high along its first axis");
+        reader.note(
+            &["across"],
+            message,
+            "give both axes the same height: levels are shares of it",
+        );
         return None;
     }
     let mut tables = Vec::from_iter(first.table.map(|table| (false, table)));
     let mut warnings = first.warnings;
-    if let Some(greatest_m) = code.greatest_height_m().filter(|greatest_m| has_formula && height_m > *greatest_m) {
-        let [height, greatest] = [height_m, greatest_m].map(|height_m| format_si(height_m, Dimension::Length));
+    if let Some(greatest_m) = code
+        .greatest_height_m()
+        .filter(|greatest_m| has_formula && height_m > *greatest_m)
+    {
+        let [height, greatest] =
+            [height_m, greatest_m].map(|height_m| format_si(height_m, Dimension::Length));
         warnings.push(format!(
             "the period is by {}, which is for buildings up to {greatest}; this one is {height} high: give its period",
             code.clause()
@@ -118,7 +174,10 @@ fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) 
     }
     if let Some(axis) = &second {
         // A table that the second axis inherits is listed once, with the first.
-        let own = axis.table.clone().filter(|table| reader.has(axis_key(table.key, 1)));
+        let own = axis
+            .table
+            .clone()
+            .filter(|table| reader.has(axis_key(table.key, 1)));
         tables.extend(own.map(|table| (true, table)));
         warnings.extend(axis.warnings.clone());
     }
@@ -152,12 +211,22 @@ struct AxisWords {
 impl AxisWords {
     fn read(reader: &mut WordReader, axis: usize, base_dir: &Path) -> Self {
         let key = |name| axis_key(name, axis);
-        let replaced = if axis == 0 { &REPLACED_BY_TABLES[..] } else { &REPLACED_BY_TABLES[..3] };
-        for (first, second) in [("period", "frame"), ("storey_table", "mode_table"), ("modes", "mode_table")] {
+        let replaced = if axis == 0 {
+            &REPLACED_BY_TABLES[..]
+        } else {
+            &REPLACED_BY_TABLES[..3]
+        };
+        for (first, second) in [
+            ("period", "frame"),
+            ("storey_table", "mode_table"),
+            ("modes", "mode_table"),
+        ] {
             reader.exclusive(key(first), key(second));
         }
         for table in ["storey_table", "mode_table"] {
-            replaced.iter().for_each(|name| reader.exclusive(key(table), key(name)));
+            replaced
+                .iter()
+                .for_each(|name| reader.exclusive(key(table), key(name)));
         }
         let path = |name| reader.words.get(key(name)).map(|file| base_dir.join(file));
         let table = path("storey_table").map(AxisModel::StoreyTable);
@@ -165,7 +234,10 @@ impl AxisWords {
         let below_one = ["from 0 to below 1", "from 0 to below 1"];
         Self {
             table,
-            frame: reader.one_of(key("frame"), &FrameKind::ALL.map(|kind| (kind.name(), kind))),
+            frame: reader.one_of(
+                key("frame"),
+                &FrameKind::ALL.map(|kind| (kind.name(), kind)),
+            ),
             period_s: reader.positive(key("period"), Dimension::Time),
             shear_flexure_ratio: reader.non_negative(key("shear_flexure"), Dimension::Ratio),
             modes: whole(reader, key("modes"), MAX_MODES as u32).map(|modes| modes as usize),
@@ -198,19 +270,28 @@ impl AxisWords {
     }
 
     /// The axis, and the source of its period.
-    fn resolve(self, reader: &mut WordReader, axis: usize, height_m: f64, code: PeriodCode) -> Option<(Axis, String)> {
+    fn resolve(
+        self,
+        reader: &mut WordReader,
+        axis: usize,
+        height_m: f64,
+        code: PeriodCode,
+    ) -> Option<(Axis, String)> {
         let (model, name, note) = match (self.table, self.period_s) {
-            (Some(table @ AxisModel::StoreyTable(_)), _) => {
-                (table, "storey_table", "from the storeys of the table".to_owned())
-            }
+            (Some(table @ AxisModel::StoreyTable(_)), _) => (
+                table,
+                "storey_table",
+                "from the storeys of the table".to_owned(),
+            ),
             (Some(table), _) => (table, "mode_table", "from the table".to_owned()),
             (None, given) => {
                 let kind = self.frame.unwrap_or(FrameKind::Other);
-                let (formula, height) = (code.formula(kind), format_si(height_m, Dimension::Length));
+                let (formula, height) =
+                    (code.formula(kind), format_si(height_m, Dimension::Length));
                 let by_code = || {
-                    formula
-                        .period_s(height_m)
-                        .map_err(|error| Problem::value(error.to_string(), "give `period`, or another height"))
+                    formula.period_s(height_m).map_err(|error| {
+                        Problem::value(error.to_string(), "give `period`, or another height")
+                    })
                 };
                 let period_s = given.or_else(|| reader.keep("storey_height", by_code()))?;
                 let note = given.map_or_else(
@@ -220,20 +301,44 @@ impl AxisWords {
                     },
                     |_| "as given".to_owned(),
                 );
-                let shear_flexure_ratio = self.shear_flexure_ratio.unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
-                let name = if self.rayleigh_modes.is_some() { "rayleigh_modes" } else { "period" };
-                (AxisModel::Beam { period_s, shear_flexure_ratio }, name, note)
+                let shear_flexure_ratio = self
+                    .shear_flexure_ratio
+                    .unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
+                let name = if self.rayleigh_modes.is_some() {
+                    "rayleigh_modes"
+                } else {
+                    "period"
+                };
+                (
+                    AxisModel::Beam {
+                        period_s,
+                        shear_flexure_ratio,
+                    },
+                    name,
+                    note,
+                )
             }
         };
         let damping_ratio = self.damping_ratio.unwrap_or(DEFAULT_DAMPING_RATIO);
         let damping = match self.rayleigh_modes {
             None => Damping::Uniform(damping_ratio),
-            Some(modes) => Damping::Rayleigh { damping_ratio, modes },
+            Some(modes) => Damping::Rayleigh {
+                damping_ratio,
+                modes,
+            },
         };
         // A value that is inherited has the key of the first axis.
-        let key = Some(axis_key(name, axis)).filter(|key| reader.has(key)).unwrap_or(name);
-        let found = super::axis(&AxisRequest { model, damping, modes: self.modes });
-        let found = reader.problems.keep(found.map_err(|problem| problem.of(&[key])))?;
+        let key = Some(axis_key(name, axis))
+            .filter(|key| reader.has(key))
+            .unwrap_or(name);
+        let found = super::axis(&AxisRequest {
+            model,
+            damping,
+            modes: self.modes,
+        });
+        let found = reader
+            .problems
+            .keep(found.map_err(|problem| problem.of(&[key])))?;
         Some((found, note))
     }
 }
@@ -256,18 +361,29 @@ fn storeys(reader: &mut WordReader) -> Storeys {
         "storey_height",
         Dimension::Length,
         |each_m| STOREY_M.contains(&each_m),
-        ["a height between 1 and 30 m", "such as \"3.2 m\", from floor to floor"],
+        [
+            "a height between 1 and 30 m",
+            "such as \"3.2 m\", from floor to floor",
+        ],
     );
     let Some(height_m) = reader.positive("height", Dimension::Length) else {
         let count = count.unwrap_or(DEFAULT_STOREYS);
-        return Storeys { count, each_m: each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M), height_m: None };
+        return Storeys {
+            count,
+            each_m: each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M),
+            height_m: None,
+        };
     };
     if count.is_some() {
         reader.exclusive("height", "storey_height");
     }
     let by_height = || (height_m / each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M)).round();
     let count = count.unwrap_or_else(|| by_height().clamp(1.0, f64::from(MAX_STOREYS)) as u32);
-    Storeys { count, each_m: height_m / f64::from(count), height_m: Some(height_m) }
+    Storeys {
+        count,
+        each_m: height_m / f64::from(count),
+        height_m: Some(height_m),
+    }
 }
 
 /// A whole number from 1 to `most`.
@@ -277,18 +393,27 @@ fn whole(reader: &mut WordReader, key: &'static str, most: u32) -> Option<u32> {
         return Some(number);
     }
     let expected = format!("a whole number from 1 to {most}");
-    reader.note(&[key], format!("`{key}` must be {expected}, not {number}"), format!("give `{key}` as {expected}"));
+    reader.note(
+        &[key],
+        format!("`{key}` must be {expected}, not {number}"),
+        format!("give `{key}` as {expected}"),
+    );
     None
 }
 
 /// Two mode numbers, such as "1, 3".
 fn two_modes(reader: &mut WordReader, key: &'static str) -> Option<[usize; 2]> {
     let text = reader.words.get(key)?;
-    let modes = text.split_once(',').map(|(one, other)| (one.trim().parse(), other.trim().parse()));
+    let modes = text
+        .split_once(',')
+        .map(|(one, other)| (one.trim().parse(), other.trim().parse()));
     if let Some((Ok(one), Ok(other))) = modes {
         return Some([one, other]);
     }
-    let message = format!("`{key}` must be two mode numbers, not \"{}\"", shorten(text));
+    let message = format!(
+        "`{key}` must be two mode numbers, not \"{}\"",
+        shorten(text)
+    );
     reader.note(&[key], message, format!("write `{key} = \"1, 3\"`"));
     None
 }

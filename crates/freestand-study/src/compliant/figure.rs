@@ -29,41 +29,88 @@ const SHOWN_AFTER: f64 = 14.0;
 /// The first impact of a sampled history, or all of the history if there was no impact.
 fn trace_page(report: &CompliantReport) -> Page {
     let (rocking, base) = (&report.rocking, &report.base);
-    let (from, to) = rocking.touches.first().map_or((0.0, rocking.end_time_s), |first| {
-        let contact_s = first.end_time_s.unwrap_or(rocking.end_time_s) - first.time_s;
-        let from = (first.time_s - SHOWN_BEFORE * contact_s).max(0.0);
-        (from, (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_time_s))
-    });
+    let (from, to) = rocking
+        .touches
+        .first()
+        .map_or((0.0, rocking.end_time_s), |first| {
+            let contact_s = first.end_time_s.unwrap_or(rocking.end_time_s) - first.time_s;
+            let from = (first.time_s - SHOWN_BEFORE * contact_s).max(0.0);
+            (
+                from,
+                (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_time_s),
+            )
+        });
     let paper_g = report.facts.number("edge_acceleration_paper_g");
     let within = |p: &&CompliantPoint| (from..=to).contains(&p.time_s);
     let curve = |value: &dyn Fn(&CompliantPoint) -> f64| {
-        thin(report.history.iter().filter(within).map(|p| (p.time_s, value(p))), from, to)
+        thin(
+            report
+                .history
+                .iter()
+                .filter(within)
+                .map(|p| (p.time_s, value(p))),
+            from,
+            to,
+        )
     };
     let edges = [0, 1].map(|edge| curve(&|p| p.edge_accelerations_m_s2[edge] / G0_M_S2));
     let under = |forces: Option<&(f64, f64)>| forces.map_or(0.0, |f| 1e-3 * f.1);
-    let forces = [curve(&|p| under(p.contact_forces_n.first())), curve(&|p| under(p.contact_forces_n.last()))];
+    let forces = [
+        curve(&|p| under(p.contact_forces_n.first())),
+        curve(&|p| under(p.contact_forces_n.last())),
+    ];
     let rotation = curve(&|p| p.theta_rad.to_degrees());
-    let mut first = panel(&edges, paper_g, "Edge acceleration (g)", time_axis(from, to), false);
+    let mut first = panel(
+        &edges,
+        paper_g,
+        "Edge acceleration (g)",
+        time_axis(from, to),
+        false,
+    );
     let mut legend = vec![
         Entry {
-            sign: Sign::Line { colour: curve_style(0).colour, width_px: WIDTHS_PX[0], dash: None },
+            sign: Sign::Line {
+                colour: curve_style(0).colour,
+                width_px: WIDTHS_PX[0],
+                dash: None,
+            },
             words: "left edge".into(),
         },
         Entry {
-            sign: Sign::Line { colour: curve_style(1).colour, width_px: WIDTHS_PX[1], dash: None },
+            sign: Sign::Line {
+                colour: curve_style(1).colour,
+                width_px: WIDTHS_PX[1],
+                dash: None,
+            },
             words: "right edge".into(),
         },
     ];
     if let Some(paper_g) = paper_g {
-        let mark = ReferenceLine::horizontal(paper_g).with_color(DARK).with_stroke_width(1.2).with_dasharray("2 4");
+        let mark = ReferenceLine::horizontal(paper_g)
+            .with_color(DARK)
+            .with_stroke_width(1.2)
+            .with_dasharray("2 4");
         first.layout = first.layout.with_reference_line(mark);
-        let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some("2 4") };
-        legend.push(Entry { sign, words: format!("Eq. (5): {} g", number(paper_g, 4)) });
+        let sign = Sign::Line {
+            colour: DARK,
+            width_px: 1.2,
+            dash: Some("2 4"),
+        };
+        legend.push(Entry {
+            sign,
+            words: format!("Eq. (5): {} g", number(paper_g, 4)),
+        });
     }
     let panels = vec![
         first,
         panel(&forces, None, "Force (kN)", time_axis(from, to), false),
-        panel(std::slice::from_ref(&rotation), None, "Rotation (deg)", time_axis(from, to), true),
+        panel(
+            std::slice::from_ref(&rotation),
+            None,
+            "Rotation (deg)",
+            time_axis(from, to),
+            true,
+        ),
     ];
     let caption = format!(
         "{} kg on cushions ({}, tangential stiffness {} times the normal one, {}). Top: vertical acceleration of \
@@ -73,7 +120,10 @@ fn trace_page(report: &CompliantReport) -> Page {
         significant(base.mass_kg, 4),
         base.cushion.law().name(),
         significant(base.tangential_stiffness_ratio, 3),
-        base.friction_ratio.map_or_else(|| "no sliding".to_owned(), |mu| format!("friction {}", significant(mu, 3))),
+        base.friction_ratio.map_or_else(
+            || "no sliding".to_owned(),
+            |mu| format!("friction {}", significant(mu, 3))
+        ),
     );
     Page {
         name: "trace".to_owned(),
@@ -87,22 +137,41 @@ fn trace_page(report: &CompliantReport) -> Page {
 }
 
 /// A panel whose axis includes the value `also` as well as its curves.
-fn panel(curves: &[Vec<(f64, f64)>], also: Option<f64>, label: &str, x: Axis, lowest: bool) -> Panel {
+fn panel(
+    curves: &[Vec<(f64, f64)>],
+    also: Option<f64>,
+    label: &str,
+    x: Axis,
+    lowest: bool,
+) -> Panel {
     let values = || curves.iter().flatten().map(|p| p.1).chain(also);
     let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let step = round_step(((high - low).max(1e-9)) / 4.0);
     let y = Axis {
         from: step * (1.02 * low / step).floor(),
-        to: step * (1.02 * high / step).ceil().max((1.02 * low / step).floor() + 1.0),
+        to: step
+            * (1.02 * high / step)
+                .ceil()
+                .max((1.02 * low / step).floor() + 1.0),
         step: Some(step),
         label: label.into(),
     };
     let plots = curves
         .iter()
         .enumerate()
-        .map(|(index, points)| line(points, curve_style(index).colour, WIDTHS_PX[index % 2], None))
+        .map(|(index, points)| {
+            line(
+                points,
+                curve_style(index).colour,
+                WIDTHS_PX[index % 2],
+                None,
+            )
+        })
         .collect();
-    Panel { plots, layout: stacked(x, y, lowest) }
+    Panel {
+        plots,
+        layout: stacked(x, y, lowest),
+    }
 }
 
 /// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.

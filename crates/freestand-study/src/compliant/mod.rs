@@ -6,8 +6,9 @@ pub use figure::trace_figure;
 use freestand::G0_M_S2;
 use freestand::block::{Block, Pivot};
 use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantPoint, CompliantRecorder,
-    CompliantRocking, Start, Swing, Touch, rock_compliant, rock_compliant_observed,
+    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantPoint,
+    CompliantRecorder, CompliantRocking, Start, Swing, Touch, rock_compliant,
+    rock_compliant_observed,
 };
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
@@ -68,17 +69,32 @@ pub fn start(block: &Block, release: Option<Release>, omega_rad_s: f64) -> Resul
         Some(Release::Rotation(rotation_rad)) => rotation_rad,
         Some(Release::CgRise(rise_m)) => pivot.rotation_at_rise_rad(rise_m).ok_or_else(|| {
             let balance = format_si(pivot.balance_rise_m(), Dimension::Length);
-            let message = format!("`cg_rise` is beyond the balance point, which is at a rise of {balance}");
+            let message =
+                format!("`cg_rise` is beyond the balance point, which is at a rise of {balance}");
             Problem::value(message, "give a smaller rise, or `initial_rotation`")
         })?,
     };
     let is_upright = rotation_rad == 0.0 && omega_rad_s == 0.0;
-    Ok(if is_upright { Start::Rest } else { Start::Tilted { rotation_rad, omega_rad_s } })
+    Ok(if is_upright {
+        Start::Rest
+    } else {
+        Start::Tilted {
+            rotation_rad,
+            omega_rad_s,
+        }
+    })
 }
 
 /// The base with this tangential stiffness of the cushion under one edge \[N/m\].
-pub fn with_tangential_stiffness(base: CompliantBase, stiffness_n_m: f64, gravity_m_s2: f64) -> CompliantBase {
-    CompliantBase { tangential_stiffness_ratio: stiffness_n_m / base.normal_stiffness_n_m(gravity_m_s2), ..base }
+pub fn with_tangential_stiffness(
+    base: CompliantBase,
+    stiffness_n_m: f64,
+    gravity_m_s2: f64,
+) -> CompliantBase {
+    CompliantBase {
+        tangential_stiffness_ratio: stiffness_n_m / base.normal_stiffness_n_m(gravity_m_s2),
+        ..base
+    }
 }
 
 /// What the object did.
@@ -105,29 +121,49 @@ pub struct CompliantReport {
 ///
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
-pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<CompliantReport, Problem> {
-    let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+pub fn rock_on_cushions(
+    request: &CompliantRequest,
+    record: bool,
+) -> Result<CompliantReport, Problem> {
+    let motion = Base {
+        horizontal: request.horizontal.as_ref(),
+        vertical: request.vertical.as_ref(),
+    };
     let mut options = request.options.clone();
     let pivot = pivot_of(&request.block, options.start);
     if motion.horizontal.is_none() && motion.vertical.is_none() && options.duration_s.is_none() {
-        options.duration_s = Some(natural_duration_s(&pivot, options.start, options.gravity_m_s2));
+        options.duration_s = Some(natural_duration_s(
+            &pivot,
+            options.start,
+            options.gravity_m_s2,
+        ));
     }
     let dt_s = sampling_s(request);
     let given = motion.horizontal.or(motion.vertical);
-    let end_s = options.duration_s.unwrap_or_else(|| given.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
+    let end_s = options
+        .duration_s
+        .unwrap_or_else(|| given.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
     if record && end_s / dt_s > MAX_SAMPLES as f64 {
         let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-        return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
+        return Err(Problem::value(
+            message,
+            "give a shorter `duration`, or leave `history` and `out` out",
+        ));
     }
     let (width_m, contacts) = (request.block.base_width_m(), request.base.contacts);
     let mut recorder = CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
-    let rocking = rock_compliant_observed(&request.block, &request.base, motion, &options, |piece| {
-        if record {
-            recorder.observe(piece);
-        }
-    })
-    .map_err(problem)?;
-    let history = if record { recorder.finish(&rocking) } else { Vec::new() };
+    let rocking =
+        rock_compliant_observed(&request.block, &request.base, motion, &options, |piece| {
+            if record {
+                recorder.observe(piece);
+            }
+        })
+        .map_err(problem)?;
+    let history = if record {
+        recorder.finish(&rocking)
+    } else {
+        Vec::new()
+    };
     let is_one = is_one_realisation(request, &options, rocking.outcome);
     let mut report = report(request, rocking, history);
     if is_one {
@@ -144,20 +180,36 @@ const ONE_REALISATION: &str = "one realisation: another outcome follows from a m
 const CHANGE_RATIO: f64 = 1e-4;
 
 /// Whether the outcome is another under a slightly weaker or stronger motion.
-fn is_one_realisation(request: &CompliantRequest, options: &CompliantOptions, outcome: Outcome) -> bool {
+fn is_one_realisation(
+    request: &CompliantRequest,
+    options: &CompliantOptions,
+    outcome: Outcome,
+) -> bool {
     let is_other = |factor: f64| {
-        let scaled = |motion: &Option<Motion>| motion.as_ref().map(|motion| motion.scaled(factor)).transpose();
-        let (Ok(horizontal), Ok(vertical)) = (scaled(&request.horizontal), scaled(&request.vertical)) else {
+        let scaled = |motion: &Option<Motion>| {
+            motion
+                .as_ref()
+                .map(|motion| motion.scaled(factor))
+                .transpose()
+        };
+        let (Ok(horizontal), Ok(vertical)) =
+            (scaled(&request.horizontal), scaled(&request.vertical))
+        else {
             return false;
         };
         if horizontal.is_none() && vertical.is_none() {
             return false;
         }
-        let motion = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
+        let motion = Base {
+            horizontal: horizontal.as_ref(),
+            vertical: vertical.as_ref(),
+        };
         let found = rock_compliant(&request.block, &request.base, motion, options);
         found.map_or(true, |found| found.outcome != outcome)
     };
-    [1.0 - CHANGE_RATIO, 1.0 + CHANGE_RATIO].into_iter().any(is_other)
+    [1.0 - CHANGE_RATIO, 1.0 + CHANGE_RATIO]
+        .into_iter()
+        .any(is_other)
 }
 
 fn pivot_of(block: &Block, start: Start) -> Pivot {
@@ -172,9 +224,13 @@ fn pivot_of(block: &Block, start: Start) -> Pivot {
 fn natural_duration_s(pivot: &Pivot, start: Start, gravity_m_s2: f64) -> f64 {
     let p = pivot.frequency_parameter_rad_s(gravity_m_s2);
     let free = match start {
-        Start::Tilted { rotation_rad, omega_rad_s: 0.0 } => {
+        Start::Tilted {
+            rotation_rad,
+            omega_rad_s: 0.0,
+        } => {
             let share = rotation_rad.abs() / pivot.slenderness_angle_rad;
-            (0.0 < share && share < 1.0).then(|| 2.0 * FREE_SWINGS * (1.0 / (1.0 - share)).acosh() / p)
+            (0.0 < share && share < 1.0)
+                .then(|| 2.0 * FREE_SWINGS * (1.0 / (1.0 - share)).acosh() / p)
         }
         _ => None,
     };
@@ -200,17 +256,29 @@ fn sampling_s(request: &CompliantRequest) -> f64 {
 pub fn damped(mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cushion, Problem> {
     let damping_n_s_m = 2.0 * damping_ratio * (stiffness_n_m * mass_kg).sqrt();
     let law = if damping_ratio > 0.0 {
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        }
     } else {
         ContactLaw::Linear { stiffness_n_m }
     };
-    Cushion::new(law)
-        .map_err(|error| Problem::value(error.to_string(), "check the stiffness and the damping of the cushion"))
+    Cushion::new(law).map_err(|error| {
+        Problem::value(
+            error.to_string(),
+            "check the stiffness and the damping of the cushion",
+        )
+    })
 }
 
 /// Eq. (5) for a rise of the centre of gravity, on any cushion: the landing of m_eff at the edge's
 /// velocity \[m/s²\].
-pub fn paper_edge_acceleration_m_s2(block: &Block, base: &CompliantBase, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
+pub fn paper_edge_acceleration_m_s2(
+    block: &Block,
+    base: &CompliantBase,
+    cg_rise_m: f64,
+    gravity_m_s2: f64,
+) -> f64 {
     let landing = Landing::rocking(block, ImpactModel::Paper);
     landing.edge_acceleration_m_s2(base.mass_kg, &base.cushion, cg_rise_m, gravity_m_s2)
 }
@@ -219,43 +287,83 @@ pub fn paper_edge_acceleration_m_s2(block: &Block, base: &CompliantBase, cg_rise
 fn undamped(base: &CompliantBase) -> CompliantBase {
     let law = match *base.cushion.law() {
         ContactLaw::KelvinVoigt { stiffness_n_m, .. } => ContactLaw::Linear { stiffness_n_m },
-        ContactLaw::HuntCrossley { coefficient_n_mn, exponent, .. } => ContactLaw::Power { coefficient_n_mn, exponent },
+        ContactLaw::HuntCrossley {
+            coefficient_n_mn,
+            exponent,
+            ..
+        } => ContactLaw::Power {
+            coefficient_n_mn,
+            exponent,
+        },
         _ => return base.clone(),
     };
     // The remaining numbers are valid for a cushion.
-    Cushion::new(law).map_or_else(|_| base.clone(), |cushion| CompliantBase { cushion, ..base.clone() })
+    Cushion::new(law).map_or_else(
+        |_| base.clone(),
+        |cushion| CompliantBase {
+            cushion,
+            ..base.clone()
+        },
+    )
 }
 
-fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<CompliantPoint>) -> CompliantReport {
+fn report(
+    request: &CompliantRequest,
+    rocking: CompliantRocking,
+    history: Vec<CompliantPoint>,
+) -> CompliantReport {
     let (block, base, options) = (&request.block, &request.base, &request.options);
     let pivot = block.pivot();
     let alphas = [pivot, block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);
     let is_up = matches!(rocking.outcome, Outcome::Rocked | Outcome::Unresolved);
     let landed = |base: &CompliantBase| {
-        let a = is_up.then(|| paper_edge_acceleration_m_s2(block, base, rocking.cg_rise_m, options.gravity_m_s2));
+        let a = is_up.then(|| {
+            paper_edge_acceleration_m_s2(block, base, rocking.cg_rise_m, options.gravity_m_s2)
+        });
         a.filter(|a| *a > 0.0 && a.is_finite())
     };
     let (paper_m_s2, damped_m_s2) = (landed(&undamped(base)), landed(base));
     let peak_m_s2 = rocking.peak_edge_acceleration_m_s2();
     // Under a motion the first touch is not the one that follows the largest rise.
     let is_release = request.horizontal.is_none() && request.vertical.is_none();
-    let first_m_s2 = rocking.touches.first().filter(|_| is_release).map(|touch| touch.peak_acceleration_m_s2);
-    let first_over_paper = paper_m_s2.zip(first_m_s2).map(|(paper, first)| first / paper);
+    let first_m_s2 = rocking
+        .touches
+        .first()
+        .filter(|_| is_release)
+        .map(|touch| touch.peak_acceleration_m_s2);
+    let first_over_paper = paper_m_s2
+        .zip(first_m_s2)
+        .map(|(paper, first)| first / paper);
     let in_g = |a: f64| a / G0_M_S2;
-    let (peak_g, edges_g) = (in_g(peak_m_s2), rocking.peak_edge_accelerations_m_s2.map(in_g));
+    let (peak_g, edges_g) = (
+        in_g(peak_m_s2),
+        rocking.peak_edge_accelerations_m_s2.map(in_g),
+    );
     let force_n = rocking.peak_edge_forces_n[0].max(rocking.peak_edge_forces_n[1]);
     let share = rocking.peak_rotation_rad / alphas[0].min(alphas[1]);
-    let at = options.points_m.first().zip(rocking.points.first()).map(|(&(x_m, z_m), peaks)| {
-        let at = Facts::default().key("x_m", x_m).key("z_m", z_m);
-        at.fact("horizontal_g", "acceleration of the point, horizontal", in_g(peaks.horizontal_m_s2)).fact(
-            "vertical_g",
-            "acceleration of the point, vertical",
-            in_g(peaks.vertical_m_s2),
-        )
-    });
+    let at = options
+        .points_m
+        .first()
+        .zip(rocking.points.first())
+        .map(|(&(x_m, z_m), peaks)| {
+            let at = Facts::default().key("x_m", x_m).key("z_m", z_m);
+            at.fact(
+                "horizontal_g",
+                "acceleration of the point, horizontal",
+                in_g(peaks.horizontal_m_s2),
+            )
+            .fact(
+                "vertical_g",
+                "acceleration of the point, vertical",
+                in_g(peaks.vertical_m_s2),
+            )
+        });
     let rest = rocking.equilibrium;
     let sunk_m = rest.map(|rest| rest.compressions_m[0].max(rest.compressions_m[1]));
-    let restitution = rocking.swings.iter().find_map(|swing| swing.effective_restitution_ratio);
+    let restitution = rocking
+        .swings
+        .iter()
+        .find_map(|swing| swing.effective_restitution_ratio);
     let energy = facts!(rocking.energy; initial_j, kinetic_j, potential_j, stored_j, cushion_dissipation_j,
         tangential_dissipation_j, friction_j, lost_at_separation_j, base_work_j, turnover_j,
         residual_ratio "error of the energy balance");
@@ -304,7 +412,13 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         .key("tolerance", options.accuracy.tolerance())
         .and(facts!(rocking.effort; steps, evaluations))
         .fact("notes", "note", request.notes.clone());
-    CompliantReport { facts, warnings: warnings(request, &rocking), rocking, base: base.clone(), history }
+    CompliantReport {
+        facts,
+        warnings: warnings(request, &rocking),
+        rocking,
+        base: base.clone(),
+        history,
+    }
 }
 
 fn touch(touch: &Touch) -> Facts<'static> {
@@ -333,7 +447,10 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     warnings.extend(beyond.iter().map(ToString::to_string));
     warnings.extend(ringing_warning(&base.cushion, is_shaken));
     if rocking.equilibrium.is_none() {
-        warnings.push("the cushions are too soft to keep the object upright at rest: check their stiffness".to_owned());
+        warnings.push(
+            "the cushions are too soft to keep the object upright at rest: check their stiffness"
+                .to_owned(),
+        );
     }
     warnings.extend(energy_warning(rocking.energy.residual_ratio));
     warnings.extend(unresolved_warning(rocking.outcome));
@@ -361,16 +478,30 @@ pub(crate) fn energy_warning(residual_ratio: f64) -> Option<String> {
 /// A problem of the solver, with what to do about it.
 pub fn problem(error: CompliantError) -> Problem {
     let (kind, hint) = match error {
-        CompliantError::Value { .. } => (ProblemKind::Value, "check the values of the object and its cushion"),
-        CompliantError::Contacts { .. } => (ProblemKind::Value, "2 contact elements are the two edges alone"),
-        CompliantError::Unstable { .. } => {
-            (ProblemKind::Value, "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft")
-        }
-        CompliantError::Duration { .. } => (ProblemKind::Value, "give `motion`, `cg_rise` or `initial_rotation`"),
-        CompliantError::BeyondWall => (ProblemKind::Value, "give a smaller `initial_rotation`, or a wider gap"),
-        CompliantError::VerticalMismatch => {
-            (ProblemKind::Value, "resample one of them so that both have the same step and length")
-        }
+        CompliantError::Value { .. } => (
+            ProblemKind::Value,
+            "check the values of the object and its cushion",
+        ),
+        CompliantError::Contacts { .. } => (
+            ProblemKind::Value,
+            "2 contact elements are the two edges alone",
+        ),
+        CompliantError::Unstable { .. } => (
+            ProblemKind::Value,
+            "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft",
+        ),
+        CompliantError::Duration { .. } => (
+            ProblemKind::Value,
+            "give `motion`, `cg_rise` or `initial_rotation`",
+        ),
+        CompliantError::BeyondWall => (
+            ProblemKind::Value,
+            "give a smaller `initial_rotation`, or a wider gap",
+        ),
+        CompliantError::VerticalMismatch => (
+            ProblemKind::Value,
+            "resample one of them so that both have the same step and length",
+        ),
         CompliantError::StepTooSmall { .. } | CompliantError::NotFinite { .. } => (
             ProblemKind::Computation,
             "check the units of the motion and of the cushion, and whether the cushion bottoms",
@@ -389,18 +520,25 @@ pub fn accuracy(name: freestand::rocking::Accuracy) -> CompliantAccuracy {
         freestand::rocking::Accuracy::Fast => CompliantAccuracy::Fast,
         freestand::rocking::Accuracy::Standard => CompliantAccuracy::Standard,
         freestand::rocking::Accuracy::Tight => CompliantAccuracy::Tight,
-        freestand::rocking::Accuracy::Tolerance(tolerance) => CompliantAccuracy::Tolerance(tolerance),
+        freestand::rocking::Accuracy::Tolerance(tolerance) => {
+            CompliantAccuracy::Tolerance(tolerance)
+        }
     }
 }
 
 /// The columns of a history.
 pub fn history_head(history: &[CompliantPoint]) -> String {
-    let mut head =
-        String::from("time_s,theta_rad,omega_rad_s,x_m,z_m,edge_acceleration_left_g,edge_acceleration_right_g");
+    let mut head = String::from(
+        "time_s,theta_rad,omega_rad_s,x_m,z_m,edge_acceleration_left_g,edge_acceleration_right_g",
+    );
     if let Some(first) = history.first() {
-        head.push_str(&",at_horizontal_g,at_vertical_g".repeat(first.point_accelerations_m_s2.len()));
+        head.push_str(
+            &",at_horizontal_g,at_vertical_g".repeat(first.point_accelerations_m_s2.len()),
+        );
         for index in 1..=first.contact_forces_n.len() {
-            head.push_str(&format!(",normal_force_{index}_n,tangential_force_{index}_n"));
+            head.push_str(&format!(
+                ",normal_force_{index}_n,tangential_force_{index}_n"
+            ));
         }
     }
     head
@@ -409,9 +547,20 @@ pub fn history_head(history: &[CompliantPoint]) -> String {
 /// A row of a history.
 pub fn history_row(p: &CompliantPoint) -> Vec<f64> {
     let points = p.point_accelerations_m_s2.iter().flat_map(|&(h, v)| [h, v]);
-    let in_g = p.edge_accelerations_m_s2.into_iter().chain(points).map(|a| a / G0_M_S2);
-    let forces = p.contact_forces_n.iter().flat_map(|&(right, up)| [up, right]);
-    [p.time_s, p.theta_rad, p.omega_rad_s, p.x_m, p.z_m].into_iter().chain(in_g).chain(forces).collect()
+    let in_g = p
+        .edge_accelerations_m_s2
+        .into_iter()
+        .chain(points)
+        .map(|a| a / G0_M_S2);
+    let forces = p
+        .contact_forces_n
+        .iter()
+        .flat_map(|&(right, up)| [up, right]);
+    [p.time_s, p.theta_rad, p.omega_rad_s, p.x_m, p.z_m]
+        .into_iter()
+        .chain(in_g)
+        .chain(forces)
+        .collect()
 }
 
 /// A history as CSV: position, edge accelerations, acceleration of the requested point, and the
@@ -428,8 +577,15 @@ mod tests {
         let block = Block::uniform(2.3, 0.6).unwrap();
         let rotation_rad = block.right_pivot().rotation_at_rise_rad(0.016).unwrap();
         let base = CompliantBase::new(140.0, damped(140.0, 4.38e6, damping_ratio).unwrap());
-        let start = Start::Tilted { rotation_rad, omega_rad_s: 0.0 };
-        let options = CompliantOptions { start, points_m: vec![(0.3, 1.15)], ..CompliantOptions::default() };
+        let start = Start::Tilted {
+            rotation_rad,
+            omega_rad_s: 0.0,
+        };
+        let options = CompliantOptions {
+            start,
+            points_m: vec![(0.3, 1.15)],
+            ..CompliantOptions::default()
+        };
         CompliantRequest {
             block,
             base,
@@ -455,14 +611,26 @@ mod tests {
         assert!((number(&report, "first_impact_over_paper_ratio") - 0.79).abs() < 0.005);
         assert!((report.rocking.cg_rise_m - 0.016).abs() < 1e-12);
         assert_eq!(report.facts.text("outcome"), Some("rocked"));
-        assert!((number(&report, "static_compression_m") - 140.0 * G0_M_S2 / (2.0 * 4.38e6)).abs() < 1e-15);
-        assert!(report.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(), "{:?}", report.warnings);
+        assert!(
+            (number(&report, "static_compression_m") - 140.0 * G0_M_S2 / (2.0 * 4.38e6)).abs()
+                < 1e-15
+        );
+        assert!(
+            report.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(),
+            "{:?}",
+            report.warnings
+        );
         let csv = history_table(&report.history).to_string();
         let columns = |line: &str| line.split(',').count();
         assert!(csv.lines().all(|line| columns(line) == 13));
         assert_eq!(csv.lines().count(), report.history.len() + 1);
         // The samples show the pulse, as fine as they are: 1 − cos(π/80) = 0.08 % below its peak.
-        let sampled = report.history.iter().map(|p| p.edge_accelerations_m_s2[0]).fold(0.0, f64::max) / G0_M_S2;
+        let sampled = report
+            .history
+            .iter()
+            .map(|p| p.edge_accelerations_m_s2[0])
+            .fold(0.0, f64::max)
+            / G0_M_S2;
         let peak_g = number(&report, "edge_acceleration_left_g");
         assert!(sampled <= peak_g && sampled > 0.995 * peak_g);
     }
@@ -471,7 +639,8 @@ mod tests {
     #[test]
     fn damping_is_that_of_the_mass() {
         let expected = 0.1 * (4.38e6 * 140.0f64).sqrt();
-        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = *request(0.05).base.cushion.law() else {
+        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = *request(0.05).base.cushion.law()
+        else {
             panic!("a damped cushion")
         };
         assert!((damping_n_s_m / expected - 1.0).abs() < 1e-12);
@@ -479,8 +648,8 @@ mod tests {
         // Eq. (5) knows no damping; the landing of the effective mass does: of it ζ is
         // 0.05/√(1 − 0.1875 x) = 0.05124, and exp(−ζ w t*) = 0.92988.
         assert!((number(&report, "edge_acceleration_paper_g") - 4.5268).abs() < 1e-3);
-        let ratio =
-            number(&report, "edge_acceleration_effective_mass_g") / number(&report, "edge_acceleration_paper_g");
+        let ratio = number(&report, "edge_acceleration_effective_mass_g")
+            / number(&report, "edge_acceleration_paper_g");
         assert!((ratio - 0.92988).abs() < 1e-5, "{ratio}");
         assert!(report.rocking.energy.cushion_dissipation_j > 0.0 && report.history.is_empty());
     }

@@ -17,10 +17,15 @@ const MAX_BYTES: u64 = 1 << 20;
 /// # Errors
 /// A file that cannot be read, is not TOML, or has unknown keys.
 pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
-    const HINT: &str = "name a cushion file, such as the cushion.toml that the command cushion drop writes";
-    let unreadable = |message: &str| Problem::new(ProblemKind::Io, message).in_file(path).hint(HINT);
-    let bytes =
-        load_up_to(path, MAX_BYTES, "is too large for a cushion file", HINT).map_err(|problem| problem.hint(HINT))?;
+    const HINT: &str =
+        "name a cushion file, such as the cushion.toml that the command cushion drop writes";
+    let unreadable = |message: &str| {
+        Problem::new(ProblemKind::Io, message)
+            .in_file(path)
+            .hint(HINT)
+    };
+    let bytes = load_up_to(path, MAX_BYTES, "is too large for a cushion file", HINT)
+        .map_err(|problem| problem.hint(HINT))?;
     let input = InputFile::new(path, &bytes);
     let text = String::from_utf8(bytes).map_err(|_| unreadable("is not text (UTF-8)"))?;
     Ok((pad_words(&text, path)?, input))
@@ -32,14 +37,30 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
 /// A text that is not TOML, or has unknown keys.
 pub fn pad_words(text: &str, path: &Path) -> Result<Words, Problems> {
     let (options, mut problems) = parse_cushion(text, path);
-    let stranger = options.lines().find(|(key, _)| NOT_IN_CUSHION_FILES.contains(key));
+    let stranger = options
+        .lines()
+        .find(|(key, _)| NOT_IN_CUSHION_FILES.contains(key));
     if let Some((key, Some(line))) = stranger {
         let hint = "a cushion file describes one pad itself: give its stiffness as stiffness";
-        problems
-            .push(Problem::value(format!("{key} does not belong in a cushion file"), hint).at_line(line).in_file(path));
+        problems.push(
+            Problem::value(format!("{key} does not belong in a cushion file"), hint)
+                .at_line(line)
+                .in_file(path),
+        );
     }
-    let of_one_pad = |key| if key == "stiffness" { "pad_stiffness" } else { key };
-    problems.finish(Some(options.entries().map(|(key, text)| (of_one_pad(key), text)).collect()))
+    let of_one_pad = |key| {
+        if key == "stiffness" {
+            "pad_stiffness"
+        } else {
+            key
+        }
+    };
+    problems.finish(Some(
+        options
+            .entries()
+            .map(|(key, text)| (of_one_pad(key), text))
+            .collect(),
+    ))
 }
 
 /// The words of a cushion file, completed by those of the words that name it: pads per edge, layers
@@ -56,7 +77,10 @@ pub fn with_file(words: &Words, file: Words) -> Result<Words, Problem> {
             "series_stiffness" => joined.add(key, text, None),
             key => {
                 let message = format!("`cushion` and `{key}` exclude each other");
-                return Err(Problem::value(message, "the file describes the pad: change it there").of(&[key]));
+                return Err(
+                    Problem::value(message, "the file describes the pad: change it there")
+                        .of(&[key]),
+                );
             }
         }
     }

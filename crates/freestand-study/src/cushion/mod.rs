@@ -46,11 +46,21 @@ pub fn spring(stiffness_n_m: f64) -> Words {
 /// # Errors
 /// Everything that is wrong, each problem with its key.
 pub fn resolve(words: &Words, mass_kg: Option<f64>) -> Result<EdgeCushion, Problems> {
-    let mut reader = Reader { words: WordReader::new(words), notes: Vec::new() };
+    let mut reader = Reader {
+        words: WordReader::new(words),
+        notes: Vec::new(),
+    };
     let cushion = reader.cushion(mass_kg);
     let pad_thickness_m = reader.words.positive("pad_thickness", Dimension::Length);
-    let Reader { words: WordReader { problems, .. }, notes } = reader;
-    problems.finish(cushion.map(|cushion| EdgeCushion { cushion, pad_thickness_m, notes }))
+    let Reader {
+        words: WordReader { problems, .. },
+        notes,
+    } = reader;
+    problems.finish(cushion.map(|cushion| EdgeCushion {
+        cushion,
+        pad_thickness_m,
+        notes,
+    }))
 }
 
 /// The contact laws that a user can name.
@@ -94,9 +104,21 @@ struct Reader<'w> {
 
 impl Reader<'_> {
     fn cushion(&mut self, mass_kg: Option<f64>) -> Option<Cushion> {
-        let law = if self.words.has("law") { self.words.one_of("law", &LAWS)? } else { LawName::Linear };
-        let name = LAWS.iter().find(|(_, other)| *other == law).map_or("", |(name, _)| name);
-        for (key, _) in self.words.words.entries().filter(|(key, _)| !belongs(key, law)) {
+        let law = if self.words.has("law") {
+            self.words.one_of("law", &LAWS)?
+        } else {
+            LawName::Linear
+        };
+        let name = LAWS
+            .iter()
+            .find(|(_, other)| *other == law)
+            .map_or("", |(name, _)| name);
+        for (key, _) in self
+            .words
+            .words
+            .entries()
+            .filter(|(key, _)| !belongs(key, law))
+        {
             self.words.note(
                 &[key],
                 format!("`{key}` is not part of a {name} law"),
@@ -128,25 +150,38 @@ impl Reader<'_> {
         const KEY: &str = "pads_per_edge";
         let is_pad = self.words.has("pad_stiffness");
         if is_pad && self.words.has("stiffness") {
-            self.words.note(&["stiffness"], "`stiffness` and `pad_stiffness` exclude each other", "keep one of them");
+            self.words.note(
+                &["stiffness"],
+                "`stiffness` and `pad_stiffness` exclude each other",
+                "keep one of them",
+            );
             return None;
         }
         let hint = "give the number of pads that share the landing of one edge: a cabinet on four feet has 2";
         match self.words.words.get(KEY).map(str::trim) {
             None if is_pad => {
-                self.words.note(&[KEY], "`pad_stiffness` needs `pads_per_edge`, at least 1", hint);
+                self.words.note(
+                    &[KEY],
+                    "`pad_stiffness` needs `pads_per_edge`, at least 1",
+                    hint,
+                );
                 None
             }
             None => Some(None),
             Some(_) if !is_pad && law != LawName::Tabulated => {
                 let hint = "`stiffness` already includes all the pads under one edge";
-                self.words.note(&[KEY], "`pads_per_edge` needs `pad_stiffness`", hint);
+                self.words
+                    .note(&[KEY], "`pads_per_edge` needs `pad_stiffness`", hint);
                 None
             }
             Some(text) => {
                 let pads = text.parse::<u32>().ok().filter(|&pads| pads > 0);
                 if pads.is_none() {
-                    self.words.note(&[KEY], "`pads_per_edge` must be a whole number, at least 1", hint);
+                    self.words.note(
+                        &[KEY],
+                        "`pads_per_edge` must be a whole number, at least 1",
+                        hint,
+                    );
                 }
                 pads.map(Some)
             }
@@ -158,28 +193,57 @@ impl Reader<'_> {
         if law == LawName::Tabulated {
             return self.tabulated();
         }
-        let key = if self.words.has("pad_stiffness") { "pad_stiffness" } else { "stiffness" };
+        let key = if self.words.has("pad_stiffness") {
+            "pad_stiffness"
+        } else {
+            "stiffness"
+        };
         let Some(text) = self.words.words.get(key) else {
             let hint = "give `stiffness` (all the cushion under one edge), or `pad_stiffness` with `pads_per_edge`";
-            self.words.note(&[key], "the stiffness of the cushion is missing", hint);
+            self.words
+                .note(&[key], "the stiffness of the cushion is missing", hint);
             return None;
         };
-        let (stiffness, note) = self.words.keep(key, contact_law_stiffness(text, exponent))?;
+        let (stiffness, note) = self
+            .words
+            .keep(key, contact_law_stiffness(text, exponent))?;
         self.notes.extend(note);
         let contact_law = match law {
-            LawName::Linear | LawName::KelvinVoigt | LawName::Tabulated => {
-                ContactLaw::Linear { stiffness_n_m: stiffness }
-            }
-            LawName::Power => ContactLaw::Power { coefficient_n_mn: stiffness, exponent },
+            LawName::Linear | LawName::KelvinVoigt | LawName::Tabulated => ContactLaw::Linear {
+                stiffness_n_m: stiffness,
+            },
+            LawName::Power => ContactLaw::Power {
+                coefficient_n_mn: stiffness,
+                exponent,
+            },
             LawName::HuntCrossley => {
-                self.required("dissipation", "a hunt-crossley law", "Λ of F = K dⁿ(1 + Λḋ), such as", "0.3 s/m")?;
-                let dissipation_s_m = self.words.non_negative("dissipation", Dimension::Dissipation)?;
-                ContactLaw::HuntCrossley { coefficient_n_mn: stiffness, exponent, dissipation_s_m }
+                self.required(
+                    "dissipation",
+                    "a hunt-crossley law",
+                    "Λ of F = K dⁿ(1 + Λḋ), such as",
+                    "0.3 s/m",
+                )?;
+                let dissipation_s_m = self
+                    .words
+                    .non_negative("dissipation", Dimension::Dissipation)?;
+                ContactLaw::HuntCrossley {
+                    coefficient_n_mn: stiffness,
+                    exponent,
+                    dissipation_s_m,
+                }
             }
             LawName::Tangent => {
-                self.required("bottoming", "a tangent law", "the compression at which it bottoms, such as", "12 mm")?;
+                self.required(
+                    "bottoming",
+                    "a tangent law",
+                    "the compression at which it bottoms, such as",
+                    "12 mm",
+                )?;
                 let bottoming_m = self.words.positive("bottoming", Dimension::Length)?;
-                ContactLaw::Tangent { stiffness_n_m: stiffness, bottoming_m }
+                ContactLaw::Tangent {
+                    stiffness_n_m: stiffness,
+                    bottoming_m,
+                }
             }
         };
         self.made(key, Cushion::new(contact_law))
@@ -190,7 +254,11 @@ impl Reader<'_> {
         if self.words.has(key) {
             return Some(());
         }
-        self.words.note(&[key], format!("{law} needs `{key}`"), format!("give {what} `{key} = \"{example}\"`"));
+        self.words.note(
+            &[key],
+            format!("{law} needs `{key}`"),
+            format!("give {what} `{key} = \"{example}\"`"),
+        );
         None
     }
 
@@ -206,7 +274,10 @@ impl Reader<'_> {
         }
         let compressions_m = self.words.grid("compressions", Dimension::Length);
         let forces_n = self.words.grid("forces", Dimension::Force);
-        let law = ContactLaw::Tabulated { compressions_m: compressions_m?, forces_n: forces_n? };
+        let law = ContactLaw::Tabulated {
+            compressions_m: compressions_m?,
+            forces_n: forces_n?,
+        };
         self.made("compressions", Cushion::new(law))
     }
 
@@ -214,21 +285,42 @@ impl Reader<'_> {
         let Some(count) = pads else { return Some(pad) };
         let edge = pad.side_by_side(count);
         let plural = if count == 1 { "pad" } else { "pads" };
-        self.notes.push(format!("{count} {plural} of {} → edge {}", cushion_words(&pad), cushion_words(&edge)));
+        self.notes.push(format!(
+            "{count} {plural} of {} → edge {}",
+            cushion_words(&pad),
+            cushion_words(&edge)
+        ));
         Some(edge)
     }
 
     /// Kelvin–Voigt with the stiffness of the edge; c is that of a pad if the stiffness is.
-    fn damped(&mut self, law: LawName, edge: Cushion, pads: Option<u32>, mass_kg: Option<f64>) -> Option<Cushion> {
+    fn damped(
+        &mut self,
+        law: LawName,
+        edge: Cushion,
+        pads: Option<u32>,
+        mass_kg: Option<f64>,
+    ) -> Option<Cushion> {
         const KEY: &str = "damping";
-        let (LawName::KelvinVoigt, Some(stiffness_n_m)) = (law, edge.linear_stiffness_n_m()) else { return Some(edge) };
-        self.required(KEY, "a kelvin-voigt law", "a value such as \"300 N s/m\", or a ratio such as", "5 %")?;
+        let (LawName::KelvinVoigt, Some(stiffness_n_m)) = (law, edge.linear_stiffness_n_m()) else {
+            return Some(edge);
+        };
+        self.required(
+            KEY,
+            "a kelvin-voigt law",
+            "a value such as \"300 N s/m\", or a ratio such as",
+            "5 %",
+        )?;
         let text = self.words.words.get(KEY)?;
         let damping_n_s_m = if parse(text, Dimension::Ratio).is_ok() {
             let ratio = self.words.non_negative(KEY, Dimension::Ratio)?;
             let Some(mass_kg) = mass_kg else {
                 let hint = "give the mass, or the damping of the pad such as \"300 N s/m\"";
-                self.words.note(&[KEY], "a damping ratio needs the mass that it refers to", hint);
+                self.words.note(
+                    &[KEY],
+                    "a damping ratio needs the mass that it refers to",
+                    hint,
+                );
                 return None;
             };
             let damping_n_s_m = 2.0 * ratio * (stiffness_n_m * mass_kg).sqrt();
@@ -242,12 +334,23 @@ impl Reader<'_> {
         } else {
             self.words.non_negative(KEY, Dimension::Damping)? * f64::from(pads.unwrap_or(1))
         };
-        self.made(KEY, Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }))
+        self.made(
+            KEY,
+            Cushion::new(ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            }),
+        )
     }
 
     fn in_series(&mut self, edge: Cushion) -> Option<Cushion> {
         const KEY: &str = "series_stiffness";
-        let texts: Vec<&str> = self.words.words.all(KEY).flat_map(|text| text.split(',')).collect();
+        let texts: Vec<&str> = self
+            .words
+            .words
+            .all(KEY)
+            .flat_map(|text| text.split(','))
+            .collect();
         if texts.is_empty() {
             return Some(edge);
         }
@@ -259,19 +362,31 @@ impl Reader<'_> {
         }
         let whole = self.made(KEY, Cushion::in_series(&layers))?;
         let parts: Vec<String> = layers.iter().map(cushion_words).collect();
-        let sum = if whole.linear_stiffness_n_m().is_some() { cushion_words(&whole) } else { "one law".to_owned() };
-        self.notes.push(format!("{} in series → {sum}", parts.join(" and ")));
+        let sum = if whole.linear_stiffness_n_m().is_some() {
+            cushion_words(&whole)
+        } else {
+            "one law".to_owned()
+        };
+        self.notes
+            .push(format!("{} in series → {sum}", parts.join(" and ")));
         Some(whole)
     }
 
-    fn made(&mut self, key: &'static str, result: Result<Cushion, CushionError>) -> Option<Cushion> {
+    fn made(
+        &mut self,
+        key: &'static str,
+        result: Result<Cushion, CushionError>,
+    ) -> Option<Cushion> {
         let hint = match result {
             Err(CushionError::DampedSeries { .. }) => {
                 "give one damped law, measured on everything that is under the edge"
             }
             _ => "check the numbers of the cushion",
         };
-        self.words.keep(key, result.map_err(|error| Problem::value(error.to_string(), hint)))
+        self.words.keep(
+            key,
+            result.map_err(|error| Problem::value(error.to_string(), hint)),
+        )
     }
 }
 
@@ -285,24 +400,61 @@ fn law_words(law: &ContactLaw) -> String {
     let power = |k: f64, n: f64| format!("{} N/m^{}", number(k, 5), number(n, 5));
     match law {
         ContactLaw::Linear { stiffness_n_m } => stiffness(*stiffness_n_m),
-        ContactLaw::Power { coefficient_n_mn, exponent } => power(*coefficient_n_mn, *exponent),
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-            format!("{} with {}", stiffness(*stiffness_n_m), format_si(*damping_n_s_m, Dimension::Damping))
+        ContactLaw::Power {
+            coefficient_n_mn,
+            exponent,
+        } => power(*coefficient_n_mn, *exponent),
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        } => {
+            format!(
+                "{} with {}",
+                stiffness(*stiffness_n_m),
+                format_si(*damping_n_s_m, Dimension::Damping)
+            )
         }
-        ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m } => {
+        ContactLaw::HuntCrossley {
+            coefficient_n_mn,
+            exponent,
+            dissipation_s_m,
+        } => {
             let law = power(*coefficient_n_mn, *exponent);
-            format!("{law} with {}", format_si(*dissipation_s_m, Dimension::Dissipation))
+            format!(
+                "{law} with {}",
+                format_si(*dissipation_s_m, Dimension::Dissipation)
+            )
         }
-        ContactLaw::Tangent { stiffness_n_m, bottoming_m } => {
-            format!("{} bottoming at {}", stiffness(*stiffness_n_m), format_si(*bottoming_m, Dimension::Length))
+        ContactLaw::Tangent {
+            stiffness_n_m,
+            bottoming_m,
+        } => {
+            format!(
+                "{} bottoming at {}",
+                stiffness(*stiffness_n_m),
+                format_si(*bottoming_m, Dimension::Length)
+            )
         }
-        ContactLaw::Tabulated { compressions_m, forces_n } => {
+        ContactLaw::Tabulated {
+            compressions_m,
+            forces_n,
+        } => {
             let end = compressions_m.last().zip(forces_n.last());
             let (d, f) = end.map_or((0.0, 0.0), |(d, f)| (*d, *f));
-            let (d, f) = (format_si(d, Dimension::Length), format_si(f, Dimension::Force));
-            format!("a table of {} points up to {d} and {f}", compressions_m.len())
+            let (d, f) = (
+                format_si(d, Dimension::Length),
+                format_si(f, Dimension::Force),
+            );
+            format!(
+                "a table of {} points up to {d} and {f}",
+                compressions_m.len()
+            )
         }
-        ContactLaw::Series { parts } => parts.iter().map(law_words).collect::<Vec<_>>().join(" in series with "),
+        ContactLaw::Series { parts } => parts
+            .iter()
+            .map(law_words)
+            .collect::<Vec<_>>()
+            .join(" in series with "),
     }
 }
 

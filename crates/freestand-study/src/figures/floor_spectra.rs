@@ -13,7 +13,9 @@ use crate::study::{Ground, Study};
 use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns};
-use freestand_output::figure::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain};
+use freestand_output::figure::style::{
+    Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain,
+};
 
 const PANEL_PX: f64 = 310.0;
 /// Above this number motions are drawn as a band from 16 to 84 %.
@@ -28,33 +30,61 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let target = study.ground.code_spectrum().and_then(|target| {
         let code = &target.spectrum;
         let periods = &ground.first()?.periods_s;
-        let points = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t)));
+        let points = periods
+            .iter()
+            .filter(|&&t| t > 0.0)
+            .map(|&t| (t, code.sa_g(t)));
         // A table may end before the last period of the figure.
         let points: Vec<_> = points.filter(|point| point.1.is_finite()).collect();
         Some(points)
     });
-    let modes: Vec<f64> = result.modes.iter().take(MARKED_MODES).map(freestand::building::Mode::period_s).collect();
+    let modes: Vec<f64> = result
+        .modes
+        .iter()
+        .take(MARKED_MODES)
+        .map(freestand::building::Mode::period_s)
+        .collect();
     let mut panels = Vec::new();
     if !ground.is_empty() {
         panels.push(panel("ground", &ground, target.as_deref(), &[]));
     }
     for level in &result.levels {
         let spectra: Vec<_> = level.spectra.iter().collect();
-        let modes: &[f64] = if level.level.level_ratio != Some(0.0) { &modes } else { &[] };
+        let modes: &[f64] = if level.level.level_ratio != Some(0.0) {
+            &modes
+        } else {
+            &[]
+        };
         panels.push(panel(&level.level.name, &spectra, None, modes));
     }
     let columns = columns(panels.len());
     let mut legend = Vec::new();
     let n = result.motions.len();
     if n > MAX_LINES {
-        legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
+        legend.push(Entry {
+            sign: Sign::Band,
+            words: "16–84 % of motions".into(),
+        });
     } else if n > 1 {
-        legend
-            .push(Entry { sign: Sign::Line { colour: GREY, width_px: 0.9, dash: None }, words: "each motion".into() });
+        legend.push(Entry {
+            sign: Sign::Line {
+                colour: GREY,
+                width_px: 0.9,
+                dash: None,
+            },
+            words: "each motion".into(),
+        });
     }
     let colour = curve_style(0).colour;
     let words = if n > 1 { "median" } else { "the motion" };
-    legend.push(Entry { sign: Sign::Line { colour, width_px: 2.4, dash: None }, words: words.into() });
+    legend.push(Entry {
+        sign: Sign::Line {
+            colour,
+            width_px: 2.4,
+            dash: None,
+        },
+        words: words.into(),
+    });
     if let Some(target) = study.ground.code_spectrum() {
         let words = match (&study.ground, &target.spectrum) {
             // The motions fit it on rock and over some periods only.
@@ -64,8 +94,15 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
             (_, CodeSpectrum::Table(_)) => "target spectrum",
             _ => "target: code spectrum",
         };
-        let sign = Sign::Line { colour: curve_style(1).colour, width_px: 2.0, dash: Some(TARGET_DASH) };
-        legend.push(Entry { sign, words: words.into() });
+        let sign = Sign::Line {
+            colour: curve_style(1).colour,
+            width_px: 2.0,
+            dash: Some(TARGET_DASH),
+        };
+        legend.push(Entry {
+            sign,
+            words: words.into(),
+        });
     }
     Page {
         name: FigureKind::FloorSpectra.name(),
@@ -79,8 +116,16 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
             "Pseudo-spectral acceleration at 5 % damping against period{}; each panel has its own scale. {}The \
              spectra show how the building changes the motion. They do not predict the rocking, because \
              free-standing objects have no natural period.",
-            if study.directions_deg.len() > 1 { ", the largest over all horizontal directions (RotD100)" } else { "" },
-            if modes.is_empty() { "" } else { "T₁, T₂, T₃ are the building’s periods. " },
+            if study.directions_deg.len() > 1 {
+                ", the largest over all horizontal directions (RotD100)"
+            } else {
+                ""
+            },
+            if modes.is_empty() {
+                ""
+            } else {
+                "T₁, T₂, T₃ are the building’s periods. "
+            },
         ),
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
         panels,
@@ -89,12 +134,21 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     }
 }
 
-fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>, modes: &[f64]) -> Panel {
+fn panel(
+    name: &str,
+    spectra: &[&PseudoSpectrum],
+    target: Option<&[(f64, f64)]>,
+    modes: &[f64],
+) -> Panel {
     let curves: Vec<Vec<(f64, f64)>> = spectra.iter().map(|s| points(s)).collect();
     let [low, median, high] = quantiles(&curves);
     let mut plots: Vec<Plot> = Vec::new();
     if curves.len() > MAX_LINES {
-        let band = BandPlot::new(low.iter().map(|p| p.0), low.iter().map(|p| p.1), high.iter().map(|p| p.1));
+        let band = BandPlot::new(
+            low.iter().map(|p| p.0),
+            low.iter().map(|p| p.1),
+            high.iter().map(|p| p.1),
+        );
         plots.push(band.with_color(DARK).with_opacity(BAND_OPACITY).into());
     } else if curves.len() > 1 {
         plots.extend(curves.iter().map(|c| line(c, GREY, 0.9, None)));
@@ -111,7 +165,12 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
     if from >= to {
         (from, to) = (0.05, 5.0);
     }
-    let x = Axis { from, to, step: None, label: "Period (s)".into() };
+    let x = Axis {
+        from,
+        to,
+        step: None,
+        label: "Period (s)".into(),
+    };
     let mut y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
     // The periods are written at the top, above the curves.
     if !modes.is_empty() {
@@ -119,8 +178,15 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
     }
     let mut layout = axes(x, y).with_title(plain(name)).with_log_x();
     layout.x_tick_format = decades();
-    for (i, &period_s) in modes.iter().enumerate().filter(|(_, t)| (from..=to).contains(*t)) {
-        let mark = ReferenceLine::vertical(period_s).with_color(DARK).with_stroke_width(0.8).with_dasharray("2 3");
+    for (i, &period_s) in modes
+        .iter()
+        .enumerate()
+        .filter(|(_, t)| (from..=to).contains(*t))
+    {
+        let mark = ReferenceLine::vertical(period_s)
+            .with_color(DARK)
+            .with_stroke_width(0.8)
+            .with_dasharray("2 3");
         layout = layout.with_reference_line(mark.with_label(["T₁", "T₂", "T₃"][i.min(2)]));
     }
     Panel { plots, layout }
@@ -128,13 +194,18 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
 
 fn points(spectrum: &PseudoSpectrum) -> Vec<(f64, f64)> {
     let pairs = spectrum.periods_s.iter().zip(&spectrum.psa_m_s2);
-    pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, a / G0_M_S2)).collect()
+    pairs
+        .filter(|&(&t, a)| t > 0.0 && a.is_finite())
+        .map(|(&t, &a)| (t, a / G0_M_S2))
+        .collect()
 }
 
 /// 16, 50 and 84 % at each period; empty if the curves have different periods.
 fn quantiles(curves: &[Vec<(f64, f64)>]) -> [Vec<(f64, f64)>; 3] {
     let mut result = [Vec::new(), Vec::new(), Vec::new()];
-    let Some(first) = curves.first() else { return result };
+    let Some(first) = curves.first() else {
+        return result;
+    };
     if curves.iter().any(|c| c.len() != first.len()) {
         return result;
     }

@@ -35,17 +35,50 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     let h = result.history.as_ref()?;
     let (from, to) = window(h)?;
     let within = |t: f64| (from..=to).contains(&t);
-    let theta: Vec<(f64, f64)> =
-        h.time_s.iter().zip(&h.theta_rad).map(|(&t, &r)| (t, r / h.slenderness_angle_rad)).collect();
-    let accel: Vec<(f64, f64)> = h.time_s.iter().zip(&h.accel_m_s2).map(|(&t, &a)| (t, a / G0_M_S2)).collect();
+    let theta: Vec<(f64, f64)> = h
+        .time_s
+        .iter()
+        .zip(&h.theta_rad)
+        .map(|(&t, &r)| (t, r / h.slenderness_angle_rad))
+        .collect();
+    let accel: Vec<(f64, f64)> = h
+        .time_s
+        .iter()
+        .zip(&h.accel_m_s2)
+        .map(|(&t, &a)| (t, a / G0_M_S2))
+        .collect();
     let cut = |points: Vec<(f64, f64)>| thin(points.into_iter().filter(|p| within(p.0)), from, to);
     let (theta, accel) = (cut(theta), cut(accel));
-    let impacts: Vec<(f64, f64)> = h.impacts.iter().copied().filter(|&(t, a)| within(t) && a.is_finite()).collect();
+    let impacts: Vec<(f64, f64)> = h
+        .impacts
+        .iter()
+        .copied()
+        .filter(|&(t, a)| within(t) && a.is_finite())
+        .collect();
 
     let mut legend = vec![
-        entry(Sign::Line { colour: curve_style(0).colour, width_px: 1.6, dash: None }, "rotation θ/α"),
-        entry(Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 3") }, "balance point, θ = ±α"),
-        entry(Sign::Dot { colour: curve_style(1).colour }, "impact"),
+        entry(
+            Sign::Line {
+                colour: curve_style(0).colour,
+                width_px: 1.6,
+                dash: None,
+            },
+            "rotation θ/α",
+        ),
+        entry(
+            Sign::Line {
+                colour: DARK,
+                width_px: 1.2,
+                dash: Some("5 3"),
+            },
+            "balance point, θ = ±α",
+        ),
+        entry(
+            Sign::Dot {
+                colour: curve_style(1).colour,
+            },
+            "impact",
+        ),
     ];
     if h.outcome == Outcome::Overturned {
         legend.push(entry(Sign::Cross, "overturns"));
@@ -96,45 +129,99 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
 ///
 /// # Errors
 /// A figure that cannot be drawn.
-pub fn rock_figure(motion: &str, block: &Block, report: &RockReport) -> Result<Option<Figure>, FigureError> {
-    let RockReport { outcome, history, contacts, wall_impacts, .. } = report;
+pub fn rock_figure(
+    motion: &str,
+    block: &Block,
+    report: &RockReport,
+) -> Result<Option<Figure>, FigureError> {
+    let RockReport {
+        outcome,
+        history,
+        contacts,
+        wall_impacts,
+        ..
+    } = report;
     let outcome = *outcome;
-    let (Some(first), Some(last)) = (history.first(), history.last()) else { return Ok(None) };
+    let (Some(first), Some(last)) = (history.first(), history.last()) else {
+        return Ok(None);
+    };
     let (from, to) = (first.time_s, last.time_s);
     if to <= from {
         return Ok(None);
     }
     let alpha = block.pivot().slenderness_angle_rad;
     let points = |of: fn(&HistoryPoint) -> f64, unit: f64| {
-        thin(history.iter().map(|point| (point.time_s, of(point) / unit)), from, to)
+        thin(
+            history.iter().map(|point| (point.time_s, of(point) / unit)),
+            from,
+            to,
+        )
     };
     let theta = points(|point| point.theta_rad, alpha);
     let accel = points(|point| point.base_accel_m_s2, G0_M_S2);
-    let angle = |side: f64, contact: Option<Contact>| contact.map(|contact| side * contact.angle_rad / alpha);
+    let angle = |side: f64, contact: Option<Contact>| {
+        contact.map(|contact| side * contact.angle_rad / alpha)
+    };
     let [right, left] = *contacts;
-    let walls: Vec<f64> = [angle(1.0, right), angle(-1.0, left)].into_iter().flatten().collect();
+    let walls: Vec<f64> = [angle(1.0, right), angle(-1.0, left)]
+        .into_iter()
+        .flatten()
+        .collect();
     let struck: Vec<(f64, f64)> = wall_impacts
         .iter()
         .filter_map(|impact| {
             let contact = contacts[impact.side.index()]?;
-            Some((impact.time_s, impact.omega_before_rad_s.signum() * contact.angle_rad / alpha))
+            Some((
+                impact.time_s,
+                impact.omega_before_rad_s.signum() * contact.angle_rad / alpha,
+            ))
         })
         .collect();
     let mut legend = vec![
-        entry(Sign::Line { colour: curve_style(0).colour, width_px: 1.6, dash: None }, "rotation θ/α"),
-        entry(Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 3") }, "balance point, θ = ±α"),
+        entry(
+            Sign::Line {
+                colour: curve_style(0).colour,
+                width_px: 1.6,
+                dash: None,
+            },
+            "rotation θ/α",
+        ),
+        entry(
+            Sign::Line {
+                colour: DARK,
+                width_px: 1.2,
+                dash: Some("5 3"),
+            },
+            "balance point, θ = ±α",
+        ),
     ];
     if !walls.is_empty() {
-        legend.push(entry(Sign::Line { colour: WALL, width_px: 1.4, dash: None }, "contact with a wall"));
+        legend.push(entry(
+            Sign::Line {
+                colour: WALL,
+                width_px: 1.4,
+                dash: None,
+            },
+            "contact with a wall",
+        ));
         legend.push(entry(Sign::Dot { colour: WALL }, "impact on the wall"));
     }
     if outcome == Outcome::Overturned {
         legend.push(entry(Sign::Cross, "overturns"));
     }
-    let y = symmetric(accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())), "Floor acceleration (g)");
-    let below =
-        Panel { plots: vec![line(&accel, "#555555", 0.9, None)], layout: stacked(time_axis(from, to), y, true) };
-    let size = format!("{} mm × {} m", number(1e3 * block.thickness_m(), 4), number(block.height_m(), 4));
+    let y = symmetric(
+        accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())),
+        "Floor acceleration (g)",
+    );
+    let below = Panel {
+        plots: vec![line(&accel, "#555555", 0.9, None)],
+        layout: stacked(time_axis(from, to), y, true),
+    };
+    let size = format!(
+        "{} mm × {} m",
+        number(1e3 * block.thickness_m(), 4),
+        number(block.height_m(), 4)
+    );
     let page = Page {
         name: FigureKind::History.name(),
         title: plain(&format!("Rocking history: {size}, {motion}")),
@@ -143,7 +230,15 @@ pub fn rock_figure(motion: &str, block: &Block, report: &RockReport) -> Result<O
              rad. Bottom: acceleration of the floor.",
             number(alpha, 3)
         ),
-        panels: vec![rotation_panel(&theta, outcome, time_axis(from, to), &Marks { walls, struck }), below],
+        panels: vec![
+            rotation_panel(
+                &theta,
+                outcome,
+                time_axis(from, to),
+                &Marks { walls, struck },
+            ),
+            below,
+        ],
         columns: 1,
         row_heights_px: vec![PANELS_PX[0], PANELS_PX[2]],
         legend,
@@ -152,7 +247,10 @@ pub fn rock_figure(motion: &str, block: &Block, report: &RockReport) -> Result<O
 }
 
 pub(super) fn entry(sign: Sign, words: &str) -> Entry {
-    Entry { sign, words: words.into() }
+    Entry {
+        sign,
+        words: words.into(),
+    }
 }
 
 /// From shortly before the first rotation to shortly after the last one or the overturning, within
@@ -163,7 +261,10 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     let pairs = || h.time_s.iter().zip(&h.theta_rad);
     let first = pairs().find(rotates).map_or(start, |(&t, _)| t);
     let lies = |&(_, &theta): &(&f64, &f64)| theta.abs() >= FLAT_RAD;
-    let last = pairs().find(lies).or_else(|| pairs().rfind(rotates)).map_or(end, |(&t, _)| t);
+    let last = pairs()
+        .find(lies)
+        .or_else(|| pairs().rfind(rotates))
+        .map_or(end, |(&t, _)| t);
     let (from, to) = ((first - QUIET_S).max(start), (last + QUIET_S).min(end));
     (to > from).then_some((from, to))
 }
@@ -178,16 +279,33 @@ struct Marks {
 }
 
 fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Marks) -> Panel {
-    let largest = points.iter().map(|p| p.1).chain(marks.walls.iter().copied()).fold(0.0f64, |m, y| m.max(y.abs()));
+    let largest = points
+        .iter()
+        .map(|p| p.1)
+        .chain(marks.walls.iter().copied())
+        .fold(0.0f64, |m, y| m.max(y.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
-    let y = Axis { from: -reach, to: reach, step: Some(0.5), label: "Rotation θ/α (–)".into() };
+    let y = Axis {
+        from: -reach,
+        to: reach,
+        step: Some(0.5),
+        label: "Rotation θ/α (–)".into(),
+    };
     // A curve that leaves the axes ends at their edge: one point outside is kept, and clipped.
-    let end = points.iter().position(|p| p.1.abs() > reach).map_or(points.len(), |i| i + 1);
+    let end = points
+        .iter()
+        .position(|p| p.1.abs() > reach)
+        .map_or(points.len(), |i| i + 1);
     let mut plots = vec![line(&points[..end], curve_style(0).colour, 1.6, None)];
     if outcome == Outcome::Overturned
         && let Some(&(t, ratio)) = points.get(end.saturating_sub(1))
     {
-        plots.push(markers(&[(t, ratio.signum() * 0.93 * reach)], DARK, MarkerShape::Cross, 5.0));
+        plots.push(markers(
+            &[(t, ratio.signum() * 0.93 * reach)],
+            DARK,
+            MarkerShape::Cross,
+            5.0,
+        ));
     }
     if !marks.struck.is_empty() {
         plots.push(markers(&marks.struck, WALL, MarkerShape::Circle, 3.0));
@@ -195,11 +313,17 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
     let mut layout = stacked(x, y, false);
     for &value in &marks.walls {
         layout = layout.with_reference_line(
-            ReferenceLine::horizontal(value).with_color(WALL).with_stroke_width(1.4).with_dasharray("1 0"),
+            ReferenceLine::horizontal(value)
+                .with_color(WALL)
+                .with_stroke_width(1.4)
+                .with_dasharray("1 0"),
         );
     }
     for value in [-1.0, 1.0] {
-        let mark = ReferenceLine::horizontal(value).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 3");
+        let mark = ReferenceLine::horizontal(value)
+            .with_color(DARK)
+            .with_stroke_width(1.2)
+            .with_dasharray("5 3");
         layout = layout.with_reference_line(mark);
     }
     Panel { plots, layout }
@@ -208,7 +332,10 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
 fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
     let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
     let y = symmetric(largest, "Floor acceleration (g)");
-    Panel { plots: vec![line(points, "#555555", 0.9, None)], layout: stacked(x, y, false) }
+    Panel {
+        plots: vec![line(points, "#555555", 0.9, None)],
+        layout: stacked(x, y, false),
+    }
 }
 
 fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
@@ -217,11 +344,28 @@ fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
     let y = Axis::from_zero(1.05 * highest, "Shock (g)");
     let shown = highest_of_each_pixel(impacts, x.from, x.to);
     // One line up and down at every impact, along the zero line between them.
-    let stems: Vec<(f64, f64)> = shown.iter().flat_map(|&(t, a)| [(t, 0.0), (t, a), (t, 0.0)]).collect();
-    let base = if stems.is_empty() { vec![(x.from, 0.0), (x.to, 0.0)] } else { stems };
-    let heads: Vec<(f64, f64)> = shown.iter().copied().filter(|p| p.1 > 0.02 * highest).collect();
-    let plots = vec![line(&base, colour, 1.4, None), markers(&heads, colour, MarkerShape::Circle, 3.0)];
-    Panel { plots, layout: stacked(x, y, true) }
+    let stems: Vec<(f64, f64)> = shown
+        .iter()
+        .flat_map(|&(t, a)| [(t, 0.0), (t, a), (t, 0.0)])
+        .collect();
+    let base = if stems.is_empty() {
+        vec![(x.from, 0.0), (x.to, 0.0)]
+    } else {
+        stems
+    };
+    let heads: Vec<(f64, f64)> = shown
+        .iter()
+        .copied()
+        .filter(|p| p.1 > 0.02 * highest)
+        .collect();
+    let plots = vec![
+        line(&base, colour, 1.4, None),
+        markers(&heads, colour, MarkerShape::Circle, 3.0),
+    ];
+    Panel {
+        plots,
+        layout: stacked(x, y, true),
+    }
 }
 
 /// The largest impact of each pixel column.
@@ -247,6 +391,9 @@ mod tests {
     #[test]
     fn the_largest_impact_of_a_pixel_is_kept() {
         let impacts = [(0.5, 1.0), (0.5 + 1e-6, 3.0), (0.5 + 2e-6, 2.0), (0.9, 0.1)];
-        assert_eq!(highest_of_each_pixel(&impacts, 0.0, 1.0), vec![(0.5 + 1e-6, 3.0), (0.9, 0.1)]);
+        assert_eq!(
+            highest_of_each_pixel(&impacts, 0.0, 1.0),
+            vec![(0.5 + 1e-6, 3.0), (0.9, 0.1)]
+        );
     }
 }

@@ -81,9 +81,17 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
     }
-    let drawn = if matches!(study.ground, Ground::Recorded(_)) { MAX_RECORDS } else { MAX_SYNTHETIC };
+    let drawn = if matches!(study.ground, Ground::Recorded(_)) {
+        MAX_RECORDS
+    } else {
+        MAX_SYNTHETIC
+    };
     kinds.extend((0..result.ground.len().min(drawn)).map(FigureKind::Record));
-    if result.sensitivity.as_ref().is_some_and(|sensitivity| sensitivity.rows.len() > result.levels.len()) {
+    if result
+        .sensitivity
+        .as_ref()
+        .is_some_and(|sensitivity| sensitivity.rows.len() > result.levels.len())
+    {
         kinds.push(FigureKind::Vary);
     }
     kinds
@@ -93,7 +101,11 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
 ///
 /// # Errors
 /// The error of the plot library.
-pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<Figure, FigureError> {
+pub fn figure(
+    kind: FigureKind,
+    study: &Study,
+    result: &StudyResult,
+) -> Result<Figure, FigureError> {
     let page = match kind {
         FigureKind::Urs => response::urs(study, result),
         FigureKind::Srs => response::srs(study, result),
@@ -105,20 +117,28 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
         })?,
         FigureKind::FloorProfile => study_profile(study, result).ok_or_else(|| FigureError {
             figure: kind.name(),
-            reason: "the study gives the motions of the floors, so there is no profile over the height".into(),
+            reason:
+                "the study gives the motions of the floors, so there is no profile over the height"
+                    .into(),
         })?,
         FigureKind::Vary => {
-            let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
-            let sensitivity = result
-                .sensitivity
-                .as_ref()
-                .ok_or_else(|| FigureError { figure: kind.name(), reason: "nothing was varied".into() })?;
+            let levels: Vec<String> = study
+                .levels
+                .iter()
+                .map(|level| level.name.clone())
+                .collect();
+            let sensitivity = result.sensitivity.as_ref().ok_or_else(|| FigureError {
+                figure: kind.name(),
+                reason: "nothing was varied".into(),
+            })?;
             vary::vary(sensitivity, &levels)
         }
-        FigureKind::Record(index) => study_record(index, study, result).ok_or_else(|| FigureError {
-            figure: kind.name(),
-            reason: format!("there is no ground motion {}", index + 1),
-        })?,
+        FigureKind::Record(index) => {
+            study_record(index, study, result).ok_or_else(|| FigureError {
+                figure: kind.name(),
+                reason: format!("there is no ground motion {}", index + 1),
+            })?
+        }
     };
     draw(page)
 }
@@ -142,19 +162,43 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
     let page = match &study.ground {
         Ground::Recorded(records) => {
             let used = records.get(index)?;
-            let shown = if used.across.is_some() { "; the first of the two is drawn" } else { "" };
+            let shown = if used.across.is_some() {
+                "; the first of the two is drawn"
+            } else {
+                ""
+            };
             let description = format!("{}{shown}", used.description);
-            let words = Words { name: &used.name, description: &description, processing: &used.processing };
+            let words = Words {
+                name: &used.name,
+                description: &description,
+                processing: &used.processing,
+            };
             record(name, words, &ground.motion.along)
         }
         Ground::Synthetic(synthetic) => {
-            let description = format!("generated for {}, seed {}", synthetic.target.one_line(), synthetic.seed);
-            let words = Words { name: &ground.name, description: &description, processing: &[] };
+            let description = format!(
+                "generated for {}, seed {}",
+                synthetic.target.one_line(),
+                synthetic.seed
+            );
+            let words = Words {
+                name: &ground.name,
+                description: &description,
+                processing: &[],
+            };
             record(name, words, &ground.motion.along)
         }
         Ground::Simulated(simulated) => {
-            let description = format!("of {}, seed {}", simulated.title_words(), simulated.request.seed);
-            let words = Words { name: &ground.name, description: &description, processing: &[] };
+            let description = format!(
+                "of {}, seed {}",
+                simulated.title_words(),
+                simulated.request.seed
+            );
+            let words = Words {
+                name: &ground.name,
+                description: &description,
+                processing: &[],
+            };
             record(name, words, &ground.motion.along)
         }
         Ground::OnFloors => return None,
@@ -168,5 +212,8 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
 /// # Errors
 /// The first figure that cannot be drawn.
 pub fn figures(study: &Study, result: &StudyResult) -> Result<Vec<Figure>, FigureError> {
-    figure_kinds(study, result).into_par_iter().map(|kind| figure(kind, study, result)).collect()
+    figure_kinds(study, result)
+        .into_par_iter()
+        .map(|kind| figure(kind, study, result))
+        .collect()
 }

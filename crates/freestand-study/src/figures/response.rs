@@ -15,7 +15,8 @@ use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns};
 use freestand_output::figure::style::{
-    Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line, markers, plain,
+    Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line,
+    markers, plain,
 };
 
 /// Height of a panel \[px\].
@@ -91,10 +92,18 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
                 .map(|s| (s.height_m, s.overturned_share))
                 .collect();
             plots.push(line(&points, style.colour, 2.0, style.dash));
-            let marked: Vec<_> = some_of(&points, index).into_iter().filter(|p| p.1 > 0.0).collect();
+            let marked: Vec<_> = some_of(&points, index)
+                .into_iter()
+                .filter(|p| p.1 > 0.0)
+                .collect();
             plots.push(markers(&marked, style.colour, style.marker, 3.5));
         }
-        let y = Axis { from: -0.02, to: 1.04, step: Some(0.2), label: "Share of motions".into() };
+        let y = Axis {
+            from: -0.02,
+            to: 1.04,
+            step: Some(0.2),
+            label: "Share of motions".into(),
+        };
         let layout = axes(height_axis(study), y).with_title(plain(&level.level.name));
         Panel { plots, layout }
     });
@@ -152,22 +161,47 @@ fn spectra(
     title: &str,
     caption: String,
 ) -> Page {
-    let panels: Vec<Panel> = result.levels.iter().map(|level| level_panel(study, level, quantity, y_label)).collect();
+    let panels: Vec<Panel> = result
+        .levels
+        .iter()
+        .map(|level| level_panel(study, level, quantity, y_label))
+        .collect();
     let (columns, row_heights_px) = grid(panels.len(), PANEL_PX);
     let mut legend = thickness_entries(study);
     if with_bands(study, result) {
-        legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
+        legend.push(Entry {
+            sign: Sign::Band,
+            words: "16–84 % of motions".into(),
+        });
     }
     if kind == FigureKind::Srs {
-        let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some(CEILING_DASH) };
-        legend.push(Entry { sign, words: "uplift ceiling".into() });
+        let sign = Sign::Line {
+            colour: DARK,
+            width_px: 1.2,
+            dash: Some(CEILING_DASH),
+        };
+        legend.push(Entry {
+            sign,
+            words: "uplift ceiling".into(),
+        });
     }
-    legend.push(Entry { sign: Sign::Cross, words: "half or more overturn it".into() });
+    legend.push(Entry {
+        sign: Sign::Cross,
+        words: "half or more overturn it".into(),
+    });
     let title = match result.motions.len() {
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),
     };
-    Page { name: kind.name(), title, caption, panels, columns, row_heights_px, legend }
+    Page {
+        name: kind.name(),
+        title,
+        caption,
+        panels,
+        columns,
+        row_heights_px,
+        legend,
+    }
 }
 
 const CEILING_DASH: &str = "1 4";
@@ -190,7 +224,11 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
                 .into_iter()
                 .map(|s| {
                     let (ranked, ceiling) = quantity(s);
-                    Point { height_m: s.height_m, ranked, ceiling }
+                    Point {
+                        height_m: s.height_m,
+                        ranked,
+                        ceiling,
+                    }
                 })
                 .collect()
         })
@@ -203,11 +241,17 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
         .filter_map(|&r| value(r))
         .fold(0.0, f64::max);
     let y = Axis::from_zero(highest, y_label);
-    let fallen = curves.iter().filter(|c| c.iter().any(|p| p.ranked[1] == Ranked::Overturned)).count();
+    let fallen = curves
+        .iter()
+        .filter(|c| c.iter().any(|p| p.ranked[1] == Ranked::Overturned))
+        .count();
 
     let mut plots = Vec::new();
     if bands {
-        curves.iter().enumerate().for_each(|(i, curve)| plots.extend(band(curve, curve_style(i))));
+        curves
+            .iter()
+            .enumerate()
+            .for_each(|(i, curve)| plots.extend(band(curve, curve_style(i))));
     }
     for (i, curve) in curves.iter().enumerate() {
         plots.extend(ceiling(curve, y.to, curve_style(i)));
@@ -222,14 +266,31 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
         // The library leaves out the axes of a panel without plots.
         plots.push(line(&[(0.0, -top), (1.0, -top)], DARK, 1.0, None));
     }
-    Panel { plots, layout: layout.with_title(plain(&level.level.name)) }
+    Panel {
+        plots,
+        layout: layout.with_title(plain(&level.level.name)),
+    }
 }
 
 /// The crosses of the overturned in a strip above the data, a row for each curve that has any.
-fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, kuva::render::layout::Layout) {
+fn strip(
+    curves: &[Vec<Point>],
+    fallen: usize,
+    x: Axis,
+    y: Axis,
+) -> (Vec<Plot>, kuva::render::layout::Layout) {
     let data_top = y.to;
     if fallen == 0 {
-        return (Vec::new(), axes(x, Axis { to: 1.04 * data_top, ..y }));
+        return (
+            Vec::new(),
+            axes(
+                x,
+                Axis {
+                    to: 1.04 * data_top,
+                    ..y
+                },
+            ),
+        );
     }
     let strip_px = STRIP_TITLE_PX + STRIP_ROW_PX * fallen as f64;
     let top = data_top * INSIDE_PX / (INSIDE_PX - strip_px).max(0.3 * INSIDE_PX);
@@ -238,21 +299,37 @@ fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, 
     let mut row = 0.0;
     for (i, curve) in curves.iter().enumerate() {
         let y = top - per_px * (STRIP_TITLE_PX + STRIP_ROW_PX * (row + 0.4));
-        let crosses: Vec<(f64, f64)> =
-            curve.iter().filter(|p| p.ranked[1] == Ranked::Overturned).map(|p| (p.height_m, y)).collect();
+        let crosses: Vec<(f64, f64)> = curve
+            .iter()
+            .filter(|p| p.ranked[1] == Ranked::Overturned)
+            .map(|p| (p.height_m, y))
+            .collect();
         if !crosses.is_empty() {
             let style = curve_style(i);
             plots.push(markers(&crosses, style.colour, MarkerShape::Cross, 3.2));
             // The curve's own marker, left of all data, says whose row it is.
-            plots.push(markers(&[(x.from + 0.5 * KEYS_SHARE * (x.to - x.from), y)], style.colour, style.marker, 3.2));
+            plots.push(markers(
+                &[(x.from + 0.5 * KEYS_SHARE * (x.to - x.from), y)],
+                style.colour,
+                style.marker,
+                3.2,
+            ));
             row += 1.0;
         }
     }
     let middle = 0.5 * (x.from + x.to);
     let label_y = top - per_px * (STRIP_TITLE_PX + 2.0);
     let mut layout = axes(x, Axis { to: top, ..y })
-        .with_shaded_region(ShadedRegion::horizontal(data_top, top).with_color("#efefef").with_opacity(1.0))
-        .with_annotation(TextAnnotation::new("overturned", middle, label_y).with_font_size(TEXT_PX).with_color(DARK));
+        .with_shaded_region(
+            ShadedRegion::horizontal(data_top, top)
+                .with_color("#efefef")
+                .with_opacity(1.0),
+        )
+        .with_annotation(
+            TextAnnotation::new("overturned", middle, label_y)
+                .with_font_size(TEXT_PX)
+                .with_color(DARK),
+        );
     layout.y_tick_format = ticks_up_to(data_top);
     (plots, layout)
 }
@@ -262,13 +339,20 @@ const KEYS_SHARE: f64 = 0.06;
 
 /// The axis with room for the keys of the strip at its left.
 fn with_keys(x: Axis) -> Axis {
-    Axis { from: x.to - (x.to - x.from) / (1.0 - KEYS_SHARE), ..x }
+    Axis {
+        from: x.to - (x.to - x.from) / (1.0 - KEYS_SHARE),
+        ..x
+    }
 }
 
 /// The strip has no scale and therefore no tick labels.
 fn ticks_up_to(top: f64) -> TickFormat {
     TickFormat::Custom(std::sync::Arc::new(move |v| {
-        if v <= top * (1.0 + 1e-9) { TickFormat::Auto.format(v) } else { String::new() }
+        if v <= top * (1.0 + 1e-9) {
+            TickFormat::Auto.format(v)
+        } else {
+            String::new()
+        }
     }))
 }
 
@@ -287,33 +371,55 @@ fn runs<T>(curve: &[Point], pick: impl Fn(&Point) -> Option<T>) -> Vec<Vec<T>> {
 }
 
 fn band(curve: &[Point], style: CurveStyle) -> Vec<Plot> {
-    runs(curve, |p| Some((p.height_m, value(p.ranked[0])?, value(p.ranked[2])?)))
-        .into_iter()
-        .filter(|run| run.len() > 1 && run.iter().any(|&(_, low, high)| high > low))
-        .map(|run| {
-            let (x, low, high) = (run.iter().map(|p| p.0), run.iter().map(|p| p.1), run.iter().map(|p| p.2));
-            BandPlot::new(x, low, high).with_color(style.colour).with_opacity(BAND_OPACITY).into()
-        })
-        .collect()
+    runs(curve, |p| {
+        Some((p.height_m, value(p.ranked[0])?, value(p.ranked[2])?))
+    })
+    .into_iter()
+    .filter(|run| run.len() > 1 && run.iter().any(|&(_, low, high)| high > low))
+    .map(|run| {
+        let (x, low, high) = (
+            run.iter().map(|p| p.0),
+            run.iter().map(|p| p.1),
+            run.iter().map(|p| p.2),
+        );
+        BandPlot::new(x, low, high)
+            .with_color(style.colour)
+            .with_opacity(BAND_OPACITY)
+            .into()
+    })
+    .collect()
 }
 
 /// The part of the ceiling inside the axes, and one point outside, which is clipped.
 fn ceiling(curve: &[Point], top: f64, style: CurveStyle) -> Vec<Plot> {
-    let points: Vec<(f64, f64)> = curve.iter().filter_map(|p| Some((p.height_m, p.ceiling?))).collect();
+    let points: Vec<(f64, f64)> = curve
+        .iter()
+        .filter_map(|p| Some((p.height_m, p.ceiling?)))
+        .collect();
     let mut cut: Vec<(f64, f64)> = Vec::new();
     for pair in points.windows(2) {
         let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
         if y0.min(y1) > top {
             continue;
         }
-        let at_top = |y: f64, x: f64| if y > top { (x0 + (x1 - x0) * (top - y0) / (y1 - y0), top) } else { (x, y) };
+        let at_top = |y: f64, x: f64| {
+            if y > top {
+                (x0 + (x1 - x0) * (top - y0) / (y1 - y0), top)
+            } else {
+                (x, y)
+            }
+        };
         for point in [at_top(y0, x0), at_top(y1, x1)] {
             if cut.last() != Some(&point) {
                 cut.push(point);
             }
         }
     }
-    if cut.len() < 2 { Vec::new() } else { vec![line(&cut, style.colour, 1.2, Some(CEILING_DASH))] }
+    if cut.len() < 2 {
+        Vec::new()
+    } else {
+        vec![line(&cut, style.colour, 1.2, Some(CEILING_DASH))]
+    }
 }
 
 fn median(curve: &[Point], index: usize) -> Vec<Plot> {
@@ -322,7 +428,10 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
     for run in runs(curve, |p| Some((p.height_m, value(p.ranked[1])?))) {
         // Where objects do not uplift, the curves coincide, and their markers would hide each
         // other.
-        let mut marked: Vec<_> = some_of(&run, index).into_iter().filter(|p| p.1 > 0.0).collect();
+        let mut marked: Vec<_> = some_of(&run, index)
+            .into_iter()
+            .filter(|p| p.1 > 0.0)
+            .collect();
         // The end of a curve is a result of its own, and a lone point has no line.
         if let Some(&end) = run.last()
             && marked.last() != Some(&end)
@@ -338,7 +447,12 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
 /// A few points of a curve for its marker, at other heights than those of its neighbours.
 fn some_of(points: &[(f64, f64)], index: usize) -> Vec<(f64, f64)> {
     let stride = (points.len() / MARKERS_ON_CURVE).max(1);
-    points.iter().copied().skip(index % stride).step_by(stride).collect()
+    points
+        .iter()
+        .copied()
+        .skip(index % stride)
+        .step_by(stride)
+        .collect()
 }
 
 fn thicknesses(study: &Study) -> Vec<f64> {
@@ -349,7 +463,12 @@ fn thicknesses(study: &Study) -> Vec<f64> {
 
 /// The objects of one thickness in order of height.
 fn objects(level: &LevelResult, thickness_m: f64) -> Vec<&ObjectStatistics> {
-    let mut objects: Vec<_> = level.statistics.iter().flatten().filter(|s| s.thickness_m == thickness_m).collect();
+    let mut objects: Vec<_> = level
+        .statistics
+        .iter()
+        .flatten()
+        .filter(|s| s.thickness_m == thickness_m)
+        .collect();
     objects.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
     objects
 }

@@ -11,7 +11,9 @@ use crate::result::{Sensitivity, VariedLevel};
 use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel};
-use freestand_output::figure::style::{Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain};
+use freestand_output::figure::style::{
+    Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain,
+};
 
 /// Height of one row \[px\].
 const ROW_PX: f64 = 19.0;
@@ -21,8 +23,14 @@ const DOT_PX: f64 = 4.5;
 type Quantity = (fn(&VariedLevel) -> Option<f64>, &'static str);
 
 const QUANTITIES: [Quantity; 2] = [
-    (|row| row.edge_acceleration_g_median, "Largest median shock (g)"),
-    (|row| row.overturned_share.map(|share| 100.0 * share), "Histories that overturn (%)"),
+    (
+        |row| row.edge_acceleration_g_median,
+        "Largest median shock (g)",
+    ),
+    (
+        |row| row.overturned_share.map(|share| 100.0 * share),
+        "Histories that overturn (%)",
+    ),
 ];
 
 /// Two panels for each level, with a row for every change: from the value of the unchanged study to
@@ -31,15 +39,26 @@ pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
     let mut panels = Vec::new();
     let mut most_rows = 0;
     for level in levels {
-        let rows: Vec<&VariedLevel> = sensitivity.rows.iter().filter(|row| row.level == *level).collect();
+        let rows: Vec<&VariedLevel> = sensitivity
+            .rows
+            .iter()
+            .filter(|row| row.level == *level)
+            .collect();
         most_rows = most_rows.max(rows.len().saturating_sub(1));
         panels.extend(QUANTITIES.map(|quantity| panel(level, &rows, quantity)));
     }
     let style = curve_style(0);
     let legend = vec![
-        Entry { sign: Sign::Curve(style), words: "with the value at the left".into() },
         Entry {
-            sign: Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 4") },
+            sign: Sign::Curve(style),
+            words: "with the value at the left".into(),
+        },
+        Entry {
+            sign: Sign::Line {
+                colour: DARK,
+                width_px: 1.2,
+                dash: Some("5 4"),
+            },
             words: "the unchanged study".into(),
         },
     ];
@@ -69,28 +88,59 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
     for (index, value) in values.iter().enumerate() {
         let Some(value) = *value else { continue };
         // One colour and marker for each key, which makes its values a group.
-        let key = variations[..index].windows(2).filter(|pair| pair[0].parameter != pair[1].parameter).count()
-            + usize::from(index > 0 && variations[index].parameter != variations[index - 1].parameter);
+        let key = variations[..index]
+            .windows(2)
+            .filter(|pair| pair[0].parameter != pair[1].parameter)
+            .count()
+            + usize::from(
+                index > 0 && variations[index].parameter != variations[index - 1].parameter,
+            );
         let style = curve_style(key);
         if let Some(base) = base {
-            plots.push(line(&[(base, height(index)), (value, height(index))], style.colour, 1.4, None));
+            plots.push(line(
+                &[(base, height(index)), (value, height(index))],
+                style.colour,
+                1.4,
+                None,
+            ));
         }
-        plots.push(markers(&[(value, height(index))], style.colour, style.marker, DOT_PX));
+        plots.push(markers(
+            &[(value, height(index))],
+            style.colour,
+            style.marker,
+            DOT_PX,
+        ));
     }
-    let largest = values.iter().flatten().chain(base.iter()).copied().fold(0.0, f64::max);
+    let largest = values
+        .iter()
+        .flatten()
+        .chain(base.iter())
+        .copied()
+        .fold(0.0, f64::max);
     if plots.is_empty() {
         plots.push(line(&[], DARK, 1.0, None));
     }
-    let y = Axis { from: 0.4, to: count as f64 + 0.6, step: Some(1.0), label: String::new() };
+    let y = Axis {
+        from: 0.4,
+        to: count as f64 + 0.6,
+        step: Some(1.0),
+        label: String::new(),
+    };
     let mut layout = axes(Axis::from_zero(1.02 * largest, label), y).with_title(plain(level));
     let names: Vec<String> = variations.iter().map(|row| plain(&row.words())).collect();
     layout.y_tick_format = TickFormat::Custom(Arc::new(move |at| {
         let index = count as f64 - at;
         let is_row = (index - index.round()).abs() < 1e-6 && index > -0.5;
-        is_row.then(|| names.get(index.round() as usize).cloned()).flatten().unwrap_or_default()
+        is_row
+            .then(|| names.get(index.round() as usize).cloned())
+            .flatten()
+            .unwrap_or_default()
     }));
     if let Some(base) = base {
-        let mark = ReferenceLine::vertical(base).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 4");
+        let mark = ReferenceLine::vertical(base)
+            .with_color(DARK)
+            .with_stroke_width(1.2)
+            .with_dasharray("5 4");
         layout = layout.with_reference_line(mark);
     }
     Panel { plots, layout }

@@ -61,7 +61,9 @@ pub struct FloorRequest {
 /// equal storeys.
 pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     match building.floors_ratio() {
-        [] => (0..=storeys).map(|floor| floor as f64 / storeys as f64).collect(),
+        [] => (0..=storeys)
+            .map(|floor| floor as f64 / storeys as f64)
+            .collect(),
         floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
     }
 }
@@ -83,7 +85,10 @@ pub struct MotionFloors {
 
 /// The report on the floors under all motions; of several, the median of each number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct FloorReport {
     pub motion: String,
     pub processing: Vec<String>,
@@ -104,7 +109,10 @@ pub struct FloorReport {
 
 /// The second axis, where it differs from the first.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct AxisReport {
     pub model: String,
     pub damping: String,
@@ -123,7 +131,10 @@ pub struct LevelReport {
 
 /// The part of the report on one motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct MotionReport {
     pub motion: String,
     pub processing: Vec<String>,
@@ -135,7 +146,10 @@ pub struct MotionReport {
 /// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
 /// directions; displacement (relative to the ground) and drift are the larger of the two axes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct MotionLevel {
     pub level_ratio: f64,
     pub pfa_g: f64,
@@ -160,9 +174,15 @@ pub struct MotionLevel {
 pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors, Problem> {
     let recorded = &read.motion;
     let along = AxisFloors::new(&recorded.motion, &request.building.along, request)?;
-    let across_building = request.building.across.as_ref().unwrap_or(&request.building.along);
+    let across_building = request
+        .building
+        .across
+        .as_ref()
+        .unwrap_or(&request.building.along);
     let across = recorded.across.as_ref();
-    let across = across.map(|second| AxisFloors::new(&second.motion, across_building, request)).transpose()?;
+    let across = across
+        .map(|second| AxisFloors::new(&second.motion, across_building, request))
+        .transpose()?;
     let mut notes = read.notes.clone();
     let mut levels = Vec::with_capacity(request.levels_ratio.len());
     for (i, &level_ratio) in request.levels_ratio.iter().enumerate() {
@@ -174,13 +194,20 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
     for (level, vertical) in levels.iter_mut().zip(&verticals) {
         level.pfa_vertical_g = Some(vertical.peak_m_s2() / G0_M_S2);
     }
-    let fine: Vec<HorizontalMotion> = pairs(along.fine, across.as_ref().map(|axis| axis.fine.clone()));
+    let fine: Vec<HorizontalMotion> =
+        pairs(along.fine, across.as_ref().map(|axis| axis.fine.clone()));
     let spectra_g = match &request.spectra {
-        Some(spectra) => fine.iter().map(|floor| spectra::of_floor(floor, spectra)).collect::<Result<_, _>>()?,
+        Some(spectra) => fine
+            .iter()
+            .map(|floor| spectra::of_floor(floor, spectra))
+            .collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
     let second = recorded.across.as_ref().map(|second| second.motion.clone());
-    let ground = HorizontalMotion { along: recorded.motion.clone(), across: second };
+    let ground = HorizontalMotion {
+        along: recorded.motion.clone(),
+        across: second,
+    };
     Ok(MotionFloors {
         report: MotionReport {
             motion: recorded.name.clone(),
@@ -198,13 +225,22 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
 
 /// The vertical motion of the ground at every level, amplified above the ground.
 fn verticals(recorded: &RecordedMotion, request: &FloorRequest) -> Result<Vec<Motion>, Problem> {
-    let Some(vertical) = &recorded.vertical else { return Ok(Vec::new()) };
+    let Some(vertical) = &recorded.vertical else {
+        return Ok(Vec::new());
+    };
     let padded = with_tail(&vertical.motion, request.tail_s)?;
-    let amplification = request.vertical_amplification_ratio.unwrap_or(DEFAULT_VERTICAL_AMPLIFICATION);
+    let amplification = request
+        .vertical_amplification_ratio
+        .unwrap_or(DEFAULT_VERTICAL_AMPLIFICATION);
     let at = |&level_ratio: &f64| {
-        let factor = if level_ratio == 0.0 { 1.0 } else { amplification };
+        let factor = if level_ratio == 0.0 {
+            1.0
+        } else {
+            amplification
+        };
         padded.scaled(factor).map_err(|error| {
-            Problem::new(ProblemKind::Computation, error.to_string()).hint("check the record and its scale")
+            Problem::new(ProblemKind::Computation, error.to_string())
+                .hint("check the record and its scale")
         })
     };
     request.levels_ratio.iter().map(at).collect()
@@ -214,9 +250,19 @@ fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotio
     match across {
         Some(across) => {
             let both = along.into_iter().zip(across);
-            both.map(|(along, across)| HorizontalMotion { along, across: Some(across) }).collect()
+            both.map(|(along, across)| HorizontalMotion {
+                along,
+                across: Some(across),
+            })
+            .collect()
         }
-        None => along.into_iter().map(|along| HorizontalMotion { along, across: None }).collect(),
+        None => along
+            .into_iter()
+            .map(|along| HorizontalMotion {
+                along,
+                across: None,
+            })
+            .collect(),
     }
 }
 
@@ -236,17 +282,24 @@ impl AxisFloors {
         let ground = &with_tail(ground, request.tail_s)?;
         check_upsampling(request.upsample, ground.accel_m_s2().len())?;
         let failed = |error: freestand::building::BuildingError| {
-            Problem::new(ProblemKind::Computation, error.to_string()).hint("check the record and its scale")
+            Problem::new(ProblemKind::Computation, error.to_string())
+                .hint("check the record and its scale")
         };
         let levels_ratio = &request.levels_ratio;
         let floors = floor_motions(ground, building, levels_ratio).map_err(failed)?;
-        let later = floor_peaks(&with_tail(ground, building.tail_s())?, building, levels_ratio).map_err(failed)?;
+        let later = floor_peaks(
+            &with_tail(ground, building.tail_s())?,
+            building,
+            levels_ratio,
+        )
+        .map_err(failed)?;
         let upsampled = (request.upsample > 1).then(|| ground.upsampled(request.upsample));
         let fine = match &upsampled {
             Some(ground) => floor_motions(ground, building, levels_ratio).map_err(failed)?,
             None => floors.clone(),
         };
-        let peaks = floor_peaks(upsampled.as_ref().unwrap_or(ground), building, levels_ratio).map_err(failed)?;
+        let peaks = floor_peaks(upsampled.as_ref().unwrap_or(ground), building, levels_ratio)
+            .map_err(failed)?;
         Ok(Self {
             within_m_s2: floors.iter().map(Motion::peak_m_s2).collect(),
             later_m_s2: later.iter().map(|peak| peak.accel_m_s2).collect(),
@@ -278,15 +331,29 @@ fn motion_level(
         Problem::new(ProblemKind::Computation, "a level has no motion")
             .hint("this is a defect of freestand; please report it")
     };
-    let fine = axes.iter().map(|axis| axis.fine.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
-    let peaks = axes.iter().map(|axis| axis.peaks.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
+    let fine = axes
+        .iter()
+        .map(|axis| axis.fine.get(index))
+        .collect::<Option<Vec<_>>>()
+        .ok_or_else(gone)?;
+    let peaks = axes
+        .iter()
+        .map(|axis| axis.peaks.get(index))
+        .collect::<Option<Vec<_>>>()
+        .ok_or_else(gone)?;
     let accelerations: Vec<&[f64]> = fine.iter().map(|motion| motion.accel_m_s2()).collect();
-    let velocities: Vec<Vec<f64>> =
-        fine.iter().map(|motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2())).collect();
+    let velocities: Vec<Vec<f64>> = fine
+        .iter()
+        .map(|motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2()))
+        .collect();
     let velocities: Vec<&[f64]> = velocities.iter().map(Vec::as_slice).collect();
     let (pfa_m_s2, direction_deg) = largest(&accelerations);
     let larger = |of: fn(&FloorPeaks) -> f64| peaks.iter().map(|peak| of(peak)).fold(0.0, f64::max);
-    let below_ratio = index.checked_sub(1).and_then(|below| request.levels_ratio.get(below)).copied().unwrap_or(0.0);
+    let below_ratio = index
+        .checked_sub(1)
+        .and_then(|below| request.levels_ratio.get(below))
+        .copied()
+        .unwrap_or(0.0);
     let storey_m = (level_ratio - below_ratio) * request.building.height_m;
     let has_drift = request.is_storeys && storey_m > 0.0;
     Ok(MotionLevel {
@@ -309,18 +376,32 @@ fn motion_level(
 fn largest(histories: &[&[f64]]) -> (f64, Option<f64>) {
     match histories {
         [along, across] => {
-            let longest = along.iter().zip(*across).max_by(|a, b| a.0.hypot(*a.1).total_cmp(&b.0.hypot(*b.1)));
+            let longest = along
+                .iter()
+                .zip(*across)
+                .max_by(|a, b| a.0.hypot(*a.1).total_cmp(&b.0.hypot(*b.1)));
             let (x, y) = longest.map_or((0.0, 0.0), |(x, y)| (*x, *y));
             (x.hypot(y), Some(y.atan2(x).to_degrees().rem_euclid(180.0)))
         }
-        _ => (histories.iter().flat_map(|one| one.iter()).fold(0.0, |peak: f64, a| peak.max(a.abs())), None),
+        _ => (
+            histories
+                .iter()
+                .flat_map(|one| one.iter())
+                .fold(0.0, |peak: f64, a| peak.max(a.abs())),
+            None,
+        ),
     }
 }
 
 /// A note where the floor reaches its peak only after the end of the record.
 fn late_peak(level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<Note> {
-    let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
-    let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
+    let later = axes
+        .iter()
+        .filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
+    let late = later
+        .filter(|(within, later)| later > within)
+        .map(|(_, later)| later)
+        .reduce(f64::max)?;
     let late_g = late / G0_M_S2;
     let words = format!(
         "the floor reaches its peak of {} g only after the end of the record: let it ring down with `tail`",
@@ -331,7 +412,11 @@ fn late_peak(level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<Not
 
 impl FloorReport {
     /// The report of all motions, in their order; `None` where there are none.
-    pub fn new(request: &FloorRequest, motions: Vec<MotionReport>, spectra: Option<SpectraReport>) -> Option<Self> {
+    pub fn new(
+        request: &FloorRequest,
+        motions: Vec<MotionReport>,
+        spectra: Option<SpectraReport>,
+    ) -> Option<Self> {
         let first = motions.first()?.clone();
         let building = &request.building.along;
         let several = motions.len() > 1;
@@ -340,30 +425,59 @@ impl FloorReport {
             QUANTILES.map(|quantile| ranked_quantile(&mut values, quantile).value())
         };
         let code = request.code.as_ref();
-        let across_s = request.building.across.as_ref().map_or(f64::INFINITY, Building::period_s);
+        let across_s = request
+            .building
+            .across
+            .as_ref()
+            .map_or(f64::INFINITY, Building::period_s);
         let period_s = building.period_s().min(across_s);
-        let code = code
-            .and_then(|code| code_parts(code, Some(request.building.height_m), Some(period_s), &request.levels_ratio));
-        let levels = request.levels_ratio.iter().enumerate().map(|(i, &level_ratio)| {
-            let of = |value: fn(&MotionLevel) -> Option<f64>| {
-                quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
-            };
-            let [p16, median, p84] = of(|level| Some(level.pfa_g));
-            let facts = Facts::default()
-                .key("level_ratio", level_ratio)
-                .key("height_m", level_ratio * request.building.height_m)
-                .key("pfa_g", median.unwrap_or_default())
-                .key("pfa_g_p16", p16.filter(|_| several))
-                .key("pfa_g_p84", p84.filter(|_| several))
-                .key("pfv_m_s", of(|level| Some(level.pfv_m_s))[1].unwrap_or_default())
-                .key("pfd_m", of(|level| Some(level.pfd_m))[1].unwrap_or_default())
-                .key("drift_ratio", of(|level| level.drift_ratio)[1])
-                .key("code_part_g", code.as_ref().and_then(|code| code.accel_g.get(i)).copied());
-            let vertical = of(|level| level.pfa_vertical_g)[1];
-            let facts = vertical.iter().fold(facts, |facts, &pfa_g| facts.key("pfa_vertical_g", pfa_g));
-            let path = first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several);
-            LevelReport { facts, path }
+        let code = code.and_then(|code| {
+            code_parts(
+                code,
+                Some(request.building.height_m),
+                Some(period_s),
+                &request.levels_ratio,
+            )
         });
+        let levels = request
+            .levels_ratio
+            .iter()
+            .enumerate()
+            .map(|(i, &level_ratio)| {
+                let of = |value: fn(&MotionLevel) -> Option<f64>| {
+                    quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
+                };
+                let [p16, median, p84] = of(|level| Some(level.pfa_g));
+                let facts = Facts::default()
+                    .key("level_ratio", level_ratio)
+                    .key("height_m", level_ratio * request.building.height_m)
+                    .key("pfa_g", median.unwrap_or_default())
+                    .key("pfa_g_p16", p16.filter(|_| several))
+                    .key("pfa_g_p84", p84.filter(|_| several))
+                    .key(
+                        "pfv_m_s",
+                        of(|level| Some(level.pfv_m_s))[1].unwrap_or_default(),
+                    )
+                    .key(
+                        "pfd_m",
+                        of(|level| Some(level.pfd_m))[1].unwrap_or_default(),
+                    )
+                    .key("drift_ratio", of(|level| level.drift_ratio)[1])
+                    .key(
+                        "code_part_g",
+                        code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
+                    );
+                let vertical = of(|level| level.pfa_vertical_g)[1];
+                let facts = vertical
+                    .iter()
+                    .fold(facts, |facts, &pfa_g| facts.key("pfa_vertical_g", pfa_g));
+                let path = first
+                    .levels
+                    .get(i)
+                    .and_then(|level| level.path.clone())
+                    .filter(|_| !several);
+                LevelReport { facts, path }
+            });
         let levels = levels.collect();
         Some(Self {
             motion: first.motion,
@@ -392,15 +506,30 @@ impl FloorReport {
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn profile_figure(&self) -> Result<Figure, FigureError> {
-        let level = |name: &str| self.levels.iter().filter_map(|level| level.facts.number(name)).collect::<Vec<f64>>();
-        let pfa_g: Vec<Vec<f64>> =
-            self.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
-        let code = self.code_clause.map(|clause| CodeParts { clause, accel_g: level("code_part_g") });
+        let level = |name: &str| {
+            self.levels
+                .iter()
+                .filter_map(|level| level.facts.number(name))
+                .collect::<Vec<f64>>()
+        };
+        let pfa_g: Vec<Vec<f64>> = self
+            .motions
+            .iter()
+            .map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect())
+            .collect();
+        let code = self.code_clause.map(|clause| CodeParts {
+            clause,
+            accel_g: level("code_part_g"),
+        });
         let picture = ProfilePicture {
             levels_ratio: &level("level_ratio"),
             height_m: Some(self.building_height_m),
             pfa_g: &pfa_g,
-            pga_g: &self.motions.iter().map(|motion| motion.pga_g).collect::<Vec<f64>>(),
+            pga_g: &self
+                .motions
+                .iter()
+                .map(|motion| motion.pga_g)
+                .collect::<Vec<f64>>(),
             code: code.as_ref(),
         };
         draw(floor_profile("profile", &picture))

@@ -47,7 +47,14 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     let mut legend = Vec::new();
     if several {
         plots.extend(curves.iter().map(|curve| line(curve, GREY, 0.9, None)));
-        legend.push(entry(Sign::Line { colour: GREY, width_px: 0.9, dash: None }, "each motion"));
+        legend.push(entry(
+            Sign::Line {
+                colour: GREY,
+                width_px: 0.9,
+                dash: None,
+            },
+            "each motion",
+        ));
     }
     let [low, median, high] = QUANTILES.map(|quantile| quantile_curve(&curves, quantile));
     let colour = curve_style(0).colour;
@@ -61,9 +68,23 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
         plots.push(markers(&median, colour, MarkerShape::Circle, 3.5));
     }
     let words = if several { "median" } else { "the motion" };
-    legend.push(entry(Sign::Line { colour, width_px: 2.4, dash: None }, words));
+    legend.push(entry(
+        Sign::Line {
+            colour,
+            width_px: 2.4,
+            dash: None,
+        },
+        words,
+    ));
     if several {
-        legend.push(entry(Sign::Line { colour, width_px: 1.4, dash: Some(QUANTILE_DASH) }, "16 and 84 %"));
+        legend.push(entry(
+            Sign::Line {
+                colour,
+                width_px: 1.4,
+                dash: Some(QUANTILE_DASH),
+            },
+            "16 and 84 %",
+        ));
     }
     let code: Vec<(f64, f64)> = picture
         .code
@@ -74,12 +95,36 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     if let Some(CodeParts { clause, .. }) = picture.code {
         let colour = curve_style(1).colour;
         plots.push(line(&code, colour, 2.0, Some(CODE_DASH)));
-        legend.push(entry(Sign::Line { colour, width_px: 2.0, dash: Some(CODE_DASH) }, clause));
+        legend.push(entry(
+            Sign::Line {
+                colour,
+                width_px: 2.0,
+                dash: Some(CODE_DASH),
+            },
+            clause,
+        ));
     }
-    let largest = curves.iter().flatten().chain(&code).map(|point| point.0).fold(0.0, f64::max);
-    let label = if picture.height_m.is_some() { "Height (m)" } else { "Height as a share z/H (–)" };
-    let y = Axis { from: 0.0, to: 1.02 * scale, step: None, label: label.into() };
-    let layout = axes(Axis::from_zero(1.02 * largest, "Peak floor acceleration (g)"), y);
+    let largest = curves
+        .iter()
+        .flatten()
+        .chain(&code)
+        .map(|point| point.0)
+        .fold(0.0, f64::max);
+    let label = if picture.height_m.is_some() {
+        "Height (m)"
+    } else {
+        "Height as a share z/H (–)"
+    };
+    let y = Axis {
+        from: 0.0,
+        to: 1.02 * scale,
+        step: None,
+        label: label.into(),
+    };
+    let layout = axes(
+        Axis::from_zero(1.02 * largest, "Peak floor acceleration (g)"),
+        y,
+    );
     Page {
         name: name.to_owned(),
         title: "Peak floor accelerations".to_owned(),
@@ -92,13 +137,18 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
 }
 
 fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
-    let of = |point: Option<&(f64, f64)>| point.map_or_else(|| "–".to_owned(), |point| number(point.0, 3));
+    let of = |point: Option<&(f64, f64)>| {
+        point.map_or_else(|| "–".to_owned(), |point| number(point.0, 3))
+    };
     let motions = match picture.pfa_g.len() {
         1 => "one motion:".to_owned(),
         n => format!("{n} motions; median:"),
     };
     let code = picture.code.map_or_else(String::new, |code| {
-        format!(" Dashed: the acceleration that a rigid part is designed for, {}.", code.clause)
+        format!(
+            " Dashed: the acceleration that a rigid part is designed for, {}.",
+            code.clause
+        )
     });
     format!(
         "Largest absolute acceleration of the floors over the height under {motions} {} g at the lowest level, \
@@ -109,12 +159,20 @@ fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
 }
 
 fn entry(sign: Sign, words: &str) -> Entry {
-    Entry { sign, words: words.into() }
+    Entry {
+        sign,
+        words: words.into(),
+    }
 }
 
 /// Acceleration and height of the levels of one motion, from the lowest up, with the ground where
 /// no level is the ground.
-fn curve(picture: &ProfilePicture<'_>, motion: &[f64], pga_g: Option<&f64>, scale: f64) -> Vec<(f64, f64)> {
+fn curve(
+    picture: &ProfilePicture<'_>,
+    motion: &[f64],
+    pga_g: Option<&f64>,
+    scale: f64,
+) -> Vec<(f64, f64)> {
     let levels = picture.levels_ratio.iter().zip(motion);
     let mut points: Vec<(f64, f64)> = levels.map(|(&level, &pfa)| (pfa, scale * level)).collect();
     if !picture.levels_ratio.contains(&0.0) {
@@ -125,9 +183,15 @@ fn curve(picture: &ProfilePicture<'_>, motion: &[f64], pga_g: Option<&f64>, scal
 }
 
 fn quantile_curve(curves: &[Vec<(f64, f64)>], quantile: f64) -> Vec<(f64, f64)> {
-    let Some(first) = curves.first() else { return Vec::new() };
+    let Some(first) = curves.first() else {
+        return Vec::new();
+    };
     let point = |(i, &(_, height)): (usize, &(f64, f64))| {
-        let mut values: Vec<f64> = curves.iter().filter_map(|curve| curve.get(i)).map(|point| point.0).collect();
+        let mut values: Vec<f64> = curves
+            .iter()
+            .filter_map(|curve| curve.get(i))
+            .map(|point| point.0)
+            .collect();
         Some((ranked_quantile(&mut values, quantile).value()?, height))
     };
     first.iter().enumerate().filter_map(point).collect()
@@ -147,7 +211,9 @@ mod tests {
             pga_g: &[0.1, 0.3],
             code: None,
         };
-        let curve = |picture: &ProfilePicture<'_>| curve(picture, &picture.pfa_g[0], picture.pga_g.first(), 10.0);
+        let curve = |picture: &ProfilePicture<'_>| {
+            curve(picture, &picture.pfa_g[0], picture.pga_g.first(), 10.0)
+        };
         assert_eq!(curve(&picture), [(0.1, 0.0), (0.2, 5.0), (0.4, 10.0)]);
         picture.levels_ratio = &[1.0, 0.0];
         assert_eq!(curve(&picture), [(0.2, 0.0), (0.4, 10.0)]);

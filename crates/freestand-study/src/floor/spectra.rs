@@ -25,7 +25,10 @@ pub struct SpectraRequest {
 /// Floor response spectra: medians over the motions; of two components, of the largest over all
 /// directions (RotD100).
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct SpectraReport {
     pub periods_s: Vec<f64>,
     pub damping_ratios: Vec<f64>,
@@ -34,7 +37,10 @@ pub struct SpectraReport {
 
 /// The spectra of one level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct LevelSpectra {
     pub level_ratio: f64,
     /// `[damping][period]`.
@@ -58,17 +64,25 @@ pub fn largest_psa_m_s2(
         None => Ok(response_spectrum(&motion.along, damping_ratio, periods_s)?.psa_m_s2),
         Some(across) => {
             let pair = Pair::new(&motion.along, across)?;
-            Ok(directional_spectrum(&pair, damping_ratio, periods_s, &[100.0])?.rotd_m_s2.swap_remove(0))
+            Ok(
+                directional_spectrum(&pair, damping_ratio, periods_s, &[100.0])?
+                    .rotd_m_s2
+                    .swap_remove(0),
+            )
         }
     }
 }
 
 /// Pseudo-accelerations of one floor, `[damping][period]` \[g\].
-pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Result<Vec<Vec<f64>>, Problem> {
-    let refused = |error: String| Problem::value(error, "damping from 0 to below 1, periods of 0 or more");
+pub(super) fn of_floor(
+    floor: &HorizontalMotion,
+    request: &SpectraRequest,
+) -> Result<Vec<Vec<f64>>, Problem> {
+    let refused =
+        |error: String| Problem::value(error, "damping from 0 to below 1, periods of 0 or more");
     let one = |&damping_ratio: &f64| -> Result<Vec<f64>, Problem> {
-        let psa_m_s2 =
-            largest_psa_m_s2(floor, damping_ratio, &request.periods_s).map_err(|error| refused(error.to_string()))?;
+        let psa_m_s2 = largest_psa_m_s2(floor, damping_ratio, &request.periods_s)
+            .map_err(|error| refused(error.to_string()))?;
         Ok(psa_m_s2.iter().map(|a| a / G0_M_S2).collect())
     };
     // The first error in the order of the dampings, not in that of the threads.
@@ -78,17 +92,27 @@ pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Re
 
 impl SpectraReport {
     /// Medians over the motions, whose spectra are `[motion][level][damping][period]`.
-    pub fn new(levels_ratio: &[f64], request: &SpectraRequest, motions_g: &[Vec<Vec<Vec<f64>>>]) -> Self {
+    pub fn new(
+        levels_ratio: &[f64],
+        request: &SpectraRequest,
+        motions_g: &[Vec<Vec<Vec<f64>>>],
+    ) -> Self {
         let at = |motion: &[Vec<Vec<f64>>], level: usize, damping: usize, period: usize| {
-            motion.get(level).and_then(|level| level.get(damping)?.get(period).copied())
+            motion
+                .get(level)
+                .and_then(|level| level.get(damping)?.get(period).copied())
         };
         let level = |(level, &level_ratio): (usize, &f64)| {
             let of = |quantile: f64| -> Vec<Vec<f64>> {
                 let row = |damping: usize| {
                     let value = |period: usize| {
-                        let mut values: Vec<f64> =
-                            motions_g.iter().filter_map(|motion| at(motion, level, damping, period)).collect();
-                        ranked_quantile(&mut values, quantile).value().unwrap_or_default()
+                        let mut values: Vec<f64> = motions_g
+                            .iter()
+                            .filter_map(|motion| at(motion, level, damping, period))
+                            .collect();
+                        ranked_quantile(&mut values, quantile)
+                            .value()
+                            .unwrap_or_default()
                     };
                     (0..request.periods_s.len()).map(value).collect()
                 };
@@ -121,9 +145,14 @@ pub fn spectra_table(report: &SpectraReport) -> Result<Table, Problem> {
         for (damping, &damping_ratio) in report.damping_ratios.iter().enumerate() {
             for (period, &period_s) in report.periods_s.iter().enumerate() {
                 let at = |of: &[Vec<f64>]| of.get(damping).and_then(|row| row.get(period)).copied();
-                let row = facts!(level; level_ratio).key("damping_ratio", damping_ratio).key("period_s", period_s);
+                let row = facts!(level; level_ratio)
+                    .key("damping_ratio", damping_ratio)
+                    .key("period_s", period_s);
                 let row = row.key("psa_g", at(&level.psa_g).unwrap_or_default());
-                rows.push(row.key("psa_g_p16", at(&level.psa_g_p16)).key("psa_g_p84", at(&level.psa_g_p84)));
+                rows.push(
+                    row.key("psa_g_p16", at(&level.psa_g_p16))
+                        .key("psa_g_p84", at(&level.psa_g_p84)),
+                );
             }
         }
     }

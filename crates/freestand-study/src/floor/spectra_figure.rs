@@ -16,7 +16,10 @@ const MOST_LEVELS: usize = 6;
 pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usize) -> Page {
     let drawn = drawn_levels(report.levels.len());
     let positive = || report.periods_s.iter().copied().filter(|&t| t > 0.0);
-    let (mut from, mut to) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
+    let (mut from, mut to) = (
+        positive().fold(f64::INFINITY, f64::min),
+        positive().fold(0.0, f64::max),
+    );
     if from >= to {
         (from, to) = (0.05, 5.0);
     }
@@ -24,27 +27,52 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         let mut highest = 0.0f64;
         let mut plots = Vec::new();
         for (style, &index) in drawn.iter().enumerate() {
-            let Some(psa) = report.levels.get(index).and_then(|level| level.psa_g.get(damping)) else { continue };
-            let mut points: Vec<(f64, f64)> =
-                report.periods_s.iter().copied().zip(psa.iter().copied()).filter(|point| point.0 > 0.0).collect();
+            let Some(psa) = report
+                .levels
+                .get(index)
+                .and_then(|level| level.psa_g.get(damping))
+            else {
+                continue;
+            };
+            let mut points: Vec<(f64, f64)> = report
+                .periods_s
+                .iter()
+                .copied()
+                .zip(psa.iter().copied())
+                .filter(|point| point.0 > 0.0)
+                .collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             highest = points.iter().map(|point| point.1).fold(highest, f64::max);
             let style = curve_style(style);
             plots.push(line(&points, style.colour, 2.0, style.dash));
         }
-        let x = Axis { from, to, step: None, label: "Period (s)".into() };
+        let x = Axis {
+            from,
+            to,
+            step: None,
+            label: "Period (s)".into(),
+        };
         let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
         let title = format!("damping {} %", number(100.0 * ratio, 4));
         let mut layout = axes(x, y).with_title(plain(&title)).with_log_x();
         layout.x_tick_format = decades();
         Panel { plots, layout }
     };
-    let panels: Vec<Panel> = report.damping_ratios.iter().enumerate().map(panel).collect();
+    let panels: Vec<Panel> = report
+        .damping_ratios
+        .iter()
+        .enumerate()
+        .map(panel)
+        .collect();
     let columns = columns(panels.len());
     let legend = drawn.iter().enumerate().filter_map(|(style, &index)| {
         let ratio = report.levels.get(index)?.level_ratio;
         let style = curve_style(style);
-        let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
+        let sign = Sign::Line {
+            colour: style.colour,
+            width_px: 2.0,
+            dash: style.dash,
+        };
         let words = match ratio {
             0.0 => "ground".to_owned(),
             1.0 => "roof".to_owned(),
@@ -52,7 +80,11 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         };
         Some(Entry { sign, words })
     });
-    let of = if motions > 1 { format!("median over {motions} motions") } else { "one motion".to_owned() };
+    let of = if motions > 1 {
+        format!("median over {motions} motions")
+    } else {
+        "one motion".to_owned()
+    };
     Page {
         name: "spectra".to_owned(),
         title: "Response spectra of the floors".to_owned(),
@@ -72,7 +104,9 @@ fn drawn_levels(count: usize) -> Vec<usize> {
     if count <= MOST_LEVELS {
         return (0..count).collect();
     }
-    (0..MOST_LEVELS).map(|i| i * (count - 1) / (MOST_LEVELS - 1)).collect()
+    (0..MOST_LEVELS)
+        .map(|i| i * (count - 1) / (MOST_LEVELS - 1))
+        .collect()
 }
 
 /// Draws response spectra of floors; `motions` is the number of motions that the medians are over.

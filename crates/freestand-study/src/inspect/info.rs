@@ -68,14 +68,28 @@ pub struct MotionInfo {
 /// Everything that is wrong with the only file, or with all of several; otherwise the report lists
 /// the files that failed.
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
-    let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
-    let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
+    let each: Vec<_> = request
+        .files
+        .paths
+        .par_iter()
+        .map(|path| info_of_file(path, request))
+        .collect();
+    let mut report = InfoReport {
+        motions: Vec::new(),
+        failed: Vec::new(),
+        warnings: Vec::new(),
+    };
     let mut notes = Vec::new();
     for (path, found) in request.files.paths.iter().zip(each) {
         report.motions.extend(found.motions);
         let name = path.to_string_lossy();
         notes.extend(found.notes.into_iter().map(|note| (name.clone(), note)));
-        report.failed.extend(found.problems.into_iter().map(|problem| Failed::new(path, problem)));
+        report.failed.extend(
+            found
+                .problems
+                .into_iter()
+                .map(|problem| Failed::new(path, problem)),
+        );
     }
     report.warnings = grouped(notes.iter().map(|(name, note)| (name, note)));
     if !report.failed.is_empty() && (report.motions.is_empty() || request.files.paths.len() == 1) {
@@ -99,12 +113,22 @@ struct Found {
 fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
     let file = match read_motions(path, &request.files.read) {
         Ok(file) => file,
-        Err(error) => return Found { problems: error, ..Found::default() },
+        Err(error) => {
+            return Found {
+                problems: error,
+                ..Found::default()
+            };
+        }
     };
     let components: Vec<&Component> = match request.files.component.as_deref() {
         Some(wanted) => match file.select(Some(wanted)) {
             Ok(component) => vec![component],
-            Err(problem) => return Found { problems: problem.into(), ..Found::default() },
+            Err(problem) => {
+                return Found {
+                    problems: problem.into(),
+                    ..Found::default()
+                };
+            }
         },
         None => file.components.iter().collect(),
     };
@@ -112,17 +136,27 @@ fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
     let of = |component: &Component| {
         info_of_component(&file, component, request).map_err(|mut problem| {
             if count > 1 {
-                problem.message = format!("component {}: {}", shorten(&component.name), problem.message);
+                problem.message = format!(
+                    "component {}: {}",
+                    shorten(&component.name),
+                    problem.message
+                );
             }
             problem
         })
     };
-    let each: Vec<Result<(MotionInfo, Vec<Note>), Problem>> = components.into_par_iter().map(of).collect();
-    let mut found = Found { notes: file.notes.clone(), ..Found::default() };
+    let each: Vec<Result<(MotionInfo, Vec<Note>), Problem>> =
+        components.into_par_iter().map(of).collect();
+    let mut found = Found {
+        notes: file.notes.clone(),
+        ..Found::default()
+    };
     for one in each {
         match one {
             Ok((info, more)) => {
-                found.notes.extend(more.into_iter().map(|note| note.about(&info.component)));
+                found
+                    .notes
+                    .extend(more.into_iter().map(|note| note.about(&info.component)));
                 found.motions.push(info);
             }
             Err(problem) => found.problems.push(problem),
@@ -136,9 +170,16 @@ fn info_of_component(
     component: &Component,
     request: &InfoRequest,
 ) -> Result<(MotionInfo, Vec<Note>), Problem> {
-    let Processed { motion, steps, notes, scale_ratio } =
-        process(component, &request.files.processing).map_err(|problem| problem.in_file(&file.path))?;
-    let rocking = request.block.map(|block| rocking_measures(&motion, &block, G0_M_S2));
+    let Processed {
+        motion,
+        steps,
+        notes,
+        scale_ratio,
+    } = process(component, &request.files.processing)
+        .map_err(|problem| problem.in_file(&file.path))?;
+    let rocking = request
+        .block
+        .map(|block| rocking_measures(&motion, &block, G0_M_S2));
     let raw = component.motion.accel_m_s2();
     let (direction, azimuth_deg) = match component.direction {
         Some(Direction::Up) => (Some("up"), None),
@@ -158,11 +199,31 @@ fn info_of_component(
         .fact("npts", "samples", motion.accel_m_s2().len())
         .fact("duration_s", "duration", motion.duration_s())
         .and(measure_facts(&motion))
-        .fact("uplift_threshold_g", "uplift threshold g tan α", of_block(|r| r.uplift_threshold_m_s2 / G0_M_S2))
-        .fact("pga_over_threshold_ratio", "PGA/(g tan α)", of_block(|r| r.pga_ratio))
-        .fact("pgv_over_threshold_ratio", "p PGV/(g tan α)", of_block(|r| r.pgv_ratio))
-        .fact("time_above_threshold_s", "time above the threshold", of_block(|r| r.time_above_s))
-        .fact("excursions_above_threshold", "  excursions", rocking.map(|r| r.excursions))
+        .fact(
+            "uplift_threshold_g",
+            "uplift threshold g tan α",
+            of_block(|r| r.uplift_threshold_m_s2 / G0_M_S2),
+        )
+        .fact(
+            "pga_over_threshold_ratio",
+            "PGA/(g tan α)",
+            of_block(|r| r.pga_ratio),
+        )
+        .fact(
+            "pgv_over_threshold_ratio",
+            "p PGV/(g tan α)",
+            of_block(|r| r.pgv_ratio),
+        )
+        .fact(
+            "time_above_threshold_s",
+            "time above the threshold",
+            of_block(|r| r.time_above_s),
+        )
+        .fact(
+            "excursions_above_threshold",
+            "  excursions",
+            rocking.map(|r| r.excursions),
+        )
         .key("mean_m_s2", component.motion.mean_m_s2())
         .key("sum_abs_m_s2", raw.iter().map(|a| a.abs()).sum::<f64>())
         .key("first_values_m_s2", first(raw))
@@ -171,7 +232,10 @@ fn info_of_component(
         .key("processed_last_values_m_s2", last(motion.accel_m_s2()))
         .key("scale_ratio", scale_ratio)
         .fact("processing", "processing", steps.clone());
-    let station = component.station.as_ref().map_or(String::new(), |station| format!(", {station}"));
+    let station = component
+        .station
+        .as_ref()
+        .map_or(String::new(), |station| format!(", {station}"));
     let info = MotionInfo {
         path: file.path.to_string_lossy().into_owned(),
         name: motion_name(file, component),
@@ -216,14 +280,29 @@ fn motion_name(file: &MotionFile, component: &Component) -> String {
     if file.components.len() == 1 {
         return name;
     }
-    format!("{name}_{}", name_of(&PathBuf::from(format!("{}.x", component.name.replace(['/', '\\'], "-")))))
+    format!(
+        "{name}_{}",
+        name_of(&PathBuf::from(format!(
+            "{}.x",
+            component.name.replace(['/', '\\'], "-")
+        )))
+    )
 }
 
 impl InfoReport {
     /// The document of `freestand motion info`.
     pub fn facts(&self) -> Facts<'_> {
-        let motions = Facts::default().key("motions", self.motions.iter().map(MotionInfo::facts).collect::<Vec<_>>());
-        let failed = self.failed.iter().map(|one| one.facts().key("hint", one.problem.hint.as_deref()));
+        let motions = Facts::default().key(
+            "motions",
+            self.motions
+                .iter()
+                .map(MotionInfo::facts)
+                .collect::<Vec<_>>(),
+        );
+        let failed = self
+            .failed
+            .iter()
+            .map(|one| one.facts().key("hint", one.problem.hint.as_deref()));
         motions.key("failed", failed.collect::<Vec<_>>())
     }
 
@@ -234,7 +313,9 @@ impl InfoReport {
     pub fn measures_table(&self) -> Result<Table, Problem> {
         // A table holds names, never paths.
         table(self.motions.iter().map(|one| {
-            let row = Facts::default().key("motion", one.name.as_str()).and(one.facts.clone());
+            let row = Facts::default()
+                .key("motion", one.name.as_str())
+                .and(one.facts.clone());
             row.key("processing", one.processing.join("; "))
         }))
     }
@@ -243,7 +324,9 @@ impl InfoReport {
 impl MotionInfo {
     /// Its part of the document.
     pub fn facts(&self) -> Facts<'_> {
-        let named = Facts::default().fact("path", "file", self.path.as_str()).key("name", self.name.as_str());
+        let named = Facts::default()
+            .fact("path", "file", self.path.as_str())
+            .key("name", self.name.as_str());
         named.and(self.facts.clone())
     }
 
@@ -252,8 +335,14 @@ impl MotionInfo {
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn figure(&self) -> Result<Option<Figure>, FigureError> {
-        let Some(motion) = &self.motion else { return Ok(None) };
-        let words = Words { name: &self.name, description: &self.description, processing: &self.processing };
+        let Some(motion) = &self.motion else {
+            return Ok(None);
+        };
+        let words = Words {
+            name: &self.name,
+            description: &self.description,
+            processing: &self.processing,
+        };
         record_figure(words, motion).map(Some)
     }
 }

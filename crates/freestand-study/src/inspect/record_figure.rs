@@ -12,7 +12,9 @@ use freestand_input::words::{fixed, number, significant};
 
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, DARK, curve_style, line, markers, plain, plain_ticks, readable};
+use freestand_output::figure::style::{
+    Axis, DARK, curve_style, line, markers, plain, plain_ticks, readable,
+};
 use freestand_output::figure::time::{stacked_with_title, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
@@ -24,29 +26,66 @@ const SHADE_OPACITY: f64 = 0.09;
 /// The record figure of a motion; `id` is its name.
 pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     let (dt_s, end_s) = (motion.dt_s(), motion.duration_s());
-    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
+    let Integrals {
+        velocity_m_s: velocity,
+        displacement_m: displacement,
+    } = integrals(motion);
     let accel_g: Vec<f64> = motion.accel_m_s2().iter().map(|&a| a / G0_M_S2).collect();
     let energy: Vec<f64> = husid(motion).iter().map(|share| 100.0 * share).collect();
     let span_s = significant_span_s(motion);
     let x = || time_axis(0.0, end_s);
     let panels = vec![
-        history(&accel_g, dt_s, span_s, x(), ["PGA", "Acceleration"], ["g", "mg", "µg"]),
-        history(&velocity, dt_s, span_s, x(), ["PGV", "Velocity"], ["m/s", "mm/s", "µm/s"]),
-        history(&displacement, dt_s, span_s, x(), ["PGD", "Displacement"], ["m", "mm", "µm"]),
+        history(
+            &accel_g,
+            dt_s,
+            span_s,
+            x(),
+            ["PGA", "Acceleration"],
+            ["g", "mg", "µg"],
+        ),
+        history(
+            &velocity,
+            dt_s,
+            span_s,
+            x(),
+            ["PGV", "Velocity"],
+            ["m/s", "mm/s", "µm/s"],
+        ),
+        history(
+            &displacement,
+            dt_s,
+            span_s,
+            x(),
+            ["PGD", "Displacement"],
+            ["m", "mm", "µm"],
+        ),
         energy_panel(&energy, dt_s, span_s, x()),
     ];
     let colour = curve_style(1).colour;
-    let entry = |sign, words: &str| Entry { sign, words: words.into() };
+    let entry = |sign, words: &str| Entry {
+        sign,
+        words: words.into(),
+    };
     let legend = vec![
         entry(Sign::Dot { colour }, "largest value"),
-        entry(Sign::Shade { colour: SHADE, opacity: SHADE_OPACITY }, "5–95 % of the Arias intensity"),
+        entry(
+            Sign::Shade {
+                colour: SHADE,
+                opacity: SHADE_OPACITY,
+            },
+            "5–95 % of the Arias intensity",
+        ),
     ];
     let done = if words.processing.is_empty() {
         "its samples were not processed".to_owned()
     } else {
         format!("processing: {}", words.processing.join("; "))
     };
-    let about = if words.description.is_empty() { String::new() } else { format!(" ({})", words.description) };
+    let about = if words.description.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", words.description)
+    };
     let caption = format!(
         "The motion “{}”{about}, {} samples every {} s; {done}. Acceleration, velocity and displacement are the \
          samples and their integrals from rest by the trapezoid rule, without further baseline correction. The \
@@ -80,25 +119,49 @@ fn history(
     let (at, peak) = largest(values);
     let (factor, unit) = readable(peak, units);
     let time_s = at as f64 * dt_s;
-    let points = values.iter().enumerate().map(|(i, value)| (i as f64 * dt_s, factor * value));
-    let curve = line(&thin(points, x.from, x.to), curve_style(0).colour, 0.9, None);
-    let mark = markers(&[(time_s, factor * peak)], curve_style(1).colour, MarkerShape::Circle, 3.5);
+    let points = values
+        .iter()
+        .enumerate()
+        .map(|(i, value)| (i as f64 * dt_s, factor * value));
+    let curve = line(
+        &thin(points, x.from, x.to),
+        curve_style(0).colour,
+        0.9,
+        None,
+    );
+    let mark = markers(
+        &[(time_s, factor * peak)],
+        curve_style(1).colour,
+        MarkerShape::Circle,
+        3.5,
+    );
     let y = symmetric((factor * peak).abs(), &format!("{name} ({unit})"));
-    let title = format!("{peak_name} {} {unit} at {} s", significant(factor * peak, 4), fixed(time_s, decimals(dt_s)));
+    let title = format!(
+        "{peak_name} {} {unit} at {} s",
+        significant(factor * peak, 4),
+        fixed(time_s, decimals(dt_s))
+    );
     let y_ticks = plain_ticks(y.to);
     let mut layout = stacked_with_title(x, y, false, title).with_shaded_region(shade(span_s));
     layout.y_tick_format = y_ticks;
-    Panel { plots: vec![curve, mark], layout }
+    Panel {
+        plots: vec![curve, mark],
+        layout,
+    }
 }
 
 /// The first value of the largest magnitude, and its index.
 fn largest(values: &[f64]) -> (usize, f64) {
-    values.iter().enumerate().fold(
-        (0, 0.0),
-        |best, (i, &value): (usize, &f64)| {
-            if value.abs() > f64::abs(best.1) { (i, value) } else { best }
-        },
-    )
+    values
+        .iter()
+        .enumerate()
+        .fold((0, 0.0), |best, (i, &value): (usize, &f64)| {
+            if value.abs() > f64::abs(best.1) {
+                (i, value)
+            } else {
+                best
+            }
+        })
 }
 
 /// Decimals that distinguish samples.
@@ -107,23 +170,48 @@ fn decimals(dt_s: f64) -> usize {
 }
 
 fn shade(span_s: (f64, f64)) -> ShadedRegion {
-    ShadedRegion::vertical(span_s.0, span_s.1).with_color(SHADE).with_opacity(SHADE_OPACITY)
+    ShadedRegion::vertical(span_s.0, span_s.1)
+        .with_color(SHADE)
+        .with_opacity(SHADE_OPACITY)
 }
 
 fn energy_panel(percents: &[f64], dt_s: f64, span_s: (f64, f64), x: Axis) -> Panel {
-    let points = percents.iter().enumerate().map(|(i, &share)| (i as f64 * dt_s, share));
-    let curve = line(&thin(points, x.from, x.to), curve_style(0).colour, 1.4, None);
-    let y = Axis { from: 0.0, to: 100.0, step: Some(25.0), label: "Arias intensity (%)".into() };
-    let title =
-        format!("D5–95 {} s: {} s to {} s", fixed(span_s.1 - span_s.0, 2), fixed(span_s.0, 2), fixed(span_s.1, 2));
+    let points = percents
+        .iter()
+        .enumerate()
+        .map(|(i, &share)| (i as f64 * dt_s, share));
+    let curve = line(
+        &thin(points, x.from, x.to),
+        curve_style(0).colour,
+        1.4,
+        None,
+    );
+    let y = Axis {
+        from: 0.0,
+        to: 100.0,
+        step: Some(25.0),
+        label: "Arias intensity (%)".into(),
+    };
+    let title = format!(
+        "D5–95 {} s: {} s to {} s",
+        fixed(span_s.1 - span_s.0, 2),
+        fixed(span_s.0, 2),
+        fixed(span_s.1, 2)
+    );
     let x_ticks = plain_ticks(x.to);
     let mut layout = stacked_with_title(x, y, true, title).with_shaded_region(shade(span_s));
     layout.x_tick_format = x_ticks;
     for share in [5.0, 95.0] {
-        let mark = ReferenceLine::horizontal(share).with_color(DARK).with_stroke_width(0.8).with_dasharray("2 3");
+        let mark = ReferenceLine::horizontal(share)
+            .with_color(DARK)
+            .with_stroke_width(0.8)
+            .with_dasharray("2 3");
         layout = layout.with_reference_line(mark);
     }
-    Panel { plots: vec![curve], layout }
+    Panel {
+        plots: vec![curve],
+        layout,
+    }
 }
 
 /// Draws a motion: acceleration, velocity and displacement with their peaks, and its Husid curve.

@@ -24,7 +24,10 @@ pub struct RotdRequest {
 
 /// Response spectra of two horizontal components over all directions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct RotdReport {
     pub paths: Vec<String>,
     pub components: [String; 2],
@@ -60,7 +63,10 @@ pub struct PercentileSpectrum {
 /// period or percentile.
 pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Problem> {
     if let Some(twice) = repeated(&request.percentiles) {
-        return Err(Problem::value(format!("percentile {twice} is requested twice"), "name each percentile once"));
+        return Err(Problem::value(
+            format!("percentile {twice} is requested twice"),
+            "name each percentile once",
+        ));
     }
     let (first, second) = read.components()?;
     let names = read.names((first, second));
@@ -78,14 +84,32 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
     let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
     let mut warnings = read.warnings();
     let notes = [&one, &two].into_iter().flat_map(|done| &done.notes);
-    warnings.extend(not_perpendicular(first, second).iter().chain(notes).map(Note::to_string));
-    warnings.extend(short_period_warning("the spectrum", &request.periods_s, one.motion.dt_s()));
+    warnings.extend(
+        not_perpendicular(first, second)
+            .iter()
+            .chain(notes)
+            .map(Note::to_string),
+    );
+    warnings.extend(short_period_warning(
+        "the spectrum",
+        &request.periods_s,
+        one.motion.dt_s(),
+    ));
     Ok(RotdReport {
-        paths: read.files.iter().map(|file| file.path.to_string_lossy().into_owned()).collect(),
+        paths: read
+            .files
+            .iter()
+            .map(|file| file.path.to_string_lossy().into_owned())
+            .collect(),
         components: [first.name.clone(), second.name.clone()],
         damping_ratio: request.damping_ratio,
         periods_s: request.periods_s.clone(),
-        rotd: ranked.map(|(&percentile, row)| PercentileSpectrum { percentile, psa_g: in_g(row) }).collect(),
+        rotd: ranked
+            .map(|(&percentile, row)| PercentileSpectrum {
+                percentile,
+                psa_g: in_g(row),
+            })
+            .collect(),
         first_g: in_g(&spectrum.first_m_s2),
         second_g: in_g(&spectrum.second_m_s2),
         larger_g: in_g(&spectrum.larger_m_s2),
@@ -97,8 +121,13 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
 
 /// The first value that occurs a second time.
 fn repeated(values: &[f64]) -> Option<f64> {
-    let is_repeated = |&(index, value): &(usize, &f64)| values.iter().take(index).any(|before| before == value);
-    values.iter().enumerate().find(is_repeated).map(|(_, value)| *value)
+    let is_repeated =
+        |&(index, value): &(usize, &f64)| values.iter().take(index).any(|before| before == value);
+    values
+        .iter()
+        .enumerate()
+        .find(is_repeated)
+        .map(|(_, value)| *value)
 }
 
 impl PercentileSpectrum {
@@ -109,7 +138,10 @@ impl PercentileSpectrum {
     }
 }
 
-fn by_name<S: Serializer>(spectra: &[PercentileSpectrum], serializer: S) -> Result<S::Ok, S::Error> {
+fn by_name<S: Serializer>(
+    spectra: &[PercentileSpectrum],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     serializer.collect_map(spectra.iter().map(|one| (one.name(), &one.psa_g)))
 }
 
@@ -117,14 +149,22 @@ impl RotdReport {
     /// Periods and spectra with their names, RotDnn in the order requested.
     pub fn columns(&self) -> Vec<(String, &[f64])> {
         let mut columns = vec![("period_s".to_owned(), self.periods_s.as_slice())];
-        columns.extend(self.rotd.iter().map(|one| (one.name(), one.psa_g.as_slice())));
+        columns.extend(
+            self.rotd
+                .iter()
+                .map(|one| (one.name(), one.psa_g.as_slice())),
+        );
         let others = [
             ("larger_g", &self.larger_g),
             ("geometric_mean_g", &self.geometric_mean_g),
             ("first_g", &self.first_g),
             ("second_g", &self.second_g),
         ];
-        columns.extend(others.into_iter().map(|(name, values)| (name.to_owned(), values.as_slice())));
+        columns.extend(
+            others
+                .into_iter()
+                .map(|(name, values)| (name.to_owned(), values.as_slice())),
+        );
         columns
     }
 
@@ -134,6 +174,11 @@ impl RotdReport {
     /// None in practice: see [`table_of_columns`].
     pub fn table(&self) -> Result<Table, Problem> {
         let columns = self.columns();
-        table_of_columns(&columns.iter().map(|(name, values)| (name.as_str(), *values)).collect::<Vec<_>>())
+        table_of_columns(
+            &columns
+                .iter()
+                .map(|(name, values)| (name.as_str(), *values))
+                .collect::<Vec<_>>(),
+        )
     }
 }

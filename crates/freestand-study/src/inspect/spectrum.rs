@@ -29,7 +29,10 @@ pub struct SpectrumRequest {
 
 /// The response spectra of one motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct SpectrumReport {
     pub path: String,
     pub name: String,
@@ -49,7 +52,10 @@ pub struct SpectrumReport {
 
 /// A response spectrum at one damping.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct DampedSpectrum {
     pub damping_ratio: f64,
     pub sd_m: Vec<f64>,
@@ -66,12 +72,14 @@ pub fn check_upsampling(factor: usize, samples: usize) -> Result<(), Problem> {
     if factor <= 1 || samples.saturating_mul(factor) <= MAX_LENGTH {
         return Ok(());
     }
-    let message =
-        format!("upsampling {samples} samples {factor} times gives more than resampling allows ({MAX_LENGTH})");
+    let message = format!(
+        "upsampling {samples} samples {factor} times gives more than resampling allows ({MAX_LENGTH})"
+    );
     Err(Problem::value(message, ENOUGH))
 }
 
-const ENOUGH: &str = "reduce `upsample`: ten samples in the shortest period are enough for a damping of 5 %";
+const ENOUGH: &str =
+    "reduce `upsample`: ten samples in the shortest period are enough for a damping of 5 %";
 
 /// Computes the response spectra of a motion.
 ///
@@ -84,19 +92,36 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
         .map_err(|error| Problem::value(error.to_string(), ENOUGH))?;
     let mut processing = recorded.processing.clone();
     if request.upsample > 1 {
-        processing.push(format!("upsampled {} times by sinc interpolation", request.upsample));
+        processing.push(format!(
+            "upsampled {} times by sinc interpolation",
+            request.upsample
+        ));
     }
     let of = |damping_ratio: f64| {
-        let spectrum = response_spectrum(&motion, damping_ratio, &request.periods_s)
-            .map_err(|error| Problem::value(error.to_string(), "damping from 0 to below 1, periods of 0 or more"))?;
+        let spectrum =
+            response_spectrum(&motion, damping_ratio, &request.periods_s).map_err(|error| {
+                Problem::value(
+                    error.to_string(),
+                    "damping from 0 to below 1, periods of 0 or more",
+                )
+            })?;
         Ok(DampedSpectrum::new(damping_ratio, &spectrum))
     };
-    let all: Vec<Result<DampedSpectrum, Problem>> = request.damping_ratios.par_iter().map(|&ratio| of(ratio)).collect();
+    let all: Vec<Result<DampedSpectrum, Problem>> = request
+        .damping_ratios
+        .par_iter()
+        .map(|&ratio| of(ratio))
+        .collect();
     let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
-    let first =
-        all.next().ok_or_else(|| Problem::value("a spectrum needs a damping ratio", "give one, such as 5 %"))?;
+    let first = all.next().ok_or_else(|| {
+        Problem::value("a spectrum needs a damping ratio", "give one, such as 5 %")
+    })?;
     let mut warnings: Vec<String> = read.notes.iter().map(Note::to_string).collect();
-    warnings.extend(short_period_note(&request.periods_s, recorded.motion.dt_s(), request.upsample));
+    warnings.extend(short_period_note(
+        &request.periods_s,
+        recorded.motion.dt_s(),
+        request.upsample,
+    ));
     Ok(SpectrumReport {
         path: recorded.path.to_string_lossy().into_owned(),
         name: recorded.name.clone(),
@@ -113,7 +138,11 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
 /// A warning about periods with fewer than ten samples, with the upsampling that gives ten.
 fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
     let (shortest_s, needed) = samples_needed(periods_s, dt_s, upsample)?;
-    let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
+    let given = if upsample > 1 {
+        format!(", in {upsample} parts each")
+    } else {
+        String::new()
+    };
     Some(format!(
         "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
          {needed}` would give it ten",
@@ -145,14 +174,19 @@ impl SpectrumReport {
     /// # Errors
     /// None in practice: see [`table_of_columns`].
     pub fn table(&self) -> Result<Table, Problem> {
-        let joined = |of: &dyn Fn(&DampedSpectrum) -> Vec<f64>| self.all().flat_map(of).collect::<Vec<f64>>();
+        let joined = |of: &dyn Fn(&DampedSpectrum) -> Vec<f64>| {
+            self.all().flat_map(of).collect::<Vec<f64>>()
+        };
         table_of_columns(&[
             ("period_s", &joined(&|_| self.periods_s.clone())),
             ("sd_m", &joined(&|one| one.sd_m.clone())),
             ("psv_m_s", &joined(&|one| one.psv_m_s.clone())),
             ("psa_g", &joined(&|one| one.psa_g.clone())),
             ("sa_g", &joined(&|one| one.sa_g.clone())),
-            ("damping_ratio", &joined(&|one| vec![one.damping_ratio; self.periods_s.len()])),
+            (
+                "damping_ratio",
+                &joined(&|one| vec![one.damping_ratio; self.periods_s.len()]),
+            ),
         ])
     }
 
@@ -161,7 +195,11 @@ impl SpectrumReport {
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn figure(&self) -> Result<Figure, FigureError> {
-        let words = Words { name: &self.name, description: "", processing: &self.processing };
+        let words = Words {
+            name: &self.name,
+            description: "",
+            processing: &self.processing,
+        };
         let spectra: Vec<_> = self.all().collect();
         response_spectrum_figure(words, &self.periods_s, &spectra)
     }

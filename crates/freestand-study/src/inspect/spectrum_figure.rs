@@ -9,7 +9,9 @@ use freestand_input::words::number;
 use super::Words;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, curve_style, line, markers, plain, plain_ticks, readable};
+use freestand_output::figure::style::{
+    Axis, curve_style, line, markers, plain, plain_ticks, readable,
+};
 use freestand_output::figure::time::{stacked, thin};
 use freestand_output::figure::{Figure, FigureError};
 
@@ -20,24 +22,67 @@ const PANELS_PX: [f64; 3] = [260.0, 180.0, 215.0];
 const MARKED_PERIODS: usize = 12;
 
 /// PSA, PSV and SD against period.
-pub(crate) fn response_spectrum(words: Words<'_>, periods_s: &[f64], spectra: &[&DampedSpectrum]) -> Page {
+pub(crate) fn response_spectrum(
+    words: Words<'_>,
+    periods_s: &[f64],
+    spectra: &[&DampedSpectrum],
+) -> Page {
     let periods = || periods_s.iter().copied().filter(|&t| t > 0.0);
-    let (mut from, mut to) = (periods().fold(f64::INFINITY, f64::min), periods().fold(0.0, f64::max));
+    let (mut from, mut to) = (
+        periods().fold(f64::INFINITY, f64::min),
+        periods().fold(0.0, f64::max),
+    );
     if from > to {
         (from, to) = (0.05, 5.0);
     } else if from == to {
         (from, to) = (from / 2.0, to * 2.0);
     }
-    let x = || Axis { from, to, step: None, label: "Period (s)".into() };
+    let x = || Axis {
+        from,
+        to,
+        step: None,
+        label: "Period (s)".into(),
+    };
     let panels = vec![
-        panel(periods_s, spectra, |s| &s.psa_g, x(), "PSA", ["g", "mg", "µg"], false),
-        panel(periods_s, spectra, |s| &s.psv_m_s, x(), "PSV", ["m/s", "mm/s", "µm/s"], false),
-        panel(periods_s, spectra, |s| &s.sd_m, x(), "SD", ["m", "mm", "µm"], true),
+        panel(
+            periods_s,
+            spectra,
+            |s| &s.psa_g,
+            x(),
+            "PSA",
+            ["g", "mg", "µg"],
+            false,
+        ),
+        panel(
+            periods_s,
+            spectra,
+            |s| &s.psv_m_s,
+            x(),
+            "PSV",
+            ["m/s", "mm/s", "µm/s"],
+            false,
+        ),
+        panel(
+            periods_s,
+            spectra,
+            |s| &s.sd_m,
+            x(),
+            "SD",
+            ["m", "mm", "µm"],
+            true,
+        ),
     ];
     let legend = spectra.iter().enumerate().map(|(i, spectrum)| {
         let style = curve_style(i);
-        let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
-        Entry { sign, words: format!("damping {} %", number(100.0 * spectrum.damping_ratio, 4)) }
+        let sign = Sign::Line {
+            colour: style.colour,
+            width_px: 2.0,
+            dash: style.dash,
+        };
+        Entry {
+            sign,
+            words: format!("damping {} %", number(100.0 * spectrum.damping_ratio, 4)),
+        }
     });
     let done = if words.processing.is_empty() {
         String::new()
@@ -68,19 +113,29 @@ fn panel(
     units: [&'static str; 3],
     lowest: bool,
 ) -> Panel {
-    let highest = spectra.iter().flat_map(|one| values(one)).copied().fold(0.0, f64::max);
+    let highest = spectra
+        .iter()
+        .flat_map(|one| values(one))
+        .copied()
+        .fold(0.0, f64::max);
     let (factor, unit) = readable(highest, units);
     let plots: Vec<Plot> = spectra
         .iter()
         .enumerate()
         .flat_map(|(i, spectrum)| {
-            let all = periods_s.iter().copied().zip(values(spectrum).iter().map(|value| factor * value));
+            let all = periods_s
+                .iter()
+                .copied()
+                .zip(values(spectrum).iter().map(|value| factor * value));
             let mut points: Vec<(f64, f64)> = all.filter(|p| p.0 > 0.0).collect();
             // Periods may be given in any order.
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let logarithms = points.into_iter().map(|(t, value)| (t.ln(), value));
             let thinned = thin(logarithms, x.from.ln(), x.to.ln());
-            let curve: Vec<(f64, f64)> = thinned.into_iter().map(|(t, value)| (t.exp(), value)).collect();
+            let curve: Vec<(f64, f64)> = thinned
+                .into_iter()
+                .map(|(t, value)| (t.exp(), value))
+                .collect();
             let style = curve_style(i);
             let mut plots = vec![line(&curve, style.colour, 2.0, style.dash)];
             if curve.len() <= MARKED_PERIODS {

@@ -44,18 +44,49 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
     for row in load_curve(path)? {
         let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
-                let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not given"));
-                problem.in_file(path).hint(format!("give `{key}`, or add a column with it"))
+                let problem = Problem::new(
+                    ProblemKind::Value,
+                    format!("the {what} of the tests is not given"),
+                );
+                problem
+                    .in_file(path)
+                    .hint(format!("give `{key}`, or add a column with it"))
             })
         };
-        let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "drop_height")?;
-        let thickness_m = stated(row.thickness_m, request.thickness_m, "thickness", "thickness")?;
-        let sizes = [row.static_stress_pa, drop_height_m, thickness_m, row.peak_acceleration_m_s2];
+        let drop_height_m = stated(
+            row.drop_height_m,
+            request.drop_height_m,
+            "drop height",
+            "drop_height",
+        )?;
+        let thickness_m = stated(
+            row.thickness_m,
+            request.thickness_m,
+            "thickness",
+            "thickness",
+        )?;
+        let sizes = [
+            row.static_stress_pa,
+            drop_height_m,
+            thickness_m,
+            row.peak_acceleration_m_s2,
+        ];
         if sizes.iter().any(|&size| !(size > 0.0 && size.is_finite())) {
-            let problem = Problem::new(ProblemKind::Value, "stress, height, thickness and peak must be positive");
-            return Err(problem.at_line(row.line).in_file(path).hint("correct the row, or make it a comment with #"));
+            let problem = Problem::new(
+                ProblemKind::Value,
+                "stress, height, thickness and peak must be positive",
+            );
+            return Err(problem
+                .at_line(row.line)
+                .in_file(path)
+                .hint("correct the row, or make it a comment with #"));
         }
-        tests.push((row.static_stress_pa, drop_height_m, thickness_m, row.peak_acceleration_m_s2 / G0_M_S2));
+        tests.push((
+            row.static_stress_pa,
+            drop_height_m,
+            thickness_m,
+            row.peak_acceleration_m_s2 / G0_M_S2,
+        ));
     }
     let fit = StressEnergy::fitted(&tests).map_err(|error| {
         let hint = match error {
@@ -63,12 +94,18 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
             CurveError::OneEnergy => "vary the static stress, the drop height or the thickness",
             _ => "check the columns and their units",
         };
-        Problem::new(ProblemKind::Value, error.to_string()).in_file(path).hint(hint)
+        Problem::new(ProblemKind::Value, error.to_string())
+            .in_file(path)
+            .hint(hint)
     })?;
     Ok(report(&fit, &tests, request))
 }
 
-fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &CurveRequest) -> CurveReport {
+fn report(
+    fit: &StressEnergyFit,
+    tests: &[(f64, f64, f64, f64)],
+    request: &CurveRequest,
+) -> CurveReport {
     let curve = fit.curve;
     let (least, most) = fit.energies_j_m3;
     let warnings = RefCell::new(Vec::new());
@@ -82,9 +119,15 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
             ));
         }
     };
-    let (height, thickness, stress) = (request.drop_height_m, request.thickness_m, request.static_stress_pa);
+    let (height, thickness, stress) = (
+        request.drop_height_m,
+        request.thickness_m,
+        request.static_stress_pa,
+    );
     let limit_g = request.limit_m_s2.map(|limit| limit / G0_M_S2);
-    let best = height.zip(thickness).map(|(h, t)| (curve.best_static_stress_pa(h, t), h, t));
+    let best = height
+        .zip(thickness)
+        .map(|(h, t)| (curve.best_static_stress_pa(h, t), h, t));
     if let Some((s, h, t)) = best {
         within("the best static stress", s, h, t);
     }
@@ -92,7 +135,10 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     if let Some(((h, t), s)) = asked {
         within("the peak", s, h, t);
     }
-    let needed = height.zip(stress).zip(limit_g).map(|((h, s), limit)| (curve.thickness_m(s, h, limit), s, h));
+    let needed = height
+        .zip(stress)
+        .zip(limit_g)
+        .map(|((h, s), limit)| (curve.thickness_m(s, h, limit), s, h));
     match needed {
         Some((Some(t), s, h)) => within("the thickness", s, h, t),
         Some((None, ..)) => warn(
@@ -128,20 +174,63 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     let peak_g = |s, h, t| curve.peak_acceleration_g(s, h, t);
     let asked_g = asked.map(|((h, t), s)| peak_g(s, h, t));
     let facts = Facts::default()
-        .fact("stress_pa", "dynamic stress at zero energy", curve.stress_pa)
-        .fact("exponent_m3_j", "  exponent per energy", curve.exponent_m3_j)
+        .fact(
+            "stress_pa",
+            "dynamic stress at zero energy",
+            curve.stress_pa,
+        )
+        .fact(
+            "exponent_m3_j",
+            "  exponent per energy",
+            curve.exponent_m3_j,
+        )
         .fact("r_squared_ratio", "  R²", fit.r_squared_ratio)
-        .fact("tested_energies_j_m3", "  energies of the tests", [least, most])
+        .fact(
+            "tested_energies_j_m3",
+            "  energies of the tests",
+            [least, most],
+        )
         .key("tests", tests.iter().map(test).collect::<Vec<_>>())
-        .fact("best_static_stress_pa", "best static stress", best.map(|(s, ..)| s))
-        .fact("best_peak_acceleration_g", "  peak", best.map(|(s, h, t)| peak_g(s, h, t)))
-        .line("given static stress", stress.map(|stress| format_si(stress, Dimension::Pressure)))
+        .fact(
+            "best_static_stress_pa",
+            "best static stress",
+            best.map(|(s, ..)| s),
+        )
+        .fact(
+            "best_peak_acceleration_g",
+            "  peak",
+            best.map(|(s, h, t)| peak_g(s, h, t)),
+        )
+        .line(
+            "given static stress",
+            stress.map(|stress| format_si(stress, Dimension::Pressure)),
+        )
         .fact("peak_acceleration_g", "  peak", asked_g)
-        .line("given limit", request.limit_m_s2.map(|limit| format_si(limit, Dimension::Acceleration)))
-        .fact("thickness_m", "  thickness at the given static stress", needed.and_then(|(t, ..)| t))
-        .fact("optimum_thickness_m", "  least thickness", optimum.map(|(t, ..)| t))
-        .fact("optimum_static_stress_pa", "  static stress of the least thickness", optimum.map(|(_, s, _)| s));
-    CurveReport { facts, warnings: warnings.into_inner() }
+        .line(
+            "given limit",
+            request
+                .limit_m_s2
+                .map(|limit| format_si(limit, Dimension::Acceleration)),
+        )
+        .fact(
+            "thickness_m",
+            "  thickness at the given static stress",
+            needed.and_then(|(t, ..)| t),
+        )
+        .fact(
+            "optimum_thickness_m",
+            "  least thickness",
+            optimum.map(|(t, ..)| t),
+        )
+        .fact(
+            "optimum_static_stress_pa",
+            "  static stress of the least thickness",
+            optimum.map(|(_, s, _)| s),
+        );
+    CurveReport {
+        facts,
+        warnings: warnings.into_inner(),
+    }
 }
 
 #[cfg(test)]
@@ -152,15 +241,26 @@ mod tests {
     /// which makes 20 mm the optimum for that limit.
     #[test]
     fn the_optimum_of_a_known_curve() {
-        let foam = StressEnergy { stress_pa: 1e5, exponent_m3_j: 2e-5 };
+        let foam = StressEnergy {
+            stress_pa: 1e5,
+            exponent_m3_j: 2e-5,
+        };
         let path = std::env::temp_dir().join(format!("freestand-curve-{}.csv", std::process::id()));
         let mut text = "static stress [kPa],peak acceleration [g]\n".to_owned();
         for s in [4.0, 8.0, 12.0, 16.0] {
             text += &format!("{s},{}\n", foam.peak_acceleration_g(1e3 * s, 0.1, 0.02));
         }
         std::fs::write(&path, text).unwrap();
-        let mut request = CurveRequest { drop_height_m: Some(0.1), ..CurveRequest::default() };
-        assert!(cushion_curve(&path, &request).unwrap_err().message.contains("thickness"));
+        let mut request = CurveRequest {
+            drop_height_m: Some(0.1),
+            ..CurveRequest::default()
+        };
+        assert!(
+            cushion_curve(&path, &request)
+                .unwrap_err()
+                .message
+                .contains("thickness")
+        );
         request.thickness_m = Some(0.02);
         request.limit_m_s2 = Some(27.1828 * G0_M_S2);
         request.static_stress_pa = Some(30e3);
@@ -172,6 +272,13 @@ mod tests {
         // Four decimals of the limit are known.
         assert!((number("optimum_thickness_m") / 0.02 - 1.0).abs() < 1e-5);
         // 30 kPa asks for 1.5 times the energy of the hardest test.
-        assert!(report.warnings.iter().any(|warning| warning.starts_with("the peak needs")), "{:?}", report.warnings);
+        assert!(
+            report
+                .warnings
+                .iter()
+                .any(|warning| warning.starts_with("the peak needs")),
+            "{:?}",
+            report.warnings
+        );
     }
 }

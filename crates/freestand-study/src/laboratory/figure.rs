@@ -28,8 +28,20 @@ pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
     let force: Drawn = |_, force_n| force_n;
     let accel: Drawn = |a, _| a / G0_M_S2;
     vec![
-        page(&tests, "force_displacement", "Dynamic force and compression", "Force (N)", force),
-        page(&tests, "acceleration_displacement", "Acceleration and compression", "Acceleration (g)", accel),
+        page(
+            &tests,
+            "force_displacement",
+            "Dynamic force and compression",
+            "Force (N)",
+            force,
+        ),
+        page(
+            &tests,
+            "acceleration_displacement",
+            "Acceleration and compression",
+            "Acceleration (g)",
+            accel,
+        ),
     ]
 }
 
@@ -39,16 +51,31 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
     for drop in tests {
         let (points, test) = (drop.test.points.iter(), &drop.test);
         curves.push(
-            points.map(|p| (1e3 * p.compression_m, value(p.acceleration_m_s2, p.force_n))).collect::<Vec<(f64, f64)>>(),
+            points
+                .map(|p| (1e3 * p.compression_m, value(p.acceleration_m_s2, p.force_n)))
+                .collect::<Vec<(f64, f64)>>(),
         );
         if let (Some(found), Some(most_m)) = (&test.identified, test.max_compression_m) {
-            fits.push(fitted(drop, &found.law, most_m, found.fitted_velocity_m_s, value));
+            fits.push(fitted(
+                drop,
+                &found.law,
+                most_m,
+                found.fitted_velocity_m_s,
+                value,
+            ));
         }
     }
     let legend_tests = tests.iter().map(|test| test.path.as_str());
-    let fitted_sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some("4 4") };
+    let fitted_sign = Sign::Line {
+        colour: DARK,
+        width_px: 1.2,
+        dash: Some("4 4"),
+    };
     let mut legend = legend(legend_tests);
-    legend.push(Entry { sign: fitted_sign, words: "fitted law, one landing".into() });
+    legend.push(Entry {
+        sign: fitted_sign,
+        words: "fitted law, one landing".into(),
+    });
     let panel = panel(&curves, &fits, label);
     Page {
         name: name.to_owned(),
@@ -66,8 +93,16 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
 }
 
 /// The landing that the fitted law predicts, with the weight if it acts during the contact.
-fn fitted(drop: &DropReport, law: &ContactLaw, most_m: f64, speed_m_s: f64, value: Drawn) -> Vec<(f64, f64)> {
-    let Ok(cushion) = Cushion::new(law.clone()) else { return Vec::new() };
+fn fitted(
+    drop: &DropReport,
+    law: &ContactLaw,
+    most_m: f64,
+    speed_m_s: f64,
+    value: Drawn,
+) -> Vec<(f64, f64)> {
+    let Ok(cushion) = Cushion::new(law.clone()) else {
+        return Vec::new();
+    };
     let mass_kg = drop.mass_kg;
     let history = cushion.landing_history(mass_kg, speed_m_s, drop.gravity_m_s2);
     let every = (history.len() / 200).max(1);
@@ -89,29 +124,49 @@ fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
         .map(|(i, path)| {
             let style = curve_style(i);
             Entry {
-                sign: Sign::Line { colour: style.colour, width_px: 1.6, dash: style.dash },
+                sign: Sign::Line {
+                    colour: style.colour,
+                    width_px: 1.6,
+                    dash: style.dash,
+                },
                 words: plain(&file(path)),
             }
         })
         .collect();
     if names.len() > MAX_NAMES {
         let words = format!("and {} more", names.len() - MAX_NAMES);
-        entries.push(Entry { sign: Sign::Line { colour: DARK, width_px: 1.0, dash: None }, words });
+        entries.push(Entry {
+            sign: Sign::Line {
+                colour: DARK,
+                width_px: 1.0,
+                dash: None,
+            },
+            words,
+        });
     }
     entries
 }
 
 fn panel(curves: &[Vec<(f64, f64)>], fits: &[Vec<(f64, f64)>], label: &str) -> Panel {
     let all = || curves.iter().chain(fits).flatten();
-    let x = Axis::from_zero(1.02 * all().fold(0.0, |most: f64, p| most.max(p.0)), "Compression (mm)");
+    let x = Axis::from_zero(
+        1.02 * all().fold(0.0, |most: f64, p| most.max(p.0)),
+        "Compression (mm)",
+    );
     let y = Axis::from_zero(1.05 * all().fold(0.0, |most: f64, p| most.max(p.1)), label);
     let mut plots: Vec<_> = curves
         .iter()
         .enumerate()
         .map(|(i, points)| line(points, curve_style(i).colour, 1.6, curve_style(i).dash))
         .collect();
-    plots.extend(fits.iter().map(|points| line(points, DARK, 1.2, Some("4 4"))));
-    Panel { plots, layout: axes(x, y) }
+    plots.extend(
+        fits.iter()
+            .map(|points| line(points, DARK, 1.2, Some("4 4"))),
+    );
+    Panel {
+        plots,
+        layout: axes(x, y),
+    }
 }
 
 /// Largest number of points on a static curve: dashes are lost between points closer than a dash.
@@ -120,14 +175,27 @@ const MAX_POINTS: usize = 80;
 /// A static curve in mm, thinned; its turning point and its end remain.
 fn thinned(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let every = curve.len().div_ceil(MAX_POINTS).max(1);
-    let top = curve.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or(0, |(i, _)| i);
+    let top = curve
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.1.total_cmp(&b.1.1))
+        .map_or(0, |(i, _)| i);
     let kept = |i: usize| i.is_multiple_of(every) || i == top || i + 1 == curve.len();
-    curve.iter().enumerate().filter(|(i, _)| kept(*i)).map(|(_, (d, f))| (1e3 * d, *f)).collect()
+    curve
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| kept(*i))
+        .map(|(_, (d, f))| (1e3 * d, *f))
+        .collect()
 }
 
 /// Force against compression of static tests.
 pub(crate) fn statics(report: &StaticsReport) -> Page {
-    let curves: Vec<Vec<(f64, f64)>> = report.tests.iter().map(|test| thinned(&test.test.curve)).collect();
+    let curves: Vec<Vec<(f64, f64)>> = report
+        .tests
+        .iter()
+        .map(|test| thinned(&test.test.curve))
+        .collect();
     let tangents: Vec<Vec<(f64, f64)>> = report
         .tests
         .iter()
@@ -135,12 +203,26 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
             let test = &test.test;
             let at_m = test.load_n / test.secant_stiffness_n_m;
             let reach_m = 0.5 * test.load_n / test.tangent_stiffness_n_m;
-            [-reach_m, reach_m].map(|x| (1e3 * (at_m + x), test.load_n + test.tangent_stiffness_n_m * x)).to_vec()
+            [-reach_m, reach_m]
+                .map(|x| {
+                    (
+                        1e3 * (at_m + x),
+                        test.load_n + test.tangent_stiffness_n_m * x,
+                    )
+                })
+                .to_vec()
         })
         .collect();
     let mut legend = legend(report.tests.iter().map(|test| test.path.as_str()));
-    let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some("4 4") };
-    legend.push(Entry { sign, words: "tangent at the working load".into() });
+    let sign = Sign::Line {
+        colour: DARK,
+        width_px: 1.2,
+        dash: Some("4 4"),
+    };
+    legend.push(Entry {
+        sign,
+        words: "tangent at the working load".into(),
+    });
     Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),

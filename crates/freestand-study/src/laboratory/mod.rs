@@ -20,7 +20,11 @@ pub const IMPACTORS: [&str; 2] = ["flat", "sphere"];
 pub const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
 
 /// Refuses the sensitivity of a sensor that measures nothing of a test, and a second one of the same kind.
-fn check_sensors(sensors: &[Sensitivity], measured: &[Dimension], example: &str) -> Result<(), Problem> {
+fn check_sensors(
+    sensors: &[Sensitivity],
+    measured: &[Dimension],
+    example: &str,
+) -> Result<(), Problem> {
     let is_spare = |(i, sensor): (usize, &Sensitivity)| {
         let of = sensor.dimension();
         !measured.contains(&of) || sensors[..i].iter().any(|earlier| earlier.dimension() == of)
@@ -29,7 +33,11 @@ fn check_sensors(sensors: &[Sensitivity], measured: &[Dimension], example: &str)
         return Ok(());
     }
     let message = "a `sensitivity` belongs to no column of the test";
-    Err(Problem::value(message, format!("give one for each sensor, such as \"{example}\"")).of(&["sensitivity"]))
+    Err(Problem::value(
+        message,
+        format!("give one for each sensor, such as \"{example}\""),
+    )
+    .of(&["sensitivity"]))
 }
 
 /// What strikes the pad, as far as the evaluation depends on it.

@@ -72,7 +72,9 @@ impl StaticReport {
     /// Its part of the document.
     pub fn facts(&self) -> Facts<'_> {
         let test = &self.test;
-        let dynamic = self.dynamic_stiffness_n_m.map(|k| k / test.secant_stiffness_n_m);
+        let dynamic = self
+            .dynamic_stiffness_n_m
+            .map(|k| k / test.secant_stiffness_n_m);
         Facts::default()
             .key("path", self.path.as_str())
             .and(facts!(test; tangent_stiffness_n_m, secant_stiffness_n_m, hysteresis_ratio, load_n, max_force_n,
@@ -89,8 +91,17 @@ impl StaticReport {
 impl StaticsReport {
     /// The document of `freestand cushion static`.
     pub fn facts(&self) -> Facts<'_> {
-        let tests = Facts::default().key("tests", self.tests.iter().map(StaticReport::facts).collect::<Vec<_>>());
-        tests.key("failed", self.failed.iter().map(Failed::facts).collect::<Vec<_>>())
+        let tests = Facts::default().key(
+            "tests",
+            self.tests
+                .iter()
+                .map(StaticReport::facts)
+                .collect::<Vec<_>>(),
+        );
+        tests.key(
+            "failed",
+            self.failed.iter().map(Failed::facts).collect::<Vec<_>>(),
+        )
     }
 }
 
@@ -99,7 +110,11 @@ impl StaticsReport {
 /// # Errors
 /// No file could be evaluated.
 pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> {
-    check_sensors(&request.sensitivities, &[Dimension::Force, Dimension::Length], "2 mV/N")?;
+    check_sensors(
+        &request.sensitivities,
+        &[Dimension::Force, Dimension::Length],
+        "2 mV/N",
+    )?;
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request) {
@@ -117,24 +132,40 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> 
                 .to_owned(),
         );
     }
-    for test in tests.iter().filter(|test| test.test.hysteresis_ratio.is_some_and(|ratio| ratio < -1e-3)) {
+    for test in tests.iter().filter(|test| {
+        test.test
+            .hysteresis_ratio
+            .is_some_and(|ratio| ratio < -1e-3)
+    }) {
         warnings.push(format!(
             "{}: the unloading curve is above the loading curve: check the signs and the order of the points",
             test.path
         ));
     }
     tests.iter().for_each(|test| notes(test, &mut warnings));
-    Ok(StaticsReport { tests, failed, warnings })
+    Ok(StaticsReport {
+        tests,
+        failed,
+        warnings,
+    })
 }
 
 /// Warnings about the cycle and the toe of a test.
 fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
     let mut say = |text: String| warnings.push(format!("{}: {text}", report.path));
     if report.test.other_cycles > 0 {
-        let others = if report.test.other_cycles == 1 { "cycle is" } else { "cycles are" };
-        say(format!("{} other {others} left out: the last full one is evaluated", report.test.other_cycles));
+        let others = if report.test.other_cycles == 1 {
+            "cycle is"
+        } else {
+            "cycles are"
+        };
+        say(format!(
+            "{} other {others} left out: the last full one is evaluated",
+            report.test.other_cycles
+        ));
     }
-    let least_m = (NOISE_ERRORS * report.test.toe_error_m).max(NEGATIVE_TOE_SHARE * report.test.max_compression_m);
+    let least_m = (NOISE_ERRORS * report.test.toe_error_m)
+        .max(NEGATIVE_TOE_SHARE * report.test.max_compression_m);
     if report.test.toe_m < -least_m {
         say(format!(
             "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that \
@@ -146,15 +177,33 @@ fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
 
 fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
     let read = load_static(path, &request.sensitivities)?;
-    let said = |key: &str| read.said.iter().find(|(k, ..)| k == key).map(|(_, value, _)| value.clone());
+    let said = |key: &str| {
+        read.said
+            .iter()
+            .find(|(k, ..)| k == key)
+            .map(|(_, value, _)| value.clone())
+    };
     let impactor = request.impactor.clone().or_else(|| said("impactor"));
-    let usual = if Impactor::of(impactor.as_deref()) == Impactor::Sphere { Toe::Keep } else { Toe::Slack };
+    let usual = if Impactor::of(impactor.as_deref()) == Impactor::Sphere {
+        Toe::Keep
+    } else {
+        Toe::Slack
+    };
     let toe = request.toe.unwrap_or(usual);
-    let options = StaticOptions { load_n: request.load_n, machine_stiffness_n_m: request.machine_stiffness_n_m, toe };
+    let options = StaticOptions {
+        load_n: request.load_n,
+        machine_stiffness_n_m: request.machine_stiffness_n_m,
+        toe,
+    };
     let sign = if request.inverted { -1.0 } else { 1.0 };
-    let [force_n, displacement_m] = [&read.force_n, &read.displacement_m]
-        .map(|values| values.iter().map(|value| sign * value).collect::<Vec<f64>>());
-    let test = static_test(&force_n, &displacement_m, &options).map_err(|error| problem(&error).in_file(path))?;
+    let [force_n, displacement_m] = [&read.force_n, &read.displacement_m].map(|values| {
+        values
+            .iter()
+            .map(|value| sign * value)
+            .collect::<Vec<f64>>()
+    });
+    let test = static_test(&force_n, &displacement_m, &options)
+        .map_err(|error| problem(&error).in_file(path))?;
     Ok(StaticReport {
         path: path.to_string_lossy().into_owned(),
         toe,
@@ -169,9 +218,13 @@ fn problem(error: &StaticError) -> Problem {
     let hint = match error {
         StaticError::TooFew { .. } => "record more points while loading",
         StaticError::NotFinite { .. } => "repair the file",
-        StaticError::NoForce { .. } => "compression must be positive: `invert` reverses the signs of both columns",
+        StaticError::NoForce { .. } => {
+            "compression must be positive: `invert` reverses the signs of both columns"
+        }
         StaticError::Load { .. } => "give a `load` that the test reached",
-        StaticError::NotRising { .. } => "check which columns are force and displacement, and their signs",
+        StaticError::NotRising { .. } => {
+            "check which columns are force and displacement, and their signs"
+        }
         StaticError::Foot { .. } => "unload between the cycles, or give a higher `load`",
         StaticError::Machine { .. } => {
             "check `machine_compliance`: it is the stiffness of the frame, such as \"50 kN/mm\""
@@ -182,5 +235,8 @@ fn problem(error: &StaticError) -> Problem {
 
 /// Compression and force of a test, corrected for machine and toe, as CSV.
 pub fn curve_table(test: &StaticTest) -> Table {
-    table_of_numbers("compression_m,force_n", test.curve.iter().map(|&(d, f)| [d, f]))
+    table_of_numbers(
+        "compression_m,force_n",
+        test.curve.iter().map(|&(d, f)| [d, f]),
+    )
 }

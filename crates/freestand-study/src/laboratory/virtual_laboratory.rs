@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use freestand::cushion::Cushion;
 use freestand::identify::{
-    DropSetup, ImpactVelocity, NORMAL_975, VirtualDrop, VirtualDropOptions, VirtualStaticOptions, drop_test,
-    virtual_drop, virtual_static,
+    DropSetup, ImpactVelocity, NORMAL_975, VirtualDrop, VirtualDropOptions, VirtualStaticOptions,
+    drop_test, virtual_drop, virtual_static,
 };
 use freestand::{G0_M_S2, cushion::ContactLaw};
 use rayon::prelude::*;
@@ -22,7 +22,10 @@ pub const DEFAULT_VELOCITY_ERROR_RATIO: f64 = 0.01;
 ///
 /// # Errors
 /// A record of more than five million samples, or a velocity of no drop.
-pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(String, VirtualDrop), Problem> {
+pub fn drop_file(
+    cushion: &Cushion,
+    options: &VirtualDropOptions,
+) -> Result<(String, VirtualDrop), Problem> {
     check_speed(options.speed_m_s)?;
     let drop = virtual_drop(cushion, options).ok_or_else(|| {
         Problem::value(
@@ -31,14 +34,23 @@ pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(Str
         )
     })?;
     let height_m = options.speed_m_s.powi(2) / (2.0 * G0_M_S2);
-    let mut text = format!("# virtual drop test\n# mass: {} kg\n# height: {} m\n", options.mass_kg, tidy(height_m));
+    let mut text = format!(
+        "# virtual drop test\n# mass: {} kg\n# height: {} m\n",
+        options.mass_kg,
+        tidy(height_m)
+    );
     if let Some(corner_hz) = options.filter_corner_hz {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "# filter corner: {corner_hz} Hz");
     }
     text.push_str("time [ms],acceleration [g]");
     let samples = drop.samples_m_s2.iter().enumerate();
-    let row = |(i, a): (usize, &f64)| [tidy(i as f64 * drop.dt_s * 1e3), (a / G0_M_S2 * 1e6).round() / 1e6];
+    let row = |(i, a): (usize, &f64)| {
+        [
+            tidy(i as f64 * drop.dt_s * 1e3),
+            (a / G0_M_S2 * 1e6).round() / 1e6,
+        ]
+    };
     let text = numbers_csv(&text, samples.map(row));
     Ok((text, drop))
 }
@@ -54,8 +66,13 @@ pub(super) fn check_speed(speed_m_s: f64) -> Result<(), Problem> {
     if speed_m_s <= MAX_SPEED_M_S {
         return Ok(());
     }
-    let message = format!("a drop test has an impact velocity of at most {MAX_SPEED_M_S} m/s, a fall of 1.3 km");
-    Err(Problem::value(message, "check `height` or `impact_velocity`, and its unit"))
+    let message = format!(
+        "a drop test has an impact velocity of at most {MAX_SPEED_M_S} m/s, a fall of 1.3 km"
+    );
+    Err(Problem::value(
+        message,
+        "check `height` or `impact_velocity`, and its unit",
+    ))
 }
 
 /// Nine decimals: picoseconds in ms, and no 0.30000000000000004.
@@ -67,7 +84,10 @@ fn tidy(value: f64) -> f64 {
 pub fn static_file(cushion: &Cushion, options: &VirtualStaticOptions) -> String {
     let row = |(force_n, displacement_m): (f64, f64)| [tidy(1e3 * displacement_m), tidy(force_n)];
     let points = virtual_static(cushion, options).into_iter();
-    numbers_csv("# virtual static test\ndisplacement [mm],force [N]", points.map(row))
+    numbers_csv(
+        "# virtual static test\ndisplacement [mm],force [N]",
+        points.map(row),
+    )
 }
 
 /// A request for a table of recovered cushions: what is varied, and the drops.
@@ -103,17 +123,32 @@ impl RecoveryRequest {
         let (mass_kg, stiffness_n_m, coefficient_n_mn, exponent) = (0.365, 2.19e6_f64, 2e7, 1.5);
         let laws = [
             ContactLaw::Linear { stiffness_n_m },
-            ContactLaw::Power { coefficient_n_mn, exponent },
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m: 0.2 * (stiffness_n_m * mass_kg).sqrt() },
-            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: 0.3 },
-            ContactLaw::Tangent { stiffness_n_m: 1e6, bottoming_m: 1.5e-3 },
+            ContactLaw::Power {
+                coefficient_n_mn,
+                exponent,
+            },
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m: 0.2 * (stiffness_n_m * mass_kg).sqrt(),
+            },
+            ContactLaw::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                dissipation_s_m: 0.3,
+            },
+            ContactLaw::Tangent {
+                stiffness_n_m: 1e6,
+                bottoming_m: 1.5e-3,
+            },
             ContactLaw::Tabulated {
                 compressions_m: vec![0.0, 0.3e-3, 0.6e-3, 1.0e-3],
                 forces_n: vec![0.0, 360.0, 1200.0, 3000.0],
             },
         ];
-        let cushion =
-            |law| Cushion::new(law).map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()));
+        let cushion = |law| {
+            Cushion::new(law)
+                .map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()))
+        };
         Ok(Self {
             cushions: laws.into_iter().map(cushion).collect::<Result<_, _>>()?,
             samples_per_contact: vec![25.0, 50.0, 200.0],
@@ -130,17 +165,25 @@ impl RecoveryRequest {
 
 /// Damping of virtual pads whose law has some, where it is not given: law, key and value. As in
 /// [`RecoveryRequest::worked_example`].
-const ASSUMED_DAMPING: [(&str, &str, &str); 2] =
-    [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
+const ASSUMED_DAMPING: [(&str, &str, &str); 2] = [
+    ("kelvin-voigt", "damping", "10 %"),
+    ("hunt-crossley", "dissipation", "0.3 s/m"),
+];
 
 /// Adds the damping that a virtual pad lacks, and says so.
 pub fn assume_damping(words: &mut Words) -> Vec<String> {
     let law = words.get("law").map(str::to_owned);
     let missing = |key: &str| words.get(key).is_none();
-    let assumed = ASSUMED_DAMPING.into_iter().find(|(of, key, _)| law.as_deref() == Some(of) && missing(key));
-    let Some((law, key, value)) = assumed else { return Vec::new() };
+    let assumed = ASSUMED_DAMPING
+        .into_iter()
+        .find(|(of, key, _)| law.as_deref() == Some(of) && missing(key));
+    let Some((law, key, value)) = assumed else {
+        return Vec::new();
+    };
     words.set(key, value);
-    vec![format!("the {key} of the {law} pad is not given; {value} is assumed")]
+    vec![format!(
+        "the {key} of the {law} pad is not given; {value} is assumed"
+    )]
 }
 
 /// The result of one drop.
@@ -163,14 +206,26 @@ struct Found {
 ///
 /// The stated impact velocity has a random error of 1 % in every drop, as the identification
 /// assumes: without it the intervals, which include it, would cover too often.
-pub fn recovery(request: &RecoveryRequest, progress: &(dyn Fn(usize) + Sync)) -> Vec<Facts<'static>> {
+pub fn recovery(
+    request: &RecoveryRequest,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Vec<Facts<'static>> {
     let mut rows = Vec::new();
     for cushion in &request.cushions {
         for &samples in &request.samples_per_contact {
             for &noise in &request.noise_ratios {
                 for &bias_g in &request.biases_g {
                     for &zero_shift in &request.zero_shift_ratios {
-                        rows.push(cell(request, cushion, samples, noise, Zero { bias_g, shift_ratio: zero_shift }));
+                        rows.push(cell(
+                            request,
+                            cushion,
+                            samples,
+                            noise,
+                            Zero {
+                                bias_g,
+                                shift_ratio: zero_shift,
+                            },
+                        ));
                         progress(rows.len());
                     }
                 }
@@ -187,7 +242,13 @@ struct Zero {
 }
 
 /// A cell of the table: means over the drops that gave a stiffness k, compared with the true k₀.
-fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio: f64, zero: Zero) -> Facts<'static> {
+fn cell(
+    request: &RecoveryRequest,
+    cushion: &Cushion,
+    samples: f64,
+    noise_ratio: f64,
+    zero: Zero,
+) -> Facts<'static> {
     let (mass_kg, speed_m_s) = (request.mass_kg, request.speed_m_s);
     let contact = cushion.land(mass_kg, speed_m_s);
     let history = cushion.landing_history(mass_kg, speed_m_s, G0_M_S2);
@@ -213,13 +274,22 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         .into_par_iter()
         .map(|index| trial(cushion, &VirtualDropOptions { index, ..options }, truth_n_m))
         .collect();
-    let found: Vec<&Found> = trials.iter().filter_map(|trial| trial.found.as_ref()).collect();
+    let found: Vec<&Found> = trials
+        .iter()
+        .filter_map(|trial| trial.found.as_ref())
+        .collect();
     let mean = |of: &dyn Fn(&Found) -> f64| {
         (!found.is_empty()).then(|| found.iter().map(|f| of(f)).sum::<f64>() / found.len() as f64)
     };
     let flagged = trials.iter().filter(|trial| trial.flagged).count();
     // Share of the 95 % intervals that contain k₀.
-    let coverage = mean(&|f| if f.off.abs() <= NORMAL_975 * f.error { 1.0 } else { 0.0 });
+    let coverage = mean(&|f| {
+        if f.off.abs() <= NORMAL_975 * f.error {
+            1.0
+        } else {
+            0.0
+        }
+    });
     Facts::default()
         .key("law", cushion.law().name())
         .key("samples_per_contact", samples)
@@ -231,11 +301,20 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         .key("flagged", flagged)
         // Of k/k₀ − 1.
         .key("stiffness_bias_ratio", mean(&|f| f.off.exp_m1()))
-        .key("stiffness_rms_ratio", mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt))
+        .key(
+            "stiffness_rms_ratio",
+            mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt),
+        )
         .key("coverage_ratio", coverage)
-        .key("exponent_bias", exponent_of(cushion.law()).and_then(|exponent| mean(&|f| f.exponent - exponent)))
+        .key(
+            "exponent_bias",
+            exponent_of(cushion.law()).and_then(|exponent| mean(&|f| f.exponent - exponent)),
+        )
         // ζ₀ of Hunt–Crossley is that of the same restitution.
-        .key("damping_bias", mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)))
+        .key(
+            "damping_bias",
+            mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)),
+        )
 }
 
 fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Trial {
@@ -243,27 +322,40 @@ fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Tri
         let speed_m_s = drop.stated_speed_m_s;
         let setup = DropSetup {
             mass_kg: options.mass_kg,
-            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: DEFAULT_VELOCITY_ERROR_RATIO },
+            impact_velocity: ImpactVelocity::Known {
+                speed_m_s,
+                error_ratio: DEFAULT_VELOCITY_ERROR_RATIO,
+            },
             gravity_m_s2: G0_M_S2,
             filter_corner_hz: None,
             law: None,
         };
         drop_test(&drop.samples_m_s2, drop.dt_s, &setup).ok()
     });
-    let Some(test) = test else { return Trial { found: None, flagged: true } };
+    let Some(test) = test else {
+        return Trial {
+            found: None,
+            flagged: true,
+        };
+    };
     let found = test.identified.map(|found| Found {
         off: (found.stiffness.fit_n_m / truth_n_m).ln(),
         error: found.error_ratio,
         exponent: found.exponent,
         damping_ratio: found.damping_ratio,
     });
-    Trial { found, flagged: !test.flags.is_empty() }
+    Trial {
+        found,
+        flagged: !test.flags.is_empty(),
+    }
 }
 
 /// The exponent of a law that has one.
 fn exponent_of(law: &ContactLaw) -> Option<f64> {
     match law {
-        ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => Some(*exponent),
+        ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => {
+            Some(*exponent)
+        }
         ContactLaw::Linear { .. } | ContactLaw::KelvinVoigt { .. } => Some(1.0),
         _ => None,
     }
@@ -278,7 +370,11 @@ fn damping_of(restitution: f64) -> f64 {
     let (mut low, mut high) = (0.0, 0.999);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if of(middle) > restitution { low = middle } else { high = middle }
+        if of(middle) > restitution {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     0.5 * (low + high)
 }
@@ -318,12 +414,22 @@ mod tests {
         let files: Vec<_> = (0..3)
             .map(|index| {
                 let path = folder.path().join(format!("drop-{index}.csv"));
-                std::fs::write(&path, drop_file(&pad, &VirtualDropOptions { index, ..options() }).unwrap().0).unwrap();
+                std::fs::write(
+                    &path,
+                    drop_file(&pad, &VirtualDropOptions { index, ..options() })
+                        .unwrap()
+                        .0,
+                )
+                .unwrap();
                 path
             })
             .collect();
-        let request =
-            DropRequest { files, velocity_error_ratio: 0.01, gravity_m_s2: G0_M_S2, ..DropRequest::default() };
+        let request = DropRequest {
+            files,
+            velocity_error_ratio: 0.01,
+            gravity_m_s2: G0_M_S2,
+            ..DropRequest::default()
+        };
         let report = drop_tests(&request).unwrap();
         assert_eq!(report.warnings, Vec::<String>::new());
         assert!(report.all_gave() && report.tests.iter().all(|test| test.test.flags.is_empty()));
@@ -335,7 +441,8 @@ mod tests {
         assert_eq!((pad.stiffness.count, pad.law), (3, FittedLaw::Linear));
         let toml = crate::laboratory::drop_test::cushion_toml(pooled).unwrap();
         std::fs::write(folder.path().join("cushion.toml"), toml).unwrap();
-        let (words, _) = crate::cushion::read_cushion_file(&folder.path().join("cushion.toml")).unwrap();
+        let (words, _) =
+            crate::cushion::read_cushion_file(&folder.path().join("cushion.toml")).unwrap();
         assert_eq!(words.get("law"), Some("linear"));
     }
 
@@ -351,10 +458,20 @@ mod tests {
             .filter_map(|(time_ms, a_g)| Some((time_ms.parse().ok()?, a_g.parse().ok()?)))
             .collect();
         let each = |row: &dyn Fn(f64, f64) -> String| {
-            rows.iter().map(|(time_ms, a_g)| row(*time_ms, *a_g)).collect::<String>()
+            rows.iter()
+                .map(|(time_ms, a_g)| row(*time_ms, *a_g))
+                .collect::<String>()
         };
-        let volts = format!("time [ms],sensor [mV]\n{}", each(&|time_ms, a_g| format!("{time_ms},{}\n", 10.0 * a_g)));
-        let clock = each(&|time_ms, a_g| format!("2026-11-24 12:00:59.{:05};{a_g}\n", (100.0 * time_ms).round()));
+        let volts = format!(
+            "time [ms],sensor [mV]\n{}",
+            each(&|time_ms, a_g| format!("{time_ms},{}\n", 10.0 * a_g))
+        );
+        let clock = each(&|time_ms, a_g| {
+            format!(
+                "2026-11-24 12:00:59.{:05};{a_g}\n",
+                (100.0 * time_ms).round()
+            )
+        });
         let lvm = each(&|time_ms, a_g| format!("{:.4}\t{a_g}\n", 1e-3 * time_ms));
         let files = [
             ("plain.csv", text, None),
@@ -385,11 +502,27 @@ mod tests {
                 assert!(problems.to_string().contains("in volts"), "{problems}");
             }
             let sensitivity = sensitivity.map(|text| parse_sensitivity(text).unwrap());
-            let read = ReadOptions { sensitivity, ..ReadOptions::default() };
-            let found = drop_tests(&DropRequest { read, ..request }).unwrap().tests.remove(0).test.identified;
-            found.unwrap_or_else(|| panic!("{name} gives no stiffness")).stiffness.fit_n_m
+            let read = ReadOptions {
+                sensitivity,
+                ..ReadOptions::default()
+            };
+            let found = drop_tests(&DropRequest { read, ..request })
+                .unwrap()
+                .tests
+                .remove(0)
+                .test
+                .identified;
+            found
+                .unwrap_or_else(|| panic!("{name} gives no stiffness"))
+                .stiffness
+                .fit_n_m
         });
-        assert!(stiffness_n_m.iter().all(|k| (k / stiffness_n_m[0] - 1.0).abs() < 1e-6), "{stiffness_n_m:?}");
+        assert!(
+            stiffness_n_m
+                .iter()
+                .all(|k| (k / stiffness_n_m[0] - 1.0).abs() < 1e-6),
+            "{stiffness_n_m:?}"
+        );
     }
 
     #[test]
@@ -397,7 +530,14 @@ mod tests {
         let pad = Cushion::linear(2.19e6).unwrap();
         for height_m in [2e3, 1e308] {
             let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
-            let problem = drop_file(&pad, &VirtualDropOptions { speed_m_s, ..options() }).unwrap_err();
+            let problem = drop_file(
+                &pad,
+                &VirtualDropOptions {
+                    speed_m_s,
+                    ..options()
+                },
+            )
+            .unwrap_err();
             assert!(problem.hint.is_some_and(|hint| hint.contains("`height`")));
         }
     }
@@ -418,9 +558,14 @@ mod tests {
             seed: 1,
         };
         let rows = recovery(&request, &|_| {});
-        let [row] = rows.as_slice() else { panic!("{rows:?}") };
+        let [row] = rows.as_slice() else {
+            panic!("{rows:?}")
+        };
         let number = |name: &str| row.number(name).unwrap();
         assert_eq!((number("given"), number("flagged")), (40.0, 0.0));
-        assert!(number("coverage_ratio") > 0.85 && number("stiffness_bias_ratio").abs() < 0.002, "{row:?}");
+        assert!(
+            number("coverage_ratio") > 0.85 && number("stiffness_bias_ratio").abs() < 0.002,
+            "{row:?}"
+        );
     }
 }

@@ -40,29 +40,64 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         .map(|spectrum| spectrum.psa_m_s2.iter().map(|psa| psa / G0_M_S2).collect())
         .collect();
     let mean: Vec<f64> = (0..periods_s.len())
-        .map(|i| (psa_g.iter().map(|psa| psa[i].ln()).sum::<f64>() / psa_g.len().max(1) as f64).exp())
+        .map(|i| {
+            (psa_g.iter().map(|psa| psa[i].ln()).sum::<f64>() / psa_g.len().max(1) as f64).exp()
+        })
         .collect();
     let drawn = psa_g.iter().take(MAX_DRAWN);
-    let highest = drawn.clone().flatten().chain(picture.target_sa_g).copied().fold(0.0, f64::max);
-    let points =
-        |values: &[f64]| -> Vec<(f64, f64)> { periods_s.iter().copied().zip(values.iter().copied()).collect() };
+    let highest = drawn
+        .clone()
+        .flatten()
+        .chain(picture.target_sa_g)
+        .copied()
+        .fold(0.0, f64::max);
+    let points = |values: &[f64]| -> Vec<(f64, f64)> {
+        periods_s
+            .iter()
+            .copied()
+            .zip(values.iter().copied())
+            .collect()
+    };
     let (target_style, mean_style) = (curve_style(1), curve_style(0));
     let several = psa_g.len() > 1;
-    let (dash, mean_words) = if several { (Some("6 4"), "geometric mean") } else { (None, "the motion") };
-    let mut plots: Vec<_> =
-        if several { drawn.map(|psa| line(&points(psa), GREY, 0.7, None)).collect() } else { Vec::new() };
+    let (dash, mean_words) = if several {
+        (Some("6 4"), "geometric mean")
+    } else {
+        (None, "the motion")
+    };
+    let mut plots: Vec<_> = if several {
+        drawn
+            .map(|psa| line(&points(psa), GREY, 0.7, None))
+            .collect()
+    } else {
+        Vec::new()
+    };
     plots.push(line(&points(&mean), mean_style.colour, 1.8, dash));
-    plots.push(line(&points(picture.target_sa_g), target_style.colour, 2.2, None));
+    plots.push(line(
+        &points(picture.target_sa_g),
+        target_style.colour,
+        2.2,
+        None,
+    ));
     let first = periods_s.first().copied().unwrap_or(0.05);
     let last = periods_s.last().copied().unwrap_or(5.0);
-    let x = Axis { from: first, to: last, step: None, label: "Period (s)".into() };
+    let x = Axis {
+        from: first,
+        to: last,
+        step: None,
+        label: "Period (s)".into(),
+    };
     let y = Axis::from_zero(1.02 * highest, "PSA (g)");
     let y_ticks = plain_ticks(y.to);
     let mut layout = stacked(x, y, true).with_log_x();
     layout.x_tick_format = plain_ticks(0.0);
     layout.y_tick_format = y_ticks;
     let entry = |colour, width_px, dash, words: &str| Entry {
-        sign: Sign::Line { colour, width_px, dash },
+        sign: Sign::Line {
+            colour,
+            width_px,
+            dash,
+        },
         words: words.into(),
     };
     Page {
@@ -81,7 +116,12 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend: [
-            Some(entry(target_style.colour, 2.2, None, &plain(picture.target))),
+            Some(entry(
+                target_style.colour,
+                2.2,
+                None,
+                &plain(picture.target),
+            )),
             Some(entry(mean_style.colour, 1.8, dash, mean_words)),
             several.then(|| entry(GREY, 0.7, None, "each motion")),
         ]

@@ -5,8 +5,8 @@ mod figure;
 pub use figure::{MatchedPicture, matched_figure};
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    GENERATOR, MatchedMotion, Misfit, Resemblance, SHORTEST_PERIOD_S, SynthesisError, SynthesisOptions,
-    match_by_wavelets, match_motion, matched_periods_s, synthesize, with_pga,
+    GENERATOR, MatchedMotion, Misfit, Resemblance, SHORTEST_PERIOD_S, SynthesisError,
+    SynthesisOptions, match_by_wavelets, match_motion, matched_periods_s, synthesize, with_pga,
 };
 use rayon::prelude::*;
 
@@ -42,7 +42,9 @@ impl MatchMethod {
 
     /// The method with this name, in upper or lower case.
     pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name().eq_ignore_ascii_case(name.trim()))
+        Self::ALL
+            .into_iter()
+            .find(|method| method.name().eq_ignore_ascii_case(name.trim()))
     }
 }
 
@@ -81,7 +83,11 @@ impl Matched {
 ///
 /// # Errors
 /// A record that is too short or has no content at some of the periods.
-pub fn match_record(record: &Motion, target: &Target, method: MatchMethod) -> Result<MatchedMotion, Problem> {
+pub fn match_record(
+    record: &Motion,
+    target: &Target,
+    method: MatchMethod,
+) -> Result<MatchedMotion, Problem> {
     let passes = SynthesisOptions::default().passes;
     let sa_g = |period_s| target.spectrum.sa_g(period_s);
     let matched = match method {
@@ -168,13 +174,31 @@ pub fn synthetic_name(index: usize) -> String {
 /// # Errors
 /// A time step, a length or a window out of range; a peak that is not reached.
 pub fn synth(request: &SynthRequest) -> Result<FitReport, Problem> {
-    let SynthRequest { target, count, seed, options, pga_g } = request;
+    let SynthRequest {
+        target,
+        count,
+        seed,
+        options,
+        pga_g,
+    } = request;
     let sa_g = |period_s| target.spectrum.sa_g(period_s);
     let made = (0..*count).into_par_iter().map(|index| {
-        FittedMotion::new(synthetic_name(index as usize), synthesize(sa_g, *seed, index, options)?, target, *pga_g)
+        FittedMotion::new(
+            synthetic_name(index as usize),
+            synthesize(sa_g, *seed, index, options)?,
+            target,
+            *pga_g,
+        )
     });
-    let motions = made.collect::<Result<_, SynthesisError>>().map_err(source_problem)?;
-    Ok(FitReport { target: target.clone(), seed: Some(*seed), method: MatchMethod::Fft, motions })
+    let motions = made
+        .collect::<Result<_, SynthesisError>>()
+        .map_err(source_problem)?;
+    Ok(FitReport {
+        target: target.clone(),
+        seed: Some(*seed),
+        method: MatchMethod::Fft,
+        motions,
+    })
 }
 
 /// Matches a record.
@@ -182,17 +206,30 @@ pub fn synth(request: &SynthRequest) -> Result<FitReport, Problem> {
 /// # Errors
 /// As [`match_record`]; a peak that is not reached.
 pub fn match_one(request: MatchRequest<'_>) -> Result<FitReport, Problem> {
-    let MatchRequest { target, record, name, method, pga_g } = request;
+    let MatchRequest {
+        target,
+        record,
+        name,
+        method,
+        pga_g,
+    } = request;
     let matched = match_record(record, &target, method)?;
     let mut one = FittedMotion::new(name, matched, &target, pga_g).map_err(source_problem)?;
     one.resemblance = Some(Resemblance::between(record, &one.motion));
-    Ok(FitReport { target, seed: None, method, motions: vec![one] })
+    Ok(FitReport {
+        target,
+        seed: None,
+        method,
+        motions: vec![one],
+    })
 }
 
 /// The warning that the peaks of motions are above that of their target.
 pub(crate) fn peak_warning<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Option<String> {
     let above = misfits.map(|misfit| misfit.pga_g / misfit.target_zpa_g);
-    let most = above.reduce(f64::max).filter(|most| *most > HIGH_PEAK_RATIO)?;
+    let most = above
+        .reduce(f64::max)
+        .filter(|most| *most > HIGH_PEAK_RATIO)?;
     Some(format!(
         "the PGA of the matched motions is up to {most:.2} times the target's zero-period acceleration: their spectra \
          are matched only at periods of {SHORTEST_PERIOD_S} s and longer, and a motion with this plateau cannot have \
@@ -208,7 +245,13 @@ impl FitReport {
             .key("seed", self.seed)
             .key("generator", self.seed.map(|_| GENERATOR))
             .key("method", self.method.name())
-            .key("motions", self.motions.iter().map(FittedMotion::facts).collect::<Vec<_>>())
+            .key(
+                "motions",
+                self.motions
+                    .iter()
+                    .map(FittedMotion::facts)
+                    .collect::<Vec<_>>(),
+            )
     }
 
     /// The spectra of the motions and their target.
@@ -217,27 +260,42 @@ impl FitReport {
     /// The error of the plot library.
     pub fn figure(&self) -> Result<Figure, FigureError> {
         let made = "Synthetic motions and their target";
-        let target_sa_g: Vec<f64> = matched_periods_s().iter().map(|&t| self.target.spectrum.sa_g(t)).collect();
+        let target_sa_g: Vec<f64> = matched_periods_s()
+            .iter()
+            .map(|&t| self.target.spectrum.sa_g(t))
+            .collect();
         matched_figure(&MatchedPicture {
-            title: if self.seed.is_some() { made } else { "A matched record and its target" },
+            title: if self.seed.is_some() {
+                made
+            } else {
+                "A matched record and its target"
+            },
             target: "the target",
             target_sa_g: &target_sa_g,
-            motions: &self.motions.iter().map(|one| &one.motion).collect::<Vec<_>>(),
+            motions: &self
+                .motions
+                .iter()
+                .map(|one| &one.motion)
+                .collect::<Vec<_>>(),
         })
     }
 
     /// The warnings of the target, and about motions that do not fit it.
     pub fn warnings(&self) -> Vec<String> {
         let percent = |ratio: f64, digits| significant(100.0 * ratio, digits);
-        let poor = self.motions.iter().filter(|one| one.misfit.rms_ratio > POOR_FIT_RATIO).map(|one| {
-            format!(
-                "{} does not fit its target: rms misfit {} %, worst {} % at {} s",
-                one.name,
-                percent(one.misfit.rms_ratio, 3),
-                percent(one.misfit.worst_ratio, 3),
-                significant(one.misfit.worst_period_s, 3)
-            )
-        });
+        let poor = self
+            .motions
+            .iter()
+            .filter(|one| one.misfit.rms_ratio > POOR_FIT_RATIO)
+            .map(|one| {
+                format!(
+                    "{} does not fit its target: rms misfit {} %, worst {} % at {} s",
+                    one.name,
+                    percent(one.misfit.rms_ratio, 3),
+                    percent(one.misfit.worst_ratio, 3),
+                    significant(one.misfit.worst_period_s, 3)
+                )
+            });
         let scaled = self.motions.first().and_then(|one| {
             Some(format!(
                 "half-cycles were scaled to give the PGA of the target; this changed the rms misfit of the first \
@@ -247,18 +305,43 @@ impl FitReport {
             ))
         });
         let high = peak_warning(self.motions.iter().map(|one| &one.misfit));
-        self.target.warnings.iter().cloned().chain(poor).chain(high).chain(scaled).collect()
+        self.target
+            .warnings
+            .iter()
+            .cloned()
+            .chain(poor)
+            .chain(high)
+            .chain(scaled)
+            .collect()
     }
 }
 
 impl FittedMotion {
     /// A motion whose peak is scaled to `pga_g`, if it is given.
-    fn new(name: String, matched: MatchedMotion, target: &Target, pga_g: Option<f64>) -> Result<Self, SynthesisError> {
+    fn new(
+        name: String,
+        matched: MatchedMotion,
+        target: &Target,
+        pga_g: Option<f64>,
+    ) -> Result<Self, SynthesisError> {
         let MatchedMotion { motion, misfit, .. } = matched;
-        let one = Self { name, path: None, motion, misfit, before_pga: None, resemblance: None };
+        let one = Self {
+            name,
+            path: None,
+            motion,
+            misfit,
+            before_pga: None,
+            resemblance: None,
+        };
         let Some(pga_g) = pga_g else { return Ok(one) };
-        let MatchedMotion { motion, misfit, .. } = with_pga(&one.motion, |t| target.spectrum.sa_g(t), pga_g)?;
-        Ok(Self { motion, before_pga: Some(one.misfit), misfit, ..one })
+        let MatchedMotion { motion, misfit, .. } =
+            with_pga(&one.motion, |t| target.spectrum.sa_g(t), pga_g)?;
+        Ok(Self {
+            motion,
+            before_pga: Some(one.misfit),
+            misfit,
+            ..one
+        })
     }
 
     /// Its name, its file, its misfit and how similar it is to the record.
@@ -272,8 +355,17 @@ impl FittedMotion {
             .key("worst_misfit_ratio", self.misfit.worst_ratio)
             .key("worst_misfit_period_s", self.misfit.worst_period_s)
             .and(facts!(self.misfit; pga_g, target_zpa_g, pgv_m_s, d5_95_s))
-            .key("rms_misfit_before_pga_ratio", self.before_pga.map(|misfit| misfit.rms_ratio))
-            .key("correlation_ratio", self.resemblance.map(|kept| kept.correlation_ratio))
-            .key("husid_difference_ratio", self.resemblance.map(|kept| kept.husid_difference_ratio))
+            .key(
+                "rms_misfit_before_pga_ratio",
+                self.before_pga.map(|misfit| misfit.rms_ratio),
+            )
+            .key(
+                "correlation_ratio",
+                self.resemblance.map(|kept| kept.correlation_ratio),
+            )
+            .key(
+                "husid_difference_ratio",
+                self.resemblance.map(|kept| kept.husid_difference_ratio),
+            )
     }
 }

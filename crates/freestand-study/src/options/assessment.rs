@@ -76,9 +76,21 @@ pub(crate) struct RestraintOptions {
 /// The keys of accepted probabilities: life safety, function, property, each rated high, medium,
 /// low. Without a rating a key stands for high.
 pub(crate) const ACCEPTED_KEYS: [[&str; 3]; 3] = [
-    ["accepted_life_safety", "accepted_life_safety_medium", "accepted_life_safety_low"],
-    ["accepted_function", "accepted_function_medium", "accepted_function_low"],
-    ["accepted_property", "accepted_property_medium", "accepted_property_low"],
+    [
+        "accepted_life_safety",
+        "accepted_life_safety_medium",
+        "accepted_life_safety_low",
+    ],
+    [
+        "accepted_function",
+        "accepted_function_medium",
+        "accepted_function_low",
+    ],
+    [
+        "accepted_property",
+        "accepted_property_medium",
+        "accepted_property_low",
+    ],
 ];
 
 /// Keys that belong in [worlds], or that worlds have replaced.
@@ -101,7 +113,10 @@ const WORLD_KEYS: [&str; 15] = [
 ];
 
 pub(super) fn assessment(reader: &mut Reader, table: &mut Section) -> AssessmentOptions {
-    let of_worlds = WORLD_KEYS.iter().filter_map(|key| Some((*key, table.take(reader, key)?.1))).collect();
+    let of_worlds = WORLD_KEYS
+        .iter()
+        .filter_map(|key| Some((*key, table.take(reader, key)?.1)))
+        .collect();
     table.known.retain(|key| !WORLD_KEYS.contains(key));
     AssessmentOptions {
         inventory: table.string(reader, "inventory"),
@@ -152,7 +167,10 @@ pub(super) fn worlds(reader: &mut Reader, table: &mut Section) -> WorldOptions {
 
 pub(super) fn restraint(reader: &mut Reader, table: &mut Section) -> RestraintOptions {
     let mut code = Words::default();
-    let keys: Vec<_> = TARGET_KEYS.into_iter().filter(|(key, _)| !TABLE_KEYS.contains(key)).collect();
+    let keys: Vec<_> = TARGET_KEYS
+        .into_iter()
+        .filter(|(key, _)| !TABLE_KEYS.contains(key))
+        .collect();
     read_words(reader, table, &keys, &mut code);
     RestraintOptions {
         code,

@@ -103,7 +103,10 @@ fn floors(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<FloorO
             continue;
         };
         let mut entry = Section::new(Place::Table("floors"), entries, line);
-        let aliases = entry.strings(reader, "aliases").map(|aliases| aliases.value).unwrap_or_default();
+        let aliases = entry
+            .strings(reader, "aliases")
+            .map(|aliases| aliases.value)
+            .unwrap_or_default();
         floors.push(FloorOptions {
             line,
             name: entry.string(reader, "name"),
@@ -112,13 +115,22 @@ fn floors(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<FloorO
         });
         entry.finish(reader);
     }
-    Some(Written { value: floors, line })
+    Some(Written {
+        value: floors,
+        line,
+    })
 }
 
 fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelOptions>>> {
     let (value, line) = table.take(reader, "levels")?;
     let DeValue::Array(items) = value else {
-        reader.wrong_type(line, "levels", "a list", value, "write levels = [{ name = \"roof\", level_ratio = 1.0 }]");
+        reader.wrong_type(
+            line,
+            "levels",
+            "a list",
+            value,
+            "write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
+        );
         return None;
     };
     let mut levels = Vec::new();
@@ -139,9 +151,18 @@ fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelO
             }
             value => {
                 let level_ratio = reader.ratio_value("levels", value, line);
-                levels.push(LevelOptions { line, name: None, level_ratio, motions: None, across: None });
+                levels.push(LevelOptions {
+                    line,
+                    name: None,
+                    level_ratio,
+                    motions: None,
+                    across: None,
+                });
             }
         }
     }
-    Some(Written { value: levels, line })
+    Some(Written {
+        value: levels,
+        line,
+    })
 }

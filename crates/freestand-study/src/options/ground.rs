@@ -74,28 +74,51 @@ pub(crate) enum VerticalOption {
     Files(Vec<Written<String>>),
 }
 
-fn vertical(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<Written<VerticalOption>> {
+fn vertical(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+) -> Option<Written<VerticalOption>> {
     let (value, line) = table.take(reader, "vertical")?;
-    let named = |word: &str| value.as_str().is_some_and(|text| text.eq_ignore_ascii_case(word));
+    let named = |word: &str| {
+        value
+            .as_str()
+            .is_some_and(|text| text.eq_ignore_ascii_case(word))
+    };
     let option = match value {
         _ if named("code") => Some(VerticalOption::Code),
         _ if named("record") => Some(VerticalOption::Record),
         DeValue::Array(items) => {
             let file = |item: &toml::Spanned<DeValue>| {
                 let line = reader.line_of(item.span().start);
-                item.get_ref().as_str().map(|name| Written { value: name.to_owned(), line })
+                item.get_ref().as_str().map(|name| Written {
+                    value: name.to_owned(),
+                    line,
+                })
             };
-            items.iter().map(file).collect::<Option<Vec<_>>>().map(VerticalOption::Files)
+            items
+                .iter()
+                .map(file)
+                .collect::<Option<Vec<_>>>()
+                .map(VerticalOption::Files)
         }
         _ => {
-            let text = value.as_str().map(str::to_owned).or_else(|| bare_number(value));
+            let text = value
+                .as_str()
+                .map(str::to_owned)
+                .or_else(|| bare_number(value));
             let ratio = text.and_then(|text| parse(&text, Dimension::Ratio).ok());
             ratio.map(VerticalOption::Ratio)
         }
     };
     if option.is_none() {
         let hint = "write vertical = 0.67 (a share of the target), \"code\", \"record\", or a list of files";
-        reader.wrong_type(line, "vertical", "a ratio, \"code\", \"record\" or a list of files", value, hint);
+        reader.wrong_type(
+            line,
+            "vertical",
+            "a ratio, \"code\", \"record\" or a list of files",
+            value,
+            hint,
+        );
     }
     option.map(|value| Written { value, line })
 }
@@ -107,17 +130,36 @@ pub(crate) enum ComponentsOption {
     Named(String, String),
 }
 
-fn components(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<Written<ComponentsOption>> {
+fn components(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+) -> Option<Written<ComponentsOption>> {
     let (value, line) = table.take(reader, "components")?;
-    if value.as_str().is_some_and(|word| word.eq_ignore_ascii_case("both")) {
-        return Some(Written { value: ComponentsOption::Both, line });
+    if value
+        .as_str()
+        .is_some_and(|word| word.eq_ignore_ascii_case("both"))
+    {
+        return Some(Written {
+            value: ComponentsOption::Both,
+            line,
+        });
     }
     let names: Vec<String> = value.as_array().map_or_else(Vec::new, |items| {
-        let name = |item: &DeValue| item.as_str().map(str::to_owned).or_else(|| bare_number(item));
-        items.iter().filter_map(|item| name(item.get_ref())).collect()
+        let name = |item: &DeValue| {
+            item.as_str()
+                .map(str::to_owned)
+                .or_else(|| bare_number(item))
+        };
+        items
+            .iter()
+            .filter_map(|item| name(item.get_ref()))
+            .collect()
     });
     match <[String; 2]>::try_from(names) {
-        Ok([first, second]) => Some(Written { value: ComponentsOption::Named(first, second), line }),
+        Ok([first, second]) => Some(Written {
+            value: ComponentsOption::Named(first, second),
+            line,
+        }),
         Err(_) => {
             let hint = "write components = \"both\", or components = [\"N-S\", \"E-W\"]";
             reader.wrong_type(line, "components", "\"both\" or two names", value, hint);

@@ -50,21 +50,36 @@ pub(crate) struct Options {
 
 /// Whether a text is TOML and has a table of a study.
 pub(crate) fn has_table_of_ours(text: &str) -> bool {
-    let names = ["ground", "building", "objects", "outputs", "assessment", "worlds", "restraint"];
-    DeTable::parse(text.trim_start_matches('\u{feff}'))
-        .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
+    let names = [
+        "ground",
+        "building",
+        "objects",
+        "outputs",
+        "assessment",
+        "worlds",
+        "restraint",
+    ];
+    DeTable::parse(text.trim_start_matches('\u{feff}')).is_ok_and(|table| {
+        table
+            .get_ref()
+            .keys()
+            .any(|key| names.contains(&key.get_ref().as_ref()))
+    })
 }
 
 /// Whether a text is TOML with no table and no key.
 pub(crate) fn is_empty(text: &str) -> bool {
-    DeTable::parse(text.trim_start_matches('\u{feff}')).is_ok_and(|table| table.get_ref().is_empty())
+    DeTable::parse(text.trim_start_matches('\u{feff}'))
+        .is_ok_and(|table| table.get_ref().is_empty())
 }
 
 /// Reads a study: what can be read, and all problems.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
-    let Some(document) = reader.document(text) else { return (options, reader.problems) };
+    let Some(document) = reader.document(text) else {
+        return (options, reader.problems);
+    };
     let mut top = Section::new(Place::Document, document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
@@ -121,13 +136,22 @@ fn read_text(
         Kind::Name => table.string(reader, key),
         Kind::Number => table.name_or_number(reader, key),
         Kind::Quantity(dimension) => texts(reader, table, key, dimension),
-        Kind::Count => table.count(reader, key).map(|count| count.map(|count| count.to_string())),
-        Kind::Flag => table.boolean(reader, key).map(|flag| flag.map(|flag| flag.to_string())),
+        Kind::Count => table
+            .count(reader, key)
+            .map(|count| count.map(|count| count.to_string())),
+        Kind::Flag => table
+            .boolean(reader, key)
+            .map(|flag| flag.map(|flag| flag.to_string())),
     }
 }
 
 /// Adds the values of keys as texts.
-fn read_words(reader: &mut Reader<'_>, table: &mut Section<'_, '_>, keys: &[(&'static str, Kind)], words: &mut Words) {
+fn read_words(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+    keys: &[(&'static str, Kind)],
+    words: &mut Words,
+) {
     for &(key, kind) in keys {
         if let Some(Written { value, line }) = read_text(reader, table, (key, kind)) {
             words.add(key, value, Some(line));
@@ -156,9 +180,15 @@ fn texts(
     };
     let texts: Option<Vec<String>> = items.into_iter().map(text_of).collect();
     if let Some(texts) = texts {
-        return Some(Written { value: texts.join(", "), line });
+        return Some(Written {
+            value: texts.join(", "),
+            line,
+        });
     }
-    let hint = format!("write numbers and their units, such as {}", example(dimension));
+    let hint = format!(
+        "write numbers and their units, such as {}",
+        example(dimension)
+    );
     reader.wrong_type(line, &name, dimension.with_article(), value, &hint);
     None
 }
@@ -170,7 +200,9 @@ pub(crate) const NOT_IN_CUSHION_FILES: [&str; 2] = ["cushion", "pad_stiffness"];
 /// Reads a cushion file, in which the keys belong to no table.
 pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
     let mut reader = Reader::new(text, Some(source));
-    let Some(document) = reader.document(text) else { return (Words::default(), reader.problems) };
+    let Some(document) = reader.document(text) else {
+        return (Words::default(), reader.problems);
+    };
     let mut top = Section::new(Place::PlainDocument, document.get_ref(), 1);
     let mut options = Words::default();
     read_words(&mut reader, &mut top, &CUSHION_KEYS, &mut options);
@@ -185,7 +217,11 @@ mod tests {
 
     fn problems(text: &str) -> Vec<String> {
         let (_, problems) = parse(text, Some(Path::new("s.toml")));
-        problems.problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
+        problems
+            .problems
+            .iter()
+            .map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-")))
+            .collect()
     }
 
     #[test]
@@ -196,15 +232,31 @@ mod tests {
             None,
         );
         assert!(problems.is_empty(), "{problems}");
-        let building: Vec<_> = options.building.words.entries().zip(options.building.words.lines()).collect();
-        for ((key, text), line) in
-            [("storey_height", "3200 mm"), ("damping", "5 %"), ("period", "1.92 s")].into_iter().zip([2, 4, 3])
+        let building: Vec<_> = options
+            .building
+            .words
+            .entries()
+            .zip(options.building.words.lines())
+            .collect();
+        for ((key, text), line) in [
+            ("storey_height", "3200 mm"),
+            ("damping", "5 %"),
+            ("period", "1.92 s"),
+        ]
+        .into_iter()
+        .zip([2, 4, 3])
         {
-            assert!(building.contains(&((key, text), (key, Some(line)))), "{building:?}");
+            assert!(
+                building.contains(&((key, text), (key, Some(line)))),
+                "{building:?}"
+            );
         }
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
-        assert_eq!(options.objects.cushion.entries().next(), Some(("stiffness", "4380 N/mm")));
+        assert_eq!(
+            options.objects.cushion.entries().next(),
+            Some(("stiffness", "4380 N/mm"))
+        );
     }
 
     #[test]
@@ -219,7 +271,11 @@ mod tests {
         ] {
             let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
             assert!(problems.is_empty(), "{problems}");
-            assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
+            assert_eq!(
+                options.objects.heights_m.unwrap().value,
+                expected,
+                "{value}"
+            );
         }
         assert_eq!(
             problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
@@ -263,7 +319,10 @@ mod tests {
             "[ground\ncount = \"x\"\n",
         ] {
             let got = problems(text);
-            assert!(got.len() == 1 && got[0].contains("not TOML"), "{text:?}: {got:?}");
+            assert!(
+                got.len() == 1 && got[0].contains("not TOML"),
+                "{text:?}: {got:?}"
+            );
         }
         assert!(problems("[ground]\rcount = 3\r")[0].contains("CR LF"));
     }

@@ -47,13 +47,27 @@ pub(super) fn objects(reader: &mut Reader, table: &mut Section) -> ObjectsOption
 
 fn restitution(reader: &mut Reader, table: &mut Section) -> Option<Written<RestitutionOption>> {
     let (value, line) = table.take(reader, "restitution")?;
-    if value.as_str().is_some_and(|word| word.eq_ignore_ascii_case("housner")) {
-        return Some(Written { value: RestitutionOption::Housner, line });
+    if value
+        .as_str()
+        .is_some_and(|word| word.eq_ignore_ascii_case("housner"))
+    {
+        return Some(Written {
+            value: RestitutionOption::Housner,
+            line,
+        });
     }
-    if value.as_str().is_some_and(|word| !word.contains(|c: char| c.is_ascii_digit())) {
+    if value
+        .as_str()
+        .is_some_and(|word| !word.contains(|c: char| c.is_ascii_digit()))
+    {
         let message = format!("restitution = {} is not known", describe(value));
-        reader.note(Some(line), Problem::value(message, "write \"housner\" or a number in (0, 1]"));
+        reader.note(
+            Some(line),
+            Problem::value(message, "write \"housner\" or a number in (0, 1]"),
+        );
         return None;
     }
-    reader.ratio_value("restitution", value, line).map(|ratio| ratio.map(RestitutionOption::Value))
+    reader
+        .ratio_value("restitution", value, line)
+        .map(|ratio| ratio.map(RestitutionOption::Value))
 }

@@ -27,7 +27,10 @@ const SOURCE_KEYS: [(&str, Kind); 11] = [
     ("hard_rock", Kind::Flag),
 ];
 
-pub(super) fn point_source(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<PointSourceOptions> {
+pub(super) fn point_source(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+) -> Option<PointSourceOptions> {
     let mut entry = table.table(reader, "point_source")?;
     let pairs = entry.boolean(reader, "pairs");
     let mut words = Words::default();

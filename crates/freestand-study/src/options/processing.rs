@@ -29,7 +29,11 @@ const PROCESSING_KEYS: [(&str, Kind); 11] = [
 ];
 
 /// Adds the values of these keys; returns the line of `processing`.
-pub(super) fn processing(reader: &mut Reader<'_>, table: &mut Section<'_, '_>, words: &mut Words) -> Option<usize> {
+pub(super) fn processing(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+    words: &mut Words,
+) -> Option<usize> {
     read_words(reader, table, &READING_KEYS, words);
     let mut entry = table.table(reader, "processing")?;
     read_words(reader, &mut entry, &PROCESSING_KEYS, words);

@@ -40,7 +40,10 @@ pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Problems> {
     let mut problems = Problems::default();
     let read = |path: &PathBuf| problems.keep(read_motions(path, &request.files.read));
     let files = request.files.paths.iter().filter_map(read).collect();
-    problems.finish(Some(ReadPair { request: request.clone(), files }))
+    problems.finish(Some(ReadPair {
+        request: request.clone(),
+        files,
+    }))
 }
 
 /// Contradictions of a request.
@@ -69,18 +72,23 @@ fn misfit(request: &PairFiles) -> Problems {
         ),
     ];
     let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
-    found.map(|(_, message, hint)| Problem::value(message, hint)).collect()
+    found
+        .map(|(_, message, hint)| Problem::value(message, hint))
+        .collect()
 }
 
 /// Of one file given twice, the same component would be used for both.
 fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Problem> {
-    let [first, second] = paths else { return Ok(()) };
+    let [first, second] = paths else {
+        return Ok(());
+    };
     let real = |path: &PathBuf| std::fs::canonicalize(path).ok();
     match (real(first), real(second)) {
         // A device or a pipe may give other bytes each time.
         (Some(one), Some(two)) if one == two && one.is_file() => {
             let message = "is given twice: a pair is two files, or two components of one file";
-            let hint = "give it once; if it has more than two components, choose them with `components`";
+            let hint =
+                "give it once; if it has more than two components, choose them with `components`";
             Err(Problem::value(message, hint).in_file(second))
         }
         _ => Ok(()),
@@ -100,9 +108,15 @@ impl ReadPair {
             }
             [one] => {
                 let called = self.request.components.as_ref();
-                pair_of_one(one, called.map(|(first, second)| (first.as_str(), second.as_str())))
+                pair_of_one(
+                    one,
+                    called.map(|(first, second)| (first.as_str(), second.as_str())),
+                )
             }
-            _ => Err(Problem::value("give one or two files", "read them with read_pair")),
+            _ => Err(Problem::value(
+                "give one or two files",
+                "read them with read_pair",
+            )),
         }?;
         match [pair.0, pair.1].into_iter().find(|one| one.direction == Some(Direction::Up)) {
             Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
@@ -118,13 +132,23 @@ impl ReadPair {
         match self.files.as_slice() {
             [first, second] if one == two => {
                 let short = |file: &MotionFile| {
-                    file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy().into_owned()
+                    file.path
+                        .file_name()
+                        .unwrap_or(file.path.as_os_str())
+                        .to_string_lossy()
+                        .into_owned()
                 };
                 let mut files = (short(first), short(second));
                 if files.0 == files.1 {
-                    files = (first.path.display().to_string(), second.path.display().to_string());
+                    files = (
+                        first.path.display().to_string(),
+                        second.path.display().to_string(),
+                    );
                 }
-                (format!("{one} of {}", files.0), format!("{two} of {}", files.1))
+                (
+                    format!("{one} of {}", files.0),
+                    format!("{two} of {}", files.1),
+                )
             }
             _ => (one, two),
         }
@@ -134,7 +158,10 @@ impl ReadPair {
     pub fn warnings(&self) -> Vec<String> {
         let of = |file: &MotionFile| {
             let path = file.path.display().to_string();
-            file.notes.iter().map(move |note| format!("{path}: {note}")).collect::<Vec<_>>()
+            file.notes
+                .iter()
+                .map(move |note| format!("{path}: {note}"))
+                .collect::<Vec<_>>()
         };
         self.files.iter().flat_map(of).collect()
     }
@@ -174,14 +201,35 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
     let (first, second) = with_azimuths(components, request.azimuths_deg)?;
     let names = read.names(components);
     let names = (names.0.as_str(), names.1.as_str());
-    let processed = turned(first, second, names, request.azimuth_deg, &read.request.files.processing)?;
-    let path = read.files.first().map(|file| file.path.clone()).unwrap_or_default();
+    let processed = turned(
+        first,
+        second,
+        names,
+        request.azimuth_deg,
+        &read.request.files.processing,
+    )?;
+    let path = read
+        .files
+        .first()
+        .map(|file| file.path.clone())
+        .unwrap_or_default();
     let mut warnings = read.warnings();
-    let start = |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
+    let start =
+        |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
     warnings.extend(read.files.iter().filter_map(start));
     warnings.extend(processed.notes.iter().map(Note::to_string));
-    let name = format!("{}-{}deg", name_of(&path), number(request.azimuth_deg.rem_euclid(360.0), 6));
-    Ok(Rotated { name, path, azimuth_deg: request.azimuth_deg, processed, warnings })
+    let name = format!(
+        "{}-{}deg",
+        name_of(&path),
+        number(request.azimuth_deg.rem_euclid(360.0), 6)
+    );
+    Ok(Rotated {
+        name,
+        path,
+        azimuth_deg: request.azimuth_deg,
+        processed,
+        warnings,
+    })
 }
 
 #[cfg(test)]

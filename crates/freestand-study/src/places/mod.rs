@@ -86,14 +86,28 @@ impl PlaceHazard {
     pub fn words(&self) -> String {
         match self {
             Self::As1170_4 { hazard_factor } => format!("Z = {}", number(*hazard_factor, 4)),
-            Self::Nzs1170_5 { hazard_factor, fault_distance_km } => {
-                format!("Z = {}, {}", number(*hazard_factor, 4), fault_words(*fault_distance_km))
+            Self::Nzs1170_5 {
+                hazard_factor,
+                fault_distance_km,
+            } => {
+                format!(
+                    "Z = {}, {}",
+                    number(*hazard_factor, 4),
+                    fault_words(*fault_distance_km)
+                )
             }
-            Self::Asce7 { ss_g, s1_g } => format!("Ss = {} g, S1 = {} g", number(*ss_g, 4), number(*s1_g, 4)),
-            Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex } => {
+            Self::Asce7 { ss_g, s1_g } => {
+                format!("Ss = {} g, S1 = {} g", number(*ss_g, 4), number(*s1_g, 4))
+            }
+            Self::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g,
+                annex,
+            } => {
                 let one = format!("a_gR = {} g", number(*ground_acceleration_g, 4));
-                let two = type2_ground_acceleration_g
-                    .map_or_else(String::new, |two| format!(" (type 1), {} g (type 2)", number(two, 4)));
+                let two = type2_ground_acceleration_g.map_or_else(String::new, |two| {
+                    format!(" (type 1), {} g (type 2)", number(two, 4))
+                });
                 let corner = match annex {
                     Some(NationalAnnex::Romania { corner_period_s }) => {
                         format!(" (225 years), TC = {} s", number(*corner_period_s, 4))
@@ -107,31 +121,55 @@ impl PlaceHazard {
 
     /// The values of a row of the table: numbers, then names with values (`fault=6`, `annex=pt`).
     fn parse(code: &str, values: &str) -> Option<Self> {
-        let (named, numbers): (Vec<&str>, Vec<&str>) =
-            values.split(',').map(str::trim).partition(|value| value.contains('='));
-        let numbers: Vec<f64> = numbers.into_iter().map(str::parse).collect::<Result<_, _>>().ok()?;
-        let named: Vec<(&str, &str)> = named.into_iter().filter_map(|value| value.split_once('=')).collect();
+        let (named, numbers): (Vec<&str>, Vec<&str>) = values
+            .split(',')
+            .map(str::trim)
+            .partition(|value| value.contains('='));
+        let numbers: Vec<f64> = numbers
+            .into_iter()
+            .map(str::parse)
+            .collect::<Result<_, _>>()
+            .ok()?;
+        let named: Vec<(&str, &str)> = named
+            .into_iter()
+            .filter_map(|value| value.split_once('='))
+            .collect();
         match (code, numbers.as_slice(), named.as_slice()) {
             ("as1170.4", &[hazard_factor], []) => Some(Self::As1170_4 { hazard_factor }),
-            ("nzs1170.5", &[hazard_factor], [("fault", km)]) => {
-                Some(Self::Nzs1170_5 { hazard_factor, fault_distance_km: km.parse().ok()? })
-            }
+            ("nzs1170.5", &[hazard_factor], [("fault", km)]) => Some(Self::Nzs1170_5 {
+                hazard_factor,
+                fault_distance_km: km.parse().ok()?,
+            }),
             ("asce7", &[ss_g, s1_g], []) => Some(Self::Asce7 { ss_g, s1_g }),
-            ("eurocode8", &[ground_acceleration_g], []) => {
-                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex: None })
-            }
+            ("eurocode8", &[ground_acceleration_g], []) => Some(Self::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g: None,
+                annex: None,
+            }),
             ("eurocode8", &[ground_acceleration_g], [("annex", "fr")]) => {
                 let annex = Some(NationalAnnex::France);
-                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex })
+                Some(Self::Eurocode8 {
+                    ground_acceleration_g,
+                    type2_ground_acceleration_g: None,
+                    annex,
+                })
             }
-            ("eurocode8", &[ground_acceleration_g, two], [("annex", "pt")]) => Some(Self::Eurocode8 {
-                ground_acceleration_g,
-                type2_ground_acceleration_g: Some(two),
-                annex: Some(NationalAnnex::Portugal),
-            }),
+            ("eurocode8", &[ground_acceleration_g, two], [("annex", "pt")]) => {
+                Some(Self::Eurocode8 {
+                    ground_acceleration_g,
+                    type2_ground_acceleration_g: Some(two),
+                    annex: Some(NationalAnnex::Portugal),
+                })
+            }
             ("eurocode8", &[ground_acceleration_g], [("annex", "ro"), ("tc", corner)]) => {
-                let annex = Some(NationalAnnex::Romania { corner_period_s: corner.parse().ok()? });
-                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex })
+                let annex = Some(NationalAnnex::Romania {
+                    corner_period_s: corner.parse().ok()?,
+                });
+                Some(Self::Eurocode8 {
+                    ground_acceleration_g,
+                    type2_ground_acceleration_g: None,
+                    annex,
+                })
             }
             _ => None,
         }
@@ -145,7 +183,9 @@ impl PlaceHazard {
     /// Its return period \[years\], where its code has one alone.
     pub fn return_period_years(&self) -> Option<u32> {
         match self {
-            Self::Eurocode8 { annex, .. } => Some(annex.map_or(EUROCODE_YEARS, NationalAnnex::return_period_years)),
+            Self::Eurocode8 { annex, .. } => {
+                Some(annex.map_or(EUROCODE_YEARS, NationalAnnex::return_period_years))
+            }
             _ => None,
         }
     }
@@ -190,17 +230,39 @@ pub fn places() -> &'static [Place] {
 
 /// The rows of the table.
 fn rows() -> impl Iterator<Item = &'static str> {
-    include_str!("places.csv").lines().filter(|line| !line.starts_with('#') && !line.is_empty())
+    include_str!("places.csv")
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.is_empty())
 }
 
 fn read(row: &'static str) -> Option<Place> {
     let fields: Vec<&str> = row.split(';').map(str::trim).collect();
-    let &[name, other_names, region, country, code, values, source, confidence] = fields.as_slice() else {
+    let &[
+        name,
+        other_names,
+        region,
+        country,
+        code,
+        values,
+        source,
+        confidence,
+    ] = fields.as_slice()
+    else {
         return None;
     };
     let hazard = PlaceHazard::parse(code, values)?;
-    let confidence = [Confidence::Read, Confidence::Approximate].into_iter().find(|one| one.name() == confidence)?;
-    Some(Place { name, other_names, region, country, hazard, source, confidence })
+    let confidence = [Confidence::Read, Confidence::Approximate]
+        .into_iter()
+        .find(|one| one.name() == confidence)?;
+    Some(Place {
+        name,
+        other_names,
+        region,
+        country,
+        hazard,
+        source,
+        confidence,
+    })
 }
 
 impl Place {
@@ -222,19 +284,26 @@ impl Place {
                 let name = canonical(name);
                 wanted.strip_prefix(&name).is_some_and(|rest| {
                     let rest = rest.trim_start();
-                    rest.is_empty() || rest == canonical(place.region) || rest == canonical(place.country)
+                    rest.is_empty()
+                        || rest == canonical(place.region)
+                        || rest == canonical(place.country)
                 })
             })
         })
     }
 
     fn names(&self) -> impl Iterator<Item = &'static str> {
-        std::iter::once(self.name).chain(self.other_names.split(',').filter(|name| !name.is_empty()))
+        std::iter::once(self.name)
+            .chain(self.other_names.split(',').filter(|name| !name.is_empty()))
     }
 
     /// The state, where it has one, and the country.
     pub fn whereabouts(&self) -> String {
-        if self.region.is_empty() { self.country.to_owned() } else { format!("{}, {}", self.region, self.country) }
+        if self.region.is_empty() {
+            self.country.to_owned()
+        } else {
+            format!("{}, {}", self.region, self.country)
+        }
     }
 
     /// What the reader must know about its values.
@@ -261,18 +330,31 @@ impl Place {
         let (mut fault_km, mut type_2_g, mut annex) = (None, None, None);
         match self.hazard {
             PlaceHazard::As1170_4 { hazard_factor } => z = Some(hazard_factor),
-            PlaceHazard::Nzs1170_5 { hazard_factor, fault_distance_km } => {
+            PlaceHazard::Nzs1170_5 {
+                hazard_factor,
+                fault_distance_km,
+            } => {
                 (z, fault_km) = (Some(hazard_factor), Some(fault_distance_km));
             }
-            PlaceHazard::Asce7 { ss_g: short, s1_g: long } => (ss_g, s1_g) = (Some(short), Some(long)),
-            PlaceHazard::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex: of } => {
+            PlaceHazard::Asce7 {
+                ss_g: short,
+                s1_g: long,
+            } => (ss_g, s1_g) = (Some(short), Some(long)),
+            PlaceHazard::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g,
+                annex: of,
+            } => {
                 (a_g, type_2_g) = (Some(ground_acceleration_g), type2_ground_acceleration_g);
                 annex = of.map(NationalAnnex::name);
             }
         }
         Facts::default()
             .key("name", self.name)
-            .key("region", Some(self.region).filter(|region| !region.is_empty()))
+            .key(
+                "region",
+                Some(self.region).filter(|region| !region.is_empty()),
+            )
             .key("country", self.country)
             .key("code", self.hazard.code())
             .key("ss_g", ss_g)
@@ -281,7 +363,10 @@ impl Place {
             .key("ground_acceleration_g", a_g)
             .key("type2_ground_acceleration_g", type_2_g)
             .key("annex", annex)
-            .key("return_period_years", self.hazard.return_period_years().map(u64::from))
+            .key(
+                "return_period_years",
+                self.hazard.return_period_years().map(u64::from),
+            )
             .key("fault_distance_km", fault_km)
             .key("source", self.source)
             .key("confidence", self.confidence.name())
@@ -323,9 +408,16 @@ mod tests {
         assert_eq!(places().len(), rows().count());
         for place in places() {
             for name in place.names() {
-                assert_eq!(Place::find(name).map(|found| found.name), Some(place.name), "{name}");
+                assert_eq!(
+                    Place::find(name).map(|found| found.name),
+                    Some(place.name),
+                    "{name}"
+                );
             }
-            assert!(!place.country.is_empty() && !place.source.is_empty(), "{place:?}");
+            assert!(
+                !place.country.is_empty() && !place.source.is_empty(),
+                "{place:?}"
+            );
             // No code has a larger value than Macquarie Island's 0.6 or Santa Rosa's 2.26 g.
             let values = match place.hazard {
                 PlaceHazard::Asce7 { ss_g, s1_g } => {
@@ -333,13 +425,29 @@ mod tests {
                     [ss_g / 3.0, s1_g]
                 }
                 PlaceHazard::As1170_4 { hazard_factor: one }
-                | PlaceHazard::Nzs1170_5 { hazard_factor: one, .. }
-                | PlaceHazard::Eurocode8 { ground_acceleration_g: one, .. } => [one, one],
+                | PlaceHazard::Nzs1170_5 {
+                    hazard_factor: one, ..
+                }
+                | PlaceHazard::Eurocode8 {
+                    ground_acceleration_g: one,
+                    ..
+                } => [one, one],
             };
-            assert!(values.into_iter().all(|value| value > 0.0 && value < 0.9), "{place:?}");
+            assert!(
+                values.into_iter().all(|value| value > 0.0 && value < 0.9),
+                "{place:?}"
+            );
         }
-        let by_code = |code: &str| places().iter().filter(|place| place.hazard.code() == code).count();
-        assert_eq!(["as1170.4", "asce7", "nzs1170.5", "eurocode8"].map(by_code), [42, 23, 13, 21]);
+        let by_code = |code: &str| {
+            places()
+                .iter()
+                .filter(|place| place.hazard.code() == code)
+                .count()
+        };
+        assert_eq!(
+            ["as1170.4", "asce7", "nzs1170.5", "eurocode8"].map(by_code),
+            [42, 23, 13, 21]
+        );
     }
 
     #[test]
@@ -357,9 +465,19 @@ mod tests {
             ("Wellington, New Zealand", "Wellington"),
             ("NYC", "New York"),
         ] {
-            assert_eq!(Place::find(written).map(|place| place.name), Some(name), "{written}");
+            assert_eq!(
+                Place::find(written).map(|place| place.name),
+                Some(name),
+                "{written}"
+            );
         }
-        for written in ["", "Charleston, WV", "Melbourne, FL", "Wellingtonia", "Athens, Greece, Europe"] {
+        for written in [
+            "",
+            "Charleston, WV",
+            "Melbourne, FL",
+            "Wellingtonia",
+            "Athens, Greece, Europe",
+        ] {
             assert_eq!(Place::find(written), None, "{written}");
         }
     }

@@ -19,7 +19,11 @@ pub fn refuse_copies<'a, const N: usize>(
 ) -> Result<(), Problem> {
     let mut left: Vec<_> = motions.into_iter().collect();
     while let Some((name, samples)) = left.pop() {
-        let mut names: Vec<&str> = left.iter().filter(|other| other.1 == samples).map(|other| other.0).collect();
+        let mut names: Vec<&str> = left
+            .iter()
+            .filter(|other| other.1 == samples)
+            .map(|other| other.0)
+            .collect();
         if names.is_empty() {
             continue;
         }
@@ -54,9 +58,19 @@ mod tests {
             refuse_copies(motions.iter().map(|&(name, motion)| (name, [Some(motion)])))
         };
         assert_eq!(checked(&[("a", &one), ("b", &slower)]), Ok(()));
-        let told = checked(&[("a", &one), ("b", &slower), ("a-2", &one), ("a-3", &one)]).unwrap_err();
-        assert!(told.message.starts_with("a, a-2, a-3 have the same samples"), "{}", told.message);
+        let told =
+            checked(&[("a", &one), ("b", &slower), ("a-2", &one), ("a-3", &one)]).unwrap_err();
+        assert!(
+            told.message
+                .starts_with("a, a-2, a-3 have the same samples"),
+            "{}",
+            told.message
+        );
         let many = checked(&[("a", &one); 9]).unwrap_err();
-        assert!(many.message.starts_with("a, a, a, a, a, a and 3 more have"), "{}", many.message);
+        assert!(
+            many.message.starts_with("a, a, a, a, a, a and 3 more have"),
+            "{}",
+            many.message
+        );
     }
 }

@@ -28,33 +28,51 @@ pub(crate) struct Folder {
 
 /// Endings of files that describe records or show them.
 const NOT_RECORDS: [&str; 19] = [
-    "xml", "json", "md", "toml", "html", "htm", "pdf", "doc", "docx", "xls", "xlsx", "zip", "gz", "png", "jpg", "svg",
-    "py", "m", "rst",
+    "xml", "json", "md", "toml", "html", "htm", "pdf", "doc", "docx", "xls", "xlsx", "zip", "gz",
+    "png", "jpg", "svg", "py", "m", "rst",
 ];
 /// Velocities and displacements that PEER delivers with its accelerations.
 const NOT_ACCELERATIONS: [&str; 2] = ["vt2", "dt2"];
 /// Beginnings of the names of texts and tables about records.
-const ABOUT_RECORDS: [&str; 6] = ["readme", "index", "license", "licence", "_searchresults", "_readme"];
+const ABOUT_RECORDS: [&str; 6] = [
+    "readme",
+    "index",
+    "license",
+    "licence",
+    "_searchresults",
+    "_readme",
+];
 
 /// Whether a file is one that folders of records contain besides records, judged by its name.
 fn is_record(path: &Path) -> bool {
-    let lower = |part: Option<&OsStr>| part.map_or_else(String::new, |part| part.to_string_lossy().to_lowercase());
+    let lower = |part: Option<&OsStr>| {
+        part.map_or_else(String::new, |part| part.to_string_lossy().to_lowercase())
+    };
     let (name, extension) = (lower(path.file_name()), lower(path.extension()));
-    let other = NOT_RECORDS.iter().chain(&NOT_ACCELERATIONS).any(|ending| *ending == extension);
+    let other = NOT_RECORDS
+        .iter()
+        .chain(&NOT_ACCELERATIONS)
+        .any(|ending| *ending == extension);
     !other && !ABOUT_RECORDS.iter().any(|start| name.starts_with(start))
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    path.file_name()
+        .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
 /// Paths of records, sorted by name, and names of other files. Hidden files are passed over.
 fn list(folder: &Path) -> Result<(Vec<PathBuf>, Vec<String>), Problem> {
     const HINT: &str = "name a folder with record files";
     let failed = |error: std::io::Error| {
-        let message =
-            if folder.exists() { format!("cannot be read as a folder: {error}") } else { "does not exist".to_owned() };
-        Problem::new(ProblemKind::Io, message).in_file(folder).hint(HINT)
+        let message = if folder.exists() {
+            format!("cannot be read as a folder: {error}")
+        } else {
+            "does not exist".to_owned()
+        };
+        Problem::new(ProblemKind::Io, message)
+            .in_file(folder)
+            .hint(HINT)
     };
     check_allowed(folder)?;
     let mut paths: Vec<PathBuf> = Vec::new();
@@ -63,10 +81,14 @@ fn list(folder: &Path) -> Result<(Vec<PathBuf>, Vec<String>), Problem> {
     }
     paths.retain(|path| !file_name(path).starts_with('.'));
     paths.sort();
-    let (records, others): (Vec<PathBuf>, Vec<PathBuf>) =
-        paths.into_iter().partition(|path| !path.is_dir() && is_record(path));
+    let (records, others): (Vec<PathBuf>, Vec<PathBuf>) = paths
+        .into_iter()
+        .partition(|path| !path.is_dir() && is_record(path));
     if records.len() > MAX_FILES {
-        let message = format!("has {} files; a suite is selected from at most {MAX_FILES}", records.len());
+        let message = format!(
+            "has {} files; a suite is selected from at most {MAX_FILES}",
+            records.len()
+        );
         return Err(Problem::new(ProblemKind::Value, message)
             .in_file(folder)
             .hint("move some of them out of the folder"));
@@ -85,23 +107,35 @@ fn list(folder: &Path) -> Result<(Vec<PathBuf>, Vec<String>), Problem> {
 /// A folder that cannot be read, or that has too many files.
 pub(crate) fn read_folder(folder: &Path, files: &MotionFiles) -> Result<Folder, Problem> {
     let (paths, skipped) = list(folder)?;
-    let loaded: Vec<Result<Loaded, Problems>> = paths.par_iter().map(|path| read(path, files)).collect();
-    let mut found = Folder { motions: Vec::new(), left_out: Vec::new(), skipped };
+    let loaded: Vec<Result<Loaded, Problems>> =
+        paths.par_iter().map(|path| read(path, files)).collect();
+    let mut found = Folder {
+        motions: Vec::new(),
+        left_out: Vec::new(),
+        skipped,
+    };
     let mut all: Vec<Loaded> = Vec::new();
     for (path, one) in paths.iter().zip(loaded) {
         match one {
             // The same earthquake twice would count as two.
             Ok(one) if let Some(same) = all.iter().find(|other| other.sha256 == one.sha256) => {
                 let reason = format!("is the same as {}", file_name(&same.file.path));
-                found.left_out.push(LeftOut { file: file_name(path), reason });
+                found.left_out.push(LeftOut {
+                    file: file_name(path),
+                    reason,
+                });
             }
             Ok(one) => all.push(one),
-            Err(problems) => found.left_out.extend(problems.into_iter().next().map(|why| left_out(path, why))),
+            Err(problems) => found
+                .left_out
+                .extend(problems.into_iter().next().map(|why| left_out(path, why))),
         }
     }
     let records = found.records(&all, files);
-    let motions: Vec<(PathBuf, Result<ReadMotion, Problem>)> =
-        records.into_par_iter().map(|(one, used)| (one.file.path.clone(), one.motion(used, files))).collect();
+    let motions: Vec<(PathBuf, Result<ReadMotion, Problem>)> = records
+        .into_par_iter()
+        .map(|(one, used)| (one.file.path.clone(), one.motion(used, files)))
+        .collect();
     for (path, motion) in motions {
         match motion {
             Ok(motion) => found.motions.push(motion),
@@ -121,18 +155,36 @@ pub(crate) fn read_folder(folder: &Path, files: &MotionFiles) -> Result<Folder, 
 /// A file; unit and time step are for those that do not state their own, whatever others state.
 fn read(path: &Path, files: &MotionFiles) -> Result<Loaded, Problems> {
     Loaded::read(path, files).or_else(|problems| {
-        let stated = ReadOptions { unit: None, dt_s: None, ..files.read.clone() };
-        Loaded::read(path, &MotionFiles { read: stated, ..files.clone() }).map_err(|_| problems)
+        let stated = ReadOptions {
+            unit: None,
+            dt_s: None,
+            ..files.read.clone()
+        };
+        Loaded::read(
+            path,
+            &MotionFiles {
+                read: stated,
+                ..files.clone()
+            },
+        )
+        .map_err(|_| problems)
     })
 }
 
 fn left_out(path: &Path, problem: Problem) -> LeftOut {
-    LeftOut { file: file_name(path), reason: Failed::new(path, problem).reason }
+    LeftOut {
+        file: file_name(path),
+        reason: Failed::new(path, problem).reason,
+    }
 }
 
 impl Folder {
     /// The records, each with the components that are used, in the order of the files.
-    fn records<'a>(&mut self, read: &'a [Loaded], files: &'a MotionFiles) -> Vec<(&'a Loaded, Used<'a>)> {
+    fn records<'a>(
+        &mut self,
+        read: &'a [Loaded],
+        files: &'a MotionFiles,
+    ) -> Vec<(&'a Loaded, Used<'a>)> {
         let is_one_chosen = files.component.is_some() || files.processing.azimuth_deg.is_some();
         let called = match &files.second {
             Second::SameFile(Some((first, second))) => Some((first.as_str(), second.as_str())),
@@ -153,11 +205,16 @@ impl Folder {
         }
         let (indices, singles): (Vec<usize>, Vec<Single>) = alone.into_iter().unzip();
         for (first, second) in pairs(&singles) {
-            let used = second.and_then(|second| read.get(*indices.get(second)?)).map_or(Used::Chosen, Used::With);
+            let used = second
+                .and_then(|second| read.get(*indices.get(second)?))
+                .map_or(Used::Chosen, Used::With);
             records.extend(indices.get(first).map(|&index| (index, used)));
         }
         records.sort_by_key(|(index, _)| *index);
-        records.into_iter().filter_map(|(index, used)| Some((read.get(index)?, used))).collect()
+        records
+            .into_iter()
+            .filter_map(|(index, used)| Some((read.get(index)?, used)))
+            .collect()
     }
 
     fn leave_out_the_fewer(&mut self, both_are_asked: bool) {
@@ -166,10 +223,14 @@ impl Folder {
         let one = self.motions.len() - two;
         let keeps_two = both_are_asked || two >= one;
         let reason = match (keeps_two, two) {
-            (true, 0) => "has one horizontal component, and no other file has its second".to_owned(),
+            (true, 0) => {
+                "has one horizontal component, and no other file has its second".to_owned()
+            }
             (true, _) => {
                 let others = counted(two, "other record");
-                format!("has one horizontal component, but {others} have two; `component = 1` uses one of each file")
+                format!(
+                    "has one horizontal component, but {others} have two; `component = 1` uses one of each file"
+                )
             }
             (false, _) => {
                 let others = counted(one, "record");
@@ -179,18 +240,22 @@ impl Folder {
             }
         };
         let reason = freestand_input::keys::KeyStyle::File.shown(&reason);
-        let (kept, dropped) =
-            std::mem::take(&mut self.motions).into_iter().partition(|read| has_two(read) == keeps_two);
+        let (kept, dropped) = std::mem::take(&mut self.motions)
+            .into_iter()
+            .partition(|read| has_two(read) == keeps_two);
         self.motions = kept;
         let dropped: Vec<ReadMotion> = dropped;
-        self.left_out
-            .extend(dropped.iter().map(|read| LeftOut { file: file_name(&read.motion.path), reason: reason.clone() }));
+        self.left_out.extend(dropped.iter().map(|read| LeftOut {
+            file: file_name(&read.motion.path),
+            reason: reason.clone(),
+        }));
     }
 }
 
 /// The component as one of a pair, unless it is vertical.
 fn horizontal(file_name: &str, component: &Component) -> Option<Single> {
     let single = Single::new(file_name, component);
-    let is_up = component.direction == Some(Direction::Up) || (component.direction.is_none() && single.is_vertical());
+    let is_up = component.direction == Some(Direction::Up)
+        || (component.direction.is_none() && single.is_vertical());
     (!is_up).then_some(single)
 }

@@ -23,11 +23,13 @@ use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
-use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
+use freestand_records::formats::{
+    Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit,
+};
 use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
-    standstill_note,
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process,
+    process_file, process_pair, standstill_note,
 };
 
 /// Files whose motions are used.
@@ -51,13 +53,25 @@ impl MotionFiles {
     /// How a person wrote that files are read and processed; paths are relative to `base_dir`. What no
     /// file allows is added to the problems of the reader. The files themselves are not yet named.
     pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
-        let (unit, dt_s) = (reader.read("unit", parse_unit), reader.read("dt", parse_step));
-        let station_xml = reader.words.get("station_xml").map(|file| base_dir.join(file));
+        let (unit, dt_s) = (
+            reader.read("unit", parse_unit),
+            reader.read("dt", parse_step),
+        );
+        let station_xml = reader
+            .words
+            .get("station_xml")
+            .map(|file| base_dir.join(file));
         let processing = Processing::read(reader, base_dir);
         let uneven_dt_s = processing.resample_dt_s;
         Self {
             paths: Vec::new(),
-            read: ReadOptions { unit, dt_s, uneven_dt_s, station_xml, ..ReadOptions::default() },
+            read: ReadOptions {
+                unit,
+                dt_s,
+                uneven_dt_s,
+                station_xml,
+                ..ReadOptions::default()
+            },
             component: reader.words.get("component").map(str::to_owned),
             second: Second::None,
             vertical: Upward::None,
@@ -109,7 +123,9 @@ pub struct ReadMotion {
 impl ReadMotion {
     /// Its notes, each with its name.
     pub fn named_notes(&self) -> impl Iterator<Item = (&str, &Note)> {
-        self.notes.iter().map(|note| (self.motion.name.as_str(), note))
+        self.notes
+            .iter()
+            .map(|note| (self.motion.name.as_str(), note))
     }
 }
 
@@ -122,7 +138,9 @@ pub fn start_note(file: &MotionFile) -> Option<Note> {
     })?;
     (start_s != 0.0).then(|| {
         let start = number(start_s, 9);
-        let words = format!("the time column begins at {start} s, but the times of the written motion begin at 0 s");
+        let words = format!(
+            "the time column begins at {start} s, but the times of the written motion begin at 0 s"
+        );
         Note::new(NoteKind::StartsLater, words)
     })
 }
@@ -143,13 +161,23 @@ impl Failed {
         let problem = problem.in_file(path);
         // The report has the path already, unless another file is wrong.
         let elsewhere = problem.path.clone().filter(|other| other != path);
-        let reason = Problem { path: elsewhere, ..problem.clone() }.to_string();
-        Self { path: path.to_string_lossy().into_owned(), reason, problem }
+        let reason = Problem {
+            path: elsewhere,
+            ..problem.clone()
+        }
+        .to_string();
+        Self {
+            path: path.to_string_lossy().into_owned(),
+            reason,
+            problem,
+        }
     }
 
     /// Its part of a document.
     pub(crate) fn facts(&self) -> Facts<'_> {
-        Facts::default().key("path", self.path.as_str()).key("reason", self.reason.as_str())
+        Facts::default()
+            .key("path", self.path.as_str())
+            .key("reason", self.reason.as_str())
     }
 }
 
@@ -159,7 +187,11 @@ impl Failed {
 /// The problems of all files.
 pub fn read_all(files: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
     let (motions, failures) = read_recorded(files);
-    failures.into_iter().map(|(_, problem)| problem).collect::<Problems>().finish(Some(motions))
+    failures
+        .into_iter()
+        .map(|(_, problem)| problem)
+        .collect::<Problems>()
+        .finish(Some(motions))
 }
 
 /// Reads all files; each problem is listed with the index of its file.
@@ -181,13 +213,20 @@ pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize
 fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Problems> {
     let loaded = Loaded::read(path, files)?;
     let missing = |what: &str| {
-        let problem = Problem::new(ProblemKind::Value, format!("there is no file with its {what} component"));
-        problem.in_file(path).hint("name one for each motion, in the same order")
+        let problem = Problem::new(
+            ProblemKind::Value,
+            format!("there is no file with its {what} component"),
+        );
+        problem
+            .in_file(path)
+            .hint("name one for each motion, in the same order")
     };
     let mut read = match &files.second {
         Second::None => loaded.motion(Used::Chosen, files)?,
         Second::SameFile(called) => {
-            let called = called.as_ref().map(|(first, second)| (first.as_str(), second.as_str()));
+            let called = called
+                .as_ref()
+                .map(|(first, second)| (first.as_str(), second.as_str()));
             loaded.motion(Used::Two(called), files)?
         }
         Second::Files(paths) => {
@@ -200,9 +239,13 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
     };
     match &files.vertical {
         Upward::None | Upward::Itself(_) => {}
-        Upward::SameFile => read.motion.vertical = Some(loaded.vertical(None, &read.motion, files)?),
+        Upward::SameFile => {
+            read.motion.vertical = Some(loaded.vertical(None, &read.motion, files)?)
+        }
         Upward::Files(paths) => {
-            let Some(vertical_path) = paths.get(index) else { return Err(missing("vertical").into()) };
+            let Some(vertical_path) = paths.get(index) else {
+                return Err(missing("vertical").into());
+            };
             let other = Loaded::read(vertical_path, files)?;
             read.motion.vertical = Some(loaded.vertical(Some(&other), &read.motion, files)?);
         }
@@ -231,7 +274,10 @@ impl Loaded {
     fn read(path: &Path, files: &MotionFiles) -> Result<Self, Problems> {
         let bytes = load(path)?;
         let sha256 = sha256_hex(&bytes);
-        Ok(Self { file: parse_motions(bytes, path, &files.read)?, sha256 })
+        Ok(Self {
+            file: parse_motions(bytes, path, &files.read)?,
+            sha256,
+        })
     }
 
     /// The components, processed.
@@ -243,24 +289,47 @@ impl Loaded {
             Used::Chosen => {
                 self.check_direction(files)?;
                 let (processed, chosen) =
-                    process_file(file, files.component.as_deref(), &files.processing).map_err(in_file)?;
+                    process_file(file, files.component.as_deref(), &files.processing)
+                        .map_err(in_file)?;
                 (processed, chosen, None)
             }
             Used::Two(called) => {
                 let (first, second) = pair_of_one(file, called).map_err(in_file)?;
-                let (processed, across) = both(first, second, (&first.name, &second.name), files).map_err(in_file)?;
-                (processed, chosen_words(first, second), Some(SecondComponent { file: None, motion: across }))
+                let (processed, across) =
+                    both(first, second, (&first.name, &second.name), files).map_err(in_file)?;
+                (
+                    processed,
+                    chosen_words(first, second),
+                    Some(SecondComponent {
+                        file: None,
+                        motion: across,
+                    }),
+                )
             }
             Used::With(other) => {
                 let second_path = &other.file.path;
                 let component = files.component.as_deref();
                 let first = file.select(component).map_err(in_file)?;
-                let second = other.file.select(component).map_err(|problem| problem.in_file(second_path))?;
+                let second = other
+                    .file
+                    .select(component)
+                    .map_err(|problem| problem.in_file(second_path))?;
                 let names = (name_of(path), name_of(second_path));
-                let (processed, across) = both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
-                let input = InputFile { path: second_path.clone(), sha256: other.sha256.clone() };
+                let (processed, across) =
+                    both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
+                let input = InputFile {
+                    path: second_path.clone(),
+                    sha256: other.sha256.clone(),
+                };
                 let words = format!(", with {} across", names.1);
-                (processed, words, Some(SecondComponent { file: Some(input), motion: across }))
+                (
+                    processed,
+                    words,
+                    Some(SecondComponent {
+                        file: Some(input),
+                        motion: across,
+                    }),
+                )
             }
         };
         let scale_target = match &files.processing.scale {
@@ -283,18 +352,29 @@ impl Loaded {
             vertical: None,
         };
         // Two components that were turned to an azimuth are of one file and have the same unit.
-        let component = file.select(files.component.as_deref()).ok().or(file.components.first());
+        let component = file
+            .select(files.component.as_deref())
+            .ok()
+            .or(file.components.first());
         let unit = component.map_or("m/s2", |component| component.unit);
         let mut notes: Vec<Note> = file.notes.iter().cloned().chain(processed.notes).collect();
         if !files.read.is_shock {
             notes.extend(
-                [Some(&motion.motion), motion.across.as_ref().map(|one| &one.motion)]
-                    .into_iter()
-                    .flatten()
-                    .filter_map(standstill_note),
+                [
+                    Some(&motion.motion),
+                    motion.across.as_ref().map(|one| &one.motion),
+                ]
+                .into_iter()
+                .flatten()
+                .filter_map(standstill_note),
             );
         }
-        Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })
+        Ok(ReadMotion {
+            motion,
+            notes,
+            start_note: start_note(file),
+            unit,
+        })
     }
 
     /// Refuses a vertical component where a floor is shaken sideways.
@@ -326,24 +406,48 @@ impl Loaded {
     ) -> Result<SecondComponent, Problem> {
         let file = &other.unwrap_or(self).file;
         let in_file = |problem: Problem| problem.in_file(&file.path);
-        let mut upward = file.components.iter().filter(|component| component.direction == Some(Direction::Up));
-        let component = match (upward.next(), upward.next(), other, file.components.as_slice()) {
+        let mut upward = file
+            .components
+            .iter()
+            .filter(|component| component.direction == Some(Direction::Up));
+        let component = match (
+            upward.next(),
+            upward.next(),
+            other,
+            file.components.as_slice(),
+        ) {
             (Some(up), None, ..) => up,
             // A file that is named as the vertical one need not say so.
             (None, _, Some(_), [only]) => only,
             _ => {
-                let problem = Problem::new(ProblemKind::Value, "does not have exactly one vertical component");
+                let problem = Problem::new(
+                    ProblemKind::Value,
+                    "does not have exactly one vertical component",
+                );
                 return Err(in_file(problem)
                     .hint("name a file with only the vertical component in `vertical`, or leave `vertical` out"));
             }
         };
-        let processing =
-            Processing { azimuth_deg: None, scale: Scale::Factor(horizontal.scale_ratio), ..files.processing.clone() };
+        let processing = Processing {
+            azimuth_deg: None,
+            scale: Scale::Factor(horizontal.scale_ratio),
+            ..files.processing.clone()
+        };
         let motion = process(component, &processing).map_err(in_file)?.motion;
-        let base = Base { horizontal: Some(&horizontal.motion), vertical: Some(&motion) };
-        base.check().map_err(|error| in_file(rock::problem(error)))?;
-        let input = other.map(|other| InputFile { path: other.file.path.clone(), sha256: other.sha256.clone() });
-        Ok(SecondComponent { file: input, motion })
+        let base = Base {
+            horizontal: Some(&horizontal.motion),
+            vertical: Some(&motion),
+        };
+        base.check()
+            .map_err(|error| in_file(rock::problem(error)))?;
+        let input = other.map(|other| InputFile {
+            path: other.file.path.clone(),
+            sha256: other.sha256.clone(),
+        });
+        Ok(SecondComponent {
+            file: input,
+            motion,
+        })
     }
 }
 
@@ -352,7 +456,10 @@ fn horizontal(component: &Component) -> Result<(), Problem> {
     if component.direction != Some(Direction::Up) {
         return Ok(());
     }
-    Err(Problem::value(format!("component {} is vertical", shorten(&component.name)), "name two horizontal components"))
+    Err(Problem::value(
+        format!("component {} is vertical", shorten(&component.name)),
+        "name two horizontal components",
+    ))
 }
 
 /// Both components processed; the steps of the second follow those of the first.
@@ -364,15 +471,23 @@ fn both(
 ) -> Result<(Processed, Motion), Problem> {
     [first, second].into_iter().try_for_each(horizontal)?;
     if files.processing.azimuth_deg.is_some() {
-        return Err(Problem::new(ProblemKind::Value, "two components are used in all directions, not turned to one")
-            .hint("leave the azimuth out, or the second component"));
+        return Err(Problem::new(
+            ProblemKind::Value,
+            "two components are used in all directions, not turned to one",
+        )
+        .hint("leave the azimuth out, or the second component"));
     }
     let (mut one, two) = process_pair((first, second), names, &files.processing)?;
     Pair::new(&one.motion, &two.motion).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string())
-            .hint("resample one of them to the step of the other first, with the command motion convert")
+        Problem::new(ProblemKind::Value, error.to_string()).hint(
+            "resample one of them to the step of the other first, with the command motion convert",
+        )
     })?;
-    one.steps.extend(two.steps.into_iter().map(|step| format!("{}: {step}", names.1)));
+    one.steps.extend(
+        two.steps
+            .into_iter()
+            .map(|step| format!("{}: {step}", names.1)),
+    );
     one.notes.extend(two.notes);
     one.notes.extend(not_perpendicular(first, second));
     Ok((one, two.motion))
@@ -385,11 +500,25 @@ fn chosen_words(first: &Component, second: &Component) -> String {
 /// The file's name without its extension; characters that are unsafe in a file name are replaced by
 /// `-`.
 pub fn name_of(path: &Path) -> String {
-    let stem = path.file_stem().map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
-    let name: String =
-        stem.chars().map(|c| if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') { c } else { '-' }).collect();
+    let stem = path
+        .file_stem()
+        .map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
+    let name: String = stem
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') {
+                c
+            } else {
+                '-'
+            }
+        })
+        .collect();
     let name = name.trim_matches(['.', '-']).to_owned();
-    if name.is_empty() { "motion".to_owned() } else { name }
+    if name.is_empty() {
+        "motion".to_owned()
+    } else {
+        name
+    }
 }
 
 /// The name, or the name with the first free number from 2. Names that differ only in capitals are
@@ -413,12 +542,21 @@ mod tests {
     fn a_vertical_component_is_no_floor_motion() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("three.csv");
-        std::fs::write(&path, "time [s],N [g],E [g],UD [g]\n0,0,0,0\n0.01,0.5,0.4,0.3\n").unwrap();
+        std::fs::write(
+            &path,
+            "time [s],N [g],E [g],UD [g]\n0,0,0,0\n0.01,0.5,0.4,0.3\n",
+        )
+        .unwrap();
         let read = |component: Option<&str>, vertical| {
             let words = freestand_input::keys::Words::default();
             let files = MotionFiles::read(&mut WordReader::new(&words), Path::new(""));
             let component = component.map(str::to_owned);
-            read_all(&MotionFiles { paths: vec![path.clone()], component, vertical, ..files })
+            read_all(&MotionFiles {
+                paths: vec![path.clone()],
+                component,
+                vertical,
+                ..files
+            })
         };
         for component in ["UD", "3"] {
             let refused = read(Some(component), Upward::None).unwrap_err();
@@ -428,7 +566,10 @@ mod tests {
         assert!(read(Some("E"), Upward::None).is_ok());
         let unclear = read(None, Upward::Itself("vertical_component")).unwrap_err();
         let hint = unclear.problems[0].hint.as_deref();
-        assert_eq!(hint, Some("choose one by name or number with `vertical_component`"));
+        assert_eq!(
+            hint,
+            Some("choose one by name or number with `vertical_component`")
+        );
     }
 
     /// A pipe gives its bytes once: they are read and fingerprinted from one reading, as they came.
@@ -452,6 +593,9 @@ mod tests {
             processing: Processing::default(),
         };
         let (motions, failures) = read_recorded(&files);
-        assert_eq!((failures.len(), motions[0].motion.sha256.as_str()), (0, sha256_hex(text).as_str()));
+        assert_eq!(
+            (failures.len(), motions[0].motion.sha256.as_str()),
+            (0, sha256_hex(text).as_str())
+        );
     }
 }

@@ -9,8 +9,16 @@ use std::collections::BTreeMap;
 use freestand_records::formats::{Component, Direction, Start};
 
 /// Letters for two horizontal directions.
-const DIRECTIONS: [(&str, &str); 8] =
-    [("N", "E"), ("NS", "EW"), ("X", "Y"), ("L", "T"), ("LN", "TR"), ("LONG", "TRAN"), ("FN", "FP"), ("NORTH", "EAST")];
+const DIRECTIONS: [(&str, &str); 8] = [
+    ("N", "E"),
+    ("NS", "EW"),
+    ("X", "Y"),
+    ("L", "T"),
+    ("LN", "TR"),
+    ("LONG", "TRAN"),
+    ("FN", "FP"),
+    ("NORTH", "EAST"),
+];
 /// Letters for the vertical.
 const VERTICAL: [&str; 9] = ["UP", "UD", "DN", "DWN", "DOWN", "VER", "VERT", "V", "Z"];
 /// How far two directions may be from a right angle \[degrees\]: the Lucerne record of 1992 has
@@ -61,16 +69,30 @@ impl Single {
             Some(Start::Date(from_s)) => Some((from_s, from_s + component.motion.duration_s())),
             Some(Start::Column(_)) | None => None,
         };
-        Self { tokens: tokens(file_name), station: component.station.clone(), azimuth_deg, times_s }
+        Self {
+            tokens: tokens(file_name),
+            station: component.station.clone(),
+            azimuth_deg,
+            times_s,
+        }
     }
 
     /// Whether the name says that the component is vertical.
     pub(super) fn is_vertical(&self) -> bool {
         let is_up = |token: &Token| VERTICAL.contains(&token.text.as_str());
-        let stem: Vec<&Token> = self.tokens.iter().filter(|token| !token.is_extension).collect();
-        let seed = |token: &Token| token.kind == Kind::Letters && seed_axis(&token.text) == Some('Z');
+        let stem: Vec<&Token> = self
+            .tokens
+            .iter()
+            .filter(|token| !token.is_extension)
+            .collect();
+        let seed =
+            |token: &Token| token.kind == Kind::Letters && seed_axis(&token.text) == Some('Z');
         // V2 is a format, not a direction.
-        let extension: Vec<&Token> = self.tokens.iter().filter(|token| token.is_extension).collect();
+        let extension: Vec<&Token> = self
+            .tokens
+            .iter()
+            .filter(|token| token.is_extension)
+            .collect();
         let by_extension = match extension.as_slice() {
             [_dot, only] => is_up(only),
             [_dot, first, _sensor] => first.text == "UD",
@@ -84,8 +106,14 @@ impl Single {
     /// Nothing that the headers say speaks against a pair.
     fn may_go_with(&self, other: &Self) -> bool {
         let agree = |a: &Option<String>, b: &Option<String>| a.is_none() || b.is_none() || a == b;
-        let turned = self.azimuth_deg.zip(other.azimuth_deg).is_none_or(|(a, b)| is_right_angle(a, b));
-        let at_one_time = self.times_s.zip(other.times_s).is_none_or(|(a, b)| a.0 < b.1 && b.0 < a.1);
+        let turned = self
+            .azimuth_deg
+            .zip(other.azimuth_deg)
+            .is_none_or(|(a, b)| is_right_angle(a, b));
+        let at_one_time = self
+            .times_s
+            .zip(other.times_s)
+            .is_none_or(|(a, b)| a.0 < b.1 && b.0 < a.1);
         turned && at_one_time && agree(&self.station, &other.station)
     }
 
@@ -95,8 +123,19 @@ impl Single {
         let last = self.tokens.iter().rposition(|token| !token.is_extension);
         for (at, token) in self.tokens.iter().enumerate() {
             let mut add = |rule, kept: &str, mark| {
-                let name = self.tokens.iter().enumerate().map(|(i, one)| if i == at { kept } else { &one.text });
-                places.push((Place { rule, at, name: name.map(str::to_owned).collect() }, mark));
+                let name = self
+                    .tokens
+                    .iter()
+                    .enumerate()
+                    .map(|(i, one)| if i == at { kept } else { &one.text });
+                places.push((
+                    Place {
+                        rule,
+                        at,
+                        name: name.map(str::to_owned).collect(),
+                    },
+                    mark,
+                ));
             };
             if let (Some(_), Some(azimuth_deg)) = (&self.station, self.azimuth_deg) {
                 add(Rule::Header, "", Mark::Azimuth(azimuth_deg));
@@ -104,7 +143,15 @@ impl Single {
             if token.kind == Kind::Letters {
                 for (first, second) in DIRECTIONS {
                     if token.text == first || token.text == second {
-                        add(Rule::Letters, first, if token.text == first { Mark::First } else { Mark::Second });
+                        add(
+                            Rule::Letters,
+                            first,
+                            if token.text == first {
+                                Mark::First
+                            } else {
+                                Mark::Second
+                            },
+                        );
                     }
                 }
                 let code: String = token.text.chars().take(2).collect();
@@ -116,10 +163,17 @@ impl Single {
             }
             // Nor are dates and years numbers of components.
             let digits = token.text.as_str();
-            let is_year = digits.len() == 4 && (digits.starts_with("19") || digits.starts_with("20"));
+            let is_year =
+                digits.len() == 4 && (digits.starts_with("19") || digits.starts_with("20"));
             if token.kind == Kind::Digits && !token.is_extension && !is_year && digits.len() < 8 {
-                if let Some((start, azimuth)) = digits.len().checked_sub(3).map(|start| digits.split_at(start))
-                    && let Some(azimuth_deg) = azimuth.parse().ok().filter(|deg| (0.0..=360.0).contains(deg))
+                if let Some((start, azimuth)) = digits
+                    .len()
+                    .checked_sub(3)
+                    .map(|start| digits.split_at(start))
+                    && let Some(azimuth_deg) = azimuth
+                        .parse()
+                        .ok()
+                        .filter(|deg| (0.0..=360.0).contains(deg))
                 {
                     add(Rule::Azimuth, start, Mark::Azimuth(azimuth_deg));
                 }
@@ -197,10 +251,18 @@ fn tokens(file_name: &str) -> Vec<Token> {
         let (kind, is_extension) = (kind(c), at >= dot);
         let capitals = c.to_uppercase();
         match tokens.last_mut() {
-            Some(last) if last.kind == kind && kind != Kind::Other && last.is_extension == is_extension => {
+            Some(last)
+                if last.kind == kind
+                    && kind != Kind::Other
+                    && last.is_extension == is_extension =>
+            {
                 last.text.extend(capitals);
             }
-            _ => tokens.push(Token { text: capitals.collect(), kind, is_extension }),
+            _ => tokens.push(Token {
+                text: capitals.collect(),
+                kind,
+                is_extension,
+            }),
         }
     }
     tokens
@@ -228,7 +290,8 @@ pub(super) fn pairs(singles: &[Single]) -> Vec<(usize, Option<usize>)> {
             partners[second] = Some(first);
         }
     }
-    let is_first = |(index, partner): &(usize, Option<usize>)| partner.is_none_or(|partner| partner > *index);
+    let is_first =
+        |(index, partner): &(usize, Option<usize>)| partner.is_none_or(|partner| partner > *index);
     partners.into_iter().enumerate().filter(is_first).collect()
 }
 
@@ -237,13 +300,20 @@ mod tests {
     use super::*;
 
     fn named(name: &str) -> Single {
-        Single { tokens: tokens(name), station: None, azimuth_deg: None, times_s: None }
+        Single {
+            tokens: tokens(name),
+            station: None,
+            azimuth_deg: None,
+            times_s: None,
+        }
     }
 
     /// The pairs of files with these names, in order.
     fn paired(names: &[&str]) -> Vec<String> {
         let singles: Vec<Single> = names.iter().map(|name| named(name)).collect();
-        let both = |(first, second): (usize, Option<usize>)| Some(format!("{} {}", names[first], names[second?]));
+        let both = |(first, second): (usize, Option<usize>)| {
+            Some(format!("{} {}", names[first], names[second?]))
+        };
         pairs(&singles).into_iter().filter_map(both).collect()
     }
 
@@ -253,7 +323,10 @@ mod tests {
             ("120111.txt", "120112.txt"),
             ("kobe_1.csv", "kobe_2.csv"),
             ("kobe-H1.csv", "kobe-H2.csv"),
-            ("RSN175_IMPVALL.H_H-E12140.AT2", "RSN175_IMPVALL.H_H-E12230.AT2"),
+            (
+                "RSN175_IMPVALL.H_H-E12140.AT2",
+                "RSN175_IMPVALL.H_H-E12230.AT2",
+            ),
             ("RSN953_NORTHR_MUL009.AT2", "RSN953_NORTHR_MUL279.AT2"),
             ("RSN879_LANDERS_LCN260.AT2", "RSN879_LANDERS_LCN345.AT2"),
             ("RSN1485_CHICHI_TCU045-E.AT2", "RSN1485_CHICHI_TCU045-N.AT2"),
@@ -267,8 +340,23 @@ mod tests {
             assert_eq!(paired(&[first, second]), [format!("{first} {second}")]);
         }
         // Among others of the same station, in any number.
-        let names = ["120111.txt", "120112.txt", "120121.txt", "120122.txt", "121211.txt", "121212.txt", "121221.txt"];
-        assert_eq!(paired(&names), ["120111.txt 120112.txt", "120121.txt 120122.txt", "121211.txt 121212.txt"]);
+        let names = [
+            "120111.txt",
+            "120112.txt",
+            "120121.txt",
+            "120122.txt",
+            "121211.txt",
+            "121212.txt",
+            "121221.txt",
+        ];
+        assert_eq!(
+            paired(&names),
+            [
+                "120111.txt 120112.txt",
+                "120121.txt 120122.txt",
+                "121211.txt 121212.txt"
+            ]
+        );
         let sensors = ["A.EW1", "A.EW2", "A.NS1", "A.NS2"];
         assert_eq!(paired(&sensors), ["A.EW1 A.NS1", "A.EW2 A.NS2"]);
     }
@@ -277,7 +365,14 @@ mod tests {
     fn numbered_records_are_not_pairs() {
         for names in [
             &["quake1.csv", "quake2.csv", "quake3.csv"][..],
-            &["quake01.csv", "quake02.csv", "quake03.csv", "quake10.csv", "quake11.csv", "quake12.csv"],
+            &[
+                "quake01.csv",
+                "quake02.csv",
+                "quake03.csv",
+                "quake10.csv",
+                "quake11.csv",
+                "quake12.csv",
+            ],
             &["kobe.csv", "northridge.csv"],
             &["station_2011.csv", "station_2012.csv"],
             &["20180212.csv", "20180302.csv"],
@@ -297,11 +392,16 @@ mod tests {
             times_s: Some((from_s, from_s + 60.0)),
             ..named(name)
         };
-        let (a, c) = (of("0111a.smc", "S", 360.0, 0.0), of("0111c.smc", "S", 90.0, 0.0));
+        let (a, c) = (
+            of("0111a.smc", "S", 360.0, 0.0),
+            of("0111c.smc", "S", 90.0, 0.0),
+        );
         assert_eq!(pairs(&[a.clone(), c.clone()]), [(0, Some(1))]);
-        for other in
-            [of("0111c.smc", "S", 180.0, 0.0), of("0111c.smc", "T", 90.0, 0.0), of("0111c.smc", "S", 90.0, 61.0)]
-        {
+        for other in [
+            of("0111c.smc", "S", 180.0, 0.0),
+            of("0111c.smc", "T", 90.0, 0.0),
+            of("0111c.smc", "S", 90.0, 61.0),
+        ] {
             assert_eq!(pairs(&[a.clone(), other]), [(0, None), (1, None)]);
         }
         // The names fit, the directions do not.
@@ -311,10 +411,24 @@ mod tests {
 
     #[test]
     fn a_vertical_component_is_known_by_its_name() {
-        for name in ["RSN175_IMPVALL.H_H-E12-UP.AT2", "A.UD", "A.UD1", "CLC.HNZ.csv", "quake_v.csv", "q-DWN.AT2"] {
+        for name in [
+            "RSN175_IMPVALL.H_H-E12-UP.AT2",
+            "A.UD",
+            "A.UD1",
+            "CLC.HNZ.csv",
+            "quake_v.csv",
+            "q-DWN.AT2",
+        ] {
             assert!(named(name).is_vertical(), "{name}");
         }
-        for name in ["quake.V2", "CE1.V2A", "up.d.csv", "v.csv", "nevada.csv", "kobe_1.csv"] {
+        for name in [
+            "quake.V2",
+            "CE1.V2A",
+            "up.d.csv",
+            "v.csv",
+            "nevada.csv",
+            "kobe_1.csv",
+        ] {
             assert!(!named(name).is_vertical(), "{name}");
         }
     }

@@ -9,7 +9,9 @@ use crate::building::{damping_words, model_words};
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
 use crate::simulated::source_words;
-use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround};
+use crate::study::{
+    BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround,
+};
 use crate::suite::Suite;
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
@@ -25,14 +27,33 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         Ground::Simulated(simulated) => html.push_str(&simulated_ground(simulated, result)),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
-                let facts: Vec<_> = target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+                let facts: Vec<_> = target
+                    .facts
+                    .iter()
+                    .map(|(name, value)| (name.as_str(), value.clone()))
+                    .collect();
                 html.push_str(&properties("", &facts));
             }
-            html.push_str(&study.ground.suite().map_or_else(String::new, suite_selected));
-            html.push_str(&recorded_motions("Recorded motions as used", &records.iter().collect::<Vec<_>>()));
-            html.push_str(&study.ground.target().map_or_else(String::new, |target| misfits(target, result)));
+            html.push_str(
+                &study
+                    .ground
+                    .suite()
+                    .map_or_else(String::new, suite_selected),
+            );
+            html.push_str(&recorded_motions(
+                "Recorded motions as used",
+                &records.iter().collect::<Vec<_>>(),
+            ));
+            html.push_str(
+                &study
+                    .ground
+                    .target()
+                    .map_or_else(String::new, |target| misfits(target, result)),
+            );
         }
-        Ground::OnFloors => html.push_str(&paragraph("None: the study gives the motions of the floors.")),
+        Ground::OnFloors => html.push_str(&paragraph(
+            "None: the study gives the motions of the floors.",
+        )),
     }
     html.push_str(&vertical_motion(study, result));
     if let Some(input) = &study.building {
@@ -42,7 +63,10 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         html.push_str(&heading("Floor motions"));
         for level in &study.levels {
             let caption = format!("Motions given for the level {}, as used", level.name);
-            html.push_str(&recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>()));
+            html.push_str(&recorded_motions(
+                &caption,
+                &level.motions.iter().collect::<Vec<_>>(),
+            ));
         }
     }
     html.push_str(&heading("Objects"));
@@ -53,14 +77,20 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
 /// Where the vertical motion comes from, and how strong it is.
 fn vertical_motion(study: &Study, result: &StudyResult) -> String {
     let words = study.ground.vertical_words();
-    let peaks_g = result.ground.iter().filter_map(|ground| Some(ground.vertical.as_ref()?.peak_m_s2() / G0_M_S2));
+    let peaks_g = result
+        .ground
+        .iter()
+        .filter_map(|ground| Some(ground.vertical.as_ref()?.peak_m_s2() / G0_M_S2));
     let facts = match peaks_g.reduce(f64::max) {
         None => vec![("Vertical motion", words)],
         Some(peak_g) => vec![
             ("Vertical motion", words),
             ("Largest vertical PGA", format!("{} g", fixed(peak_g, 3))),
             ("Vertical acceleration of floors above the ground", {
-                format!("{} times that of the ground", number(study.vertical_amplification_ratio, 4))
+                format!(
+                    "{} times that of the ground",
+                    number(study.vertical_amplification_ratio, 4)
+                )
             }),
         ],
     };
@@ -69,8 +99,11 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
     let target = &synthetic.target;
-    let mut facts: Vec<(&str, String)> =
-        target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    let mut facts: Vec<(&str, String)> = target
+        .facts
+        .iter()
+        .map(|(name, value)| (name.as_str(), value.clone()))
+        .collect();
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
     properties("", &facts) + &misfits(target, result)
@@ -125,7 +158,10 @@ fn misfits(target: &Target, result: &StudyResult) -> String {
 fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String {
     let request = &simulated.request;
     let mut facts: Vec<(&str, String)> = vec![
-        ("Source", format!("stochastic point source, preset {}", request.preset.name())),
+        (
+            "Source",
+            format!("stochastic point source, preset {}", request.preset.name()),
+        ),
         ("Source and path", source_words(&request.any_source())),
     ];
     if let Some(code) = &simulated.hazard {
@@ -139,7 +175,10 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
         facts.push(("Distances fitted to", meets));
     }
     let site = format!("{}: {}", request.site.name(), request.site.description());
-    let (dt_s, low_cut_hz) = (number(request.options.dt_s, 4), number(request.options.low_cut_hz, 4));
+    let (dt_s, low_cut_hz) = (
+        number(request.options.dt_s, 4),
+        number(request.options.low_cut_hz, 4),
+    );
     facts.extend([
         ("Site class", site),
         ("Time step, low cut", format!("{dt_s} s, {low_cut_hz} Hz")),
@@ -161,7 +200,11 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
         .zip(&result.ground)
         .map(|((found, _), ground)| {
             let m = measures(&ground.motion.along);
-            let corners: Vec<String> = found.corner_frequencies_hz().iter().map(|hz| number(*hz, 3)).collect();
+            let corners: Vec<String> = found
+                .corner_frequencies_hz()
+                .iter()
+                .map(|hz| number(*hz, 3))
+                .collect();
             vec![
                 words(&ground.name),
                 figure(number(found.source.magnitude, 3)),
@@ -184,21 +227,42 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
 fn suite_selected(suite: &Suite) -> String {
-    let mut facts: Vec<(&str, String)> =
-        suite.target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
-    let folder = suite.folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let mut facts: Vec<(&str, String)> = suite
+        .target
+        .facts
+        .iter()
+        .map(|(name, value)| (name.as_str(), value.clone()))
+        .collect();
+    let folder = suite
+        .folder
+        .file_name()
+        .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     facts.extend([
-        ("Suite", format!("{}, of the folder {folder}", suite.count_words())),
+        (
+            "Suite",
+            format!("{}, of the folder {folder}", suite.count_words()),
+        ),
         ("Periods compared", suite.period_words()),
         ("Mean of ln Sa against ln of the target", suite.mean_words()),
         ("Standard deviation of ln Sa", suite.sd_words()),
-        ("Files that are not records of horizontal motion", suite.skipped.join(", ")),
+        (
+            "Files that are not records of horizontal motion",
+            suite.skipped.join(", "),
+        ),
     ]);
-    let rows: Vec<_> = suite.left_out.iter().map(|one| vec![words(&one.file), words(&one.reason)]).collect();
+    let rows: Vec<_> = suite
+        .left_out
+        .iter()
+        .map(|one| vec![words(&one.file), words(&one.reason)])
+        .collect();
     let left_out = if rows.is_empty() {
         String::new()
     } else {
-        table("Left out of the suite", &[vec![words("File"), words("Why")]], &rows)
+        table(
+            "Left out of the suite",
+            &[vec![words("File"), words("Why")]],
+            &rows,
+        )
     };
     properties("", &facts) + &left_out
 }
@@ -217,7 +281,11 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
         .iter()
         .map(|record| {
             let motion = &record.motion;
-            let file = record.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            let file = record
+                .path
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned())
+                .unwrap_or_default();
             vec![
                 words(&record.name),
                 words(&file),
@@ -232,7 +300,9 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
     let mut html = table(caption, &headings, &rows);
     html.push_str(&processing(records));
     if records.len() < 7 {
-        html.push_str(&paragraph("Percentiles of so few motions are coarse estimates."));
+        html.push_str(&paragraph(
+            "Percentiles of so few motions are coarse estimates.",
+        ));
     }
     html
 }
@@ -247,7 +317,11 @@ fn processing(records: &[&RecordedMotion]) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    table("Processing, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
+    table(
+        "Processing, in this order",
+        &[vec![words("Motion"), words("Processing")]],
+        &rows,
+    )
 }
 
 fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
@@ -255,14 +329,22 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
     let height_m = building.height_m;
     let storeys = match building.storey_height_m {
         Some(storey_m) => {
-            format!("{} of {} m, {} m in all", building.storeys, number(storey_m, 4), number(height_m, 5))
+            format!(
+                "{} of {} m, {} m in all",
+                building.storeys,
+                number(storey_m, 4),
+                number(height_m, 5)
+            )
         }
         None => format!("{}, {} m in all", building.storeys, number(height_m, 5)),
     };
     let across = building.across.as_ref().map_or_else(String::new, |across| {
         let note = building.across_note.as_deref().unwrap_or_default();
         let (model, period) = (model_words(across), number(across.period_s(), 4));
-        format!("{model}; T₁ = {period} s: {note}; damping {}", damping_words(across))
+        format!(
+            "{model}; T₁ = {period} s: {note}; damping {}",
+            damping_words(across)
+        )
     });
     let mut html = properties(
         "",
@@ -270,7 +352,10 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             ("Name", study.building_name.clone().unwrap_or_default()),
             ("Model", format!("{}, linear", model_words(beam))),
             ("Storeys", storeys),
-            ("Fundamental period T₁", format!("{} s: {}", number(beam.period_s(), 4), building.period_note)),
+            (
+                "Fundamental period T₁",
+                format!("{} s: {}", number(beam.period_s(), 4), building.period_note),
+            ),
             ("Damping", damping_words(beam)),
             ("Second axis", across),
             (
@@ -280,7 +365,12 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
                     .iter()
                     .map(|l| {
                         let ratio = l.level_ratio.unwrap_or(1.0);
-                        format!("{} at {} m (z/H = {})", l.name, number(ratio * height_m, 4), number(ratio, 3))
+                        format!(
+                            "{} at {} m (z/H = {})",
+                            l.name,
+                            number(ratio * height_m, 4),
+                            number(ratio, 3)
+                        )
                     })
                     .collect::<Vec<_>>()
                     .join("; "),
@@ -300,8 +390,12 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
         .iter()
         .enumerate()
         .map(|(i, mode)| {
-            sum = sum.zip(mode.effective_mass_ratio()).map(|(sum, mass)| sum + mass);
-            let share = |ratio: Option<f64>| ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1));
+            sum = sum
+                .zip(mode.effective_mass_ratio())
+                .map(|(sum, mass)| sum + mass);
+            let share = |ratio: Option<f64>| {
+                ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1))
+            };
             vec![
                 figure((i + 1).to_string()),
                 figure(fixed(mode.period_s(), 3)),
@@ -314,7 +408,9 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
     let title = match beam.model() {
         Model::Table { .. } => "Modes (shapes as in the table)",
         Model::Beam { .. } => "Modes (shapes are 1 at the roof)",
-        Model::Shear { .. } => "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)",
+        Model::Shear { .. } => {
+            "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)"
+        }
     };
     html.push_str(&table(title, &headings, &rows));
     html
@@ -322,16 +418,27 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
 
 fn objects(study: &Study) -> String {
     let objects = &study.objects;
-    let tolerance = objects.tolerance_m_s2.map(|a| format!("{} g", number(a / G0_M_S2, 4))).unwrap_or_default();
+    let tolerance = objects
+        .tolerance_m_s2
+        .map(|a| format!("{} g", number(a / G0_M_S2, 4)))
+        .unwrap_or_default();
     let friction = objects.friction.map_or_else(
-        || format!("not given; the warnings assume {}", freestand::impact::ASSUMED_FRICTION),
+        || {
+            format!(
+                "not given; the warnings assume {}",
+                freestand::impact::ASSUMED_FRICTION
+            )
+        },
         |mu| number(mu, 3),
     );
     properties(
         "",
         &[
             ("Heights h", grid_words(&objects.heights_m, 1.0, "m")),
-            ("Thicknesses t", grid_words(&objects.thicknesses_m, 1e3, "mm")),
+            (
+                "Thicknesses t",
+                grid_words(&objects.thicknesses_m, 1e3, "mm"),
+            ),
             ("Mass m", format!("{} kg", number(objects.mass_kg, 6))),
             ("Cushion under one edge", edge_words(&objects.cushion)),
             ("Restitution r", restitution_words(objects.restitution)),
@@ -348,14 +455,25 @@ fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
     let text = |v: &f64| number(v * factor, 5);
     match (values.first(), values.last()) {
         (Some(first), Some(last)) if values.len() > WHOLE => {
-            format!("{} values from {} to {} {unit}", values.len(), text(first), text(last))
+            format!(
+                "{} values from {} to {} {unit}",
+                values.len(),
+                text(first),
+                text(last)
+            )
         }
-        _ => format!("{} {unit}", values.iter().map(text).collect::<Vec<_>>().join(", ")),
+        _ => format!(
+            "{} {unit}",
+            values.iter().map(text).collect::<Vec<_>>().join(", ")
+        ),
     }
 }
 
 fn edge_words(edge: &EdgeCushion) -> String {
-    let words = format!("{}, all the cushion under that edge", cushion_words(&edge.cushion));
+    let words = format!(
+        "{}, all the cushion under that edge",
+        cushion_words(&edge.cushion)
+    );
     if edge.notes.is_empty() {
         return words;
     }

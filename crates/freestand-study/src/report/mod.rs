@@ -20,19 +20,47 @@ pub use provenance::{Provenance, provenance};
 /// The report of a run: HTML that is also well-formed XML.
 ///
 /// All texts of the study and of its files are escaped; the figures are inline SVG.
-pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenance: &Provenance) -> String {
+pub fn report(
+    study: &Study,
+    result: &StudyResult,
+    figures: &[Figure],
+    provenance: &Provenance,
+) -> String {
     let sections = [
-        ("results", "Results", results::results(study, result, figures)),
-        ("sensitivity", "How the result depends on its assumptions", sensitivity::sensitivity(result)),
-        ("paper", "Comparison with the paper", reading::beside_the_paper(study, result)),
+        (
+            "results",
+            "Results",
+            results::results(study, result, figures),
+        ),
+        (
+            "sensitivity",
+            "How the result depends on its assumptions",
+            sensitivity::sensitivity(result),
+        ),
+        (
+            "paper",
+            "Comparison with the paper",
+            reading::beside_the_paper(study, result),
+        ),
         ("inputs", "Inputs", inputs::inputs(study, result)),
         ("assumptions", "Assumptions", reading::assumptions(study)),
         ("definitions", "Definitions", reading::definitions()),
         ("errata", "Corrections to the paper", reading::errata()),
-        ("provenance", "Provenance", provenance::provenance_section(study, provenance)),
+        (
+            "provenance",
+            "Provenance",
+            provenance::provenance_section(study, provenance),
+        ),
     ];
-    let sections = sections.into_iter().filter(|(_, _, content)| !content.is_empty()).collect::<Vec<_>>();
-    let mut document = html::opening(&overview::title(study), &overview::subtitle(study, provenance), "");
+    let sections = sections
+        .into_iter()
+        .filter(|(_, _, content)| !content.is_empty())
+        .collect::<Vec<_>>();
+    let mut document = html::opening(
+        &overview::title(study),
+        &overview::subtitle(study, provenance),
+        "",
+    );
     document.push_str(&overview::overview(study, result));
     document.push_str("<nav aria-label=\"Contents\">\n");
     for (id, heading, _) in &sections {

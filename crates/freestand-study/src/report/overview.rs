@@ -13,8 +13,13 @@ use freestand_output::html::{classed_table, figure, list, markup, paragraph, tab
 /// Title of the report.
 pub(super) fn title(study: &Study) -> String {
     match &study.ground {
-        Ground::Synthetic(synthetic) => format!("Free-standing objects in {}", synthetic.target.title_words()),
-        Ground::Simulated(simulated) => format!("Free-standing objects in {}", simulated.title_words()),
+        Ground::Synthetic(synthetic) => format!(
+            "Free-standing objects in {}",
+            synthetic.target.title_words()
+        ),
+        Ground::Simulated(simulated) => {
+            format!("Free-standing objects in {}", simulated.title_words())
+        }
         Ground::Recorded(records) if records.len() == 1 => {
             format!("Free-standing objects under the motion {}", records[0].name)
         }
@@ -24,11 +29,20 @@ pub(super) fn title(study: &Study) -> String {
                 (None, Some(_)) => ", selected for a spectrum",
                 (None, None) => "",
             };
-            format!("Free-standing objects under {} recorded motions{matched}", records.len())
+            format!(
+                "Free-standing objects under {} recorded motions{matched}",
+                records.len()
+            )
         }
         Ground::OnFloors => match &study.levels[..] {
-            [level] => format!("Free-standing objects on a floor with a given motion: {}", level.name),
-            levels => format!("Free-standing objects on {} floors with given motions", levels.len()),
+            [level] => format!(
+                "Free-standing objects on a floor with a given motion: {}",
+                level.name
+            ),
+            levels => format!(
+                "Free-standing objects on {} floors with given motions",
+                levels.len()
+            ),
         },
     }
 }
@@ -36,8 +50,14 @@ pub(super) fn title(study: &Study) -> String {
 /// The line under the title.
 pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
     let source = study.source.as_deref().and_then(|path| path.file_name());
-    let source = source.map_or_else(|| "the built-in study".to_owned(), |name| name.to_string_lossy().into_owned());
-    format!("Shock and overturning by rocking · {source} · freestand {}", provenance.version)
+    let source = source.map_or_else(
+        || "the built-in study".to_owned(),
+        |name| name.to_string_lossy().into_owned(),
+    );
+    format!(
+        "Shock and overturning by rocking · {source} · freestand {}",
+        provenance.version
+    )
 }
 
 /// Summary, first table and warnings.
@@ -80,8 +100,12 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
         (Ground::Simulated(_), 1) => "one simulated ground motion".to_owned(),
         (Ground::Simulated(_), n) => format!("{n} simulated ground motions"),
-        (Ground::Recorded(_), 1) if is_matched => "one recorded ground motion, matched to a spectrum".to_owned(),
-        (Ground::Recorded(_), n) if is_matched => format!("{n} recorded ground motions, matched to a spectrum"),
+        (Ground::Recorded(_), 1) if is_matched => {
+            "one recorded ground motion, matched to a spectrum".to_owned()
+        }
+        (Ground::Recorded(_), n) if is_matched => {
+            format!("{n} recorded ground motions, matched to a spectrum")
+        }
         (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
         (Ground::Recorded(_), n) if study.ground.suite().is_some() => {
             format!("{n} recorded ground motions, selected for a spectrum")
@@ -100,8 +124,18 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         counted(objects.heights_m.len(), "height"),
         number(objects.mass_kg, 6),
         cushion_words(&objects.cushion.cushion),
-        if levels.len() == 1 { "one floor".to_owned() } else { format!("{} floors", levels.len()) },
-        study.building.as_ref().map_or_else(String::new, |b| format!(" of a {}-storey building", b.storeys)),
+        if levels.len() == 1 {
+            "one floor".to_owned()
+        } else {
+            format!("{} floors", levels.len())
+        },
+        study
+            .building
+            .as_ref()
+            .map_or_else(String::new, |b| format!(
+                " of a {}-storey building",
+                b.storeys
+            )),
         match study.directions_deg.len() {
             1 => String::new(),
             n => format!(", each in {n} directions, of which the worst counts"),
@@ -111,7 +145,10 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
 }
 
 fn level_words(level: &LevelSummary) -> String {
-    let shock = match (level.edge_acceleration_g_median, level.edge_acceleration_g_max) {
+    let shock = match (
+        level.edge_acceleration_g_median,
+        level.edge_acceleration_g_max,
+    ) {
         (Some(median), Some(most)) if most > 0.0 => format!(
             "the largest median shock of an object is {} g, the largest of any history without overturning {} g",
             number(median, 3),
@@ -127,7 +164,9 @@ fn level_words(level: &LevelSummary) -> String {
     };
     format!(
         "the median PFA is {} g. The objects lift an edge in {} of the histories and overturn in {}; {shock}.",
-        level.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| number(pfa_g, 3)),
+        level
+            .pfa_g_median
+            .map_or_else(|| "–".to_owned(), |pfa_g| number(pfa_g, 3)),
         percent(level.uplift_share, 1),
         percent(level.overturned_share, 1)
     )
@@ -155,14 +194,24 @@ fn first_table(levels: &[LevelSummary]) -> String {
             figure("largest"),
         ],
     ];
-    let shock = |value: Option<f64>, class| markup(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)), class);
+    let shock = |value: Option<f64>, class| {
+        markup(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)), class)
+    };
     let rows: Vec<_> = levels
         .iter()
         .map(|level| {
             vec![
                 words(&level.level),
-                figure(level.level_ratio.map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3))),
-                figure(level.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| fixed(pfa_g, 3))),
+                figure(
+                    level
+                        .level_ratio
+                        .map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3)),
+                ),
+                figure(
+                    level
+                        .pfa_g_median
+                        .map_or_else(|| "–".to_owned(), |pfa_g| fixed(pfa_g, 3)),
+                ),
                 figure(level.histories.to_string()),
                 figure(level.failed.to_string()),
                 figure(percent(level.uplift_share, 1)),
@@ -186,12 +235,19 @@ fn first_table(levels: &[LevelSummary]) -> String {
 }
 
 fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
-    let Some(tolerance_m_s2) = study.objects.tolerance_m_s2 else { return String::new() };
+    let Some(tolerance_m_s2) = study.objects.tolerance_m_s2 else {
+        return String::new();
+    };
     let tolerance_g = tolerance_m_s2 / freestand::G0_M_S2;
     let objects = study.objects.blocks.len();
     let counts: Vec<String> = levels
         .iter()
-        .filter_map(|level| Some(format!("{}: {} of {objects}", level.level, level.exceeded_objects?)))
+        .filter_map(|level| {
+            Some(format!(
+                "{}: {} of {objects}",
+                level.level, level.exceeded_objects?
+            ))
+        })
         .collect();
     paragraph(&format!(
         "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or that half or \
@@ -204,7 +260,11 @@ fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
 /// Reasons for failed histories, with their counts.
 fn failures(result: &StudyResult) -> String {
     let mut reasons: Vec<(&str, usize)> = Vec::new();
-    for response in result.levels.iter().flat_map(|level| level.responses.iter().flatten()) {
+    for response in result
+        .levels
+        .iter()
+        .flat_map(|level| level.responses.iter().flatten())
+    {
         if let ObjectResponse::FreeFlight(reason) | ObjectResponse::Failed(reason) = response {
             match reasons.iter_mut().find(|(known, _)| known == reason) {
                 Some((_, count)) => *count += 1,
@@ -222,9 +282,15 @@ fn failures(result: &StudyResult) -> String {
         .take(MAX_REASONS)
         .map(|(reason, count)| vec![words(reason), figure(count.to_string())])
         .collect();
-    let mut html = table("Histories that failed", &[vec![words("Reason"), figure("Histories")]], &rows);
+    let mut html = table(
+        "Histories that failed",
+        &[vec![words("Reason"), figure("Histories")]],
+        &rows,
+    );
     if more > 0 {
-        html.push_str(&paragraph(&format!("Other reasons: {more}. srs.csv lists all.")));
+        html.push_str(&paragraph(&format!(
+            "Other reasons: {more}. srs.csv lists all."
+        )));
     }
     html
 }

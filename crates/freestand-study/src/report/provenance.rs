@@ -27,8 +27,15 @@ pub fn provenance(study: &Study) -> Provenance {
     let generator = seed.map(|_| freestand::synthesis::GENERATOR.to_owned());
     let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
     let records: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
-    let mut inputs: Vec<(String, String)> =
-        records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
+    let mut inputs: Vec<(String, String)> = records
+        .iter()
+        .map(|r| {
+            (
+                name(&r.path).unwrap_or_else(|| r.name.clone()),
+                r.sha256.clone(),
+            )
+        })
+        .collect();
     for file in records.iter().flat_map(|record| record.other_inputs()) {
         let input = (name(&file.path).unwrap_or_default(), file.sha256.clone());
         // All records have one target, and those of a station one StationXML.
@@ -37,11 +44,18 @@ pub fn provenance(study: &Study) -> Provenance {
         }
     }
     for (_, table) in study.building.iter().flat_map(|building| &building.tables) {
-        inputs.push((name(&table.file.path).unwrap_or_default(), table.file.sha256.clone()));
+        inputs.push((
+            name(&table.file.path).unwrap_or_default(),
+            table.file.sha256.clone(),
+        ));
     }
     if let Ground::Synthetic(synthetic) = &study.ground {
         inputs.extend(
-            synthetic.target.file.iter().map(|file| (name(&file.path).unwrap_or_default(), file.sha256.clone())),
+            synthetic
+                .target
+                .file
+                .iter()
+                .map(|file| (name(&file.path).unwrap_or_default(), file.sha256.clone())),
         );
     }
     Provenance {
@@ -59,19 +73,43 @@ pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> Stri
         "",
         &[
             ("Version", format!("freestand {}", provenance.version)),
-            ("Study", source.map_or_else(|| "built-in".to_owned(), |name| name.to_string_lossy().into_owned())),
+            (
+                "Study",
+                source.map_or_else(
+                    || "built-in".to_owned(),
+                    |name| name.to_string_lossy().into_owned(),
+                ),
+            ),
             ("SHA-256 of the study", provenance.study_sha256.clone()),
-            ("Seed", provenance.seed.map(|seed| seed.to_string()).unwrap_or_default()),
-            ("Random numbers", provenance.generator.clone().unwrap_or_default()),
+            (
+                "Seed",
+                provenance
+                    .seed
+                    .map(|seed| seed.to_string())
+                    .unwrap_or_default(),
+            ),
+            (
+                "Random numbers",
+                provenance.generator.clone().unwrap_or_default(),
+            ),
         ],
     );
     if !provenance.inputs.is_empty() {
         let rows: Vec<_> = provenance
             .inputs
             .iter()
-            .map(|(name, sha256)| vec![words(name), markup(format!("<code>{}</code>", escape(sha256)), "")])
+            .map(|(name, sha256)| {
+                vec![
+                    words(name),
+                    markup(format!("<code>{}</code>", escape(sha256)), ""),
+                ]
+            })
             .collect();
-        html.push_str(&table("Files that were read", &[vec![words("File"), figure("SHA-256")]], &rows));
+        html.push_str(&table(
+            "Files that were read",
+            &[vec![words("File"), figure("SHA-256")]],
+            &rows,
+        ));
     }
     html.push_str(&paragraph(
         "The same version with the same study and files gives the same numbers on any number of threads. urs.csv \

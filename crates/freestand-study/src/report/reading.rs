@@ -18,17 +18,30 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
          a synthetic 500-year Melbourne earthquake on site class D.",
     );
     let at = |wanted: f64| {
-        result.levels.iter().find(|level| level.level.level_ratio.is_some_and(|ratio| (ratio - wanted).abs() < 0.02))
+        result.levels.iter().find(|level| {
+            level
+                .level
+                .level_ratio
+                .is_some_and(|ratio| (ratio - wanted).abs() < 0.02)
+        })
     };
     let rows: Vec<Vec<Cell>> = [
         ("Shock at mid-height", "about 3.5 g", shock_words(at(0.5))),
         ("Shock at the roof", "up to 5 g", shock_words(at(1.0))),
-        ("Objects 200 mm thick and higher than 1.5 m at the roof", "overturn", overturned_words(at(1.0))),
+        (
+            "Objects 200 mm thick and higher than 1.5 m at the roof",
+            "overturn",
+            overturned_words(at(1.0)),
+        ),
     ]
     .into_iter()
     .map(|(what, paper, here)| vec![words(what), words(paper), words(&here)])
     .collect();
-    html.push_str(&table("", &[vec![words(""), words("Paper"), words("This study")]], &rows));
+    html.push_str(&table(
+        "",
+        &[vec![words(""), words("Paper"), words("This study")]],
+        &rows,
+    ));
     if !is_the_papers_case(study) {
         html.push_str(&paragraph(
             "The ground, objects or cushion of this study differ from the paper’s: compare the two columns only by \
@@ -47,24 +60,40 @@ fn is_the_papers_case(study: &Study) -> bool {
     let ground = match &study.ground {
         Ground::Synthetic(synthetic) => match &synthetic.target.spectrum {
             CodeSpectrum::As1170_4(code) => {
-                code.site() == SiteClass::De && code.return_period_years() == 500 && (code.kpz_g() - 0.08).abs() < 1e-9
+                code.site() == SiteClass::De
+                    && code.return_period_years() == 500
+                    && (code.kpz_g() - 0.08).abs() < 1e-9
             }
             _ => false,
         },
         Ground::Simulated(_) | Ground::Recorded(_) | Ground::OnFloors => false,
     };
     ground
-        && study.building.as_ref().is_some_and(|building| building.storeys == 30)
+        && study
+            .building
+            .as_ref()
+            .is_some_and(|building| building.storeys == 30)
         && (study.objects.mass_kg - 150.0).abs() < 1e-6
-        && study.objects.cushion.cushion.linear_stiffness_n_m().is_some_and(|k| (k - 4.38e6).abs() < 1.0)
+        && study
+            .objects
+            .cushion
+            .cushion
+            .linear_stiffness_n_m()
+            .is_some_and(|k| (k - 4.38e6).abs() < 1.0)
 }
 
 fn shock_words(level: Option<&LevelResult>) -> String {
-    let Some(level) = level else { return "not a level of this study".to_owned() };
+    let Some(level) = level else {
+        return "not a level of this study".to_owned();
+    };
     let s = level_summary(level, None);
     match (s.edge_acceleration_g_median, s.edge_acceleration_g_max) {
         (Some(median), Some(most)) => {
-            format!("medians up to {} g; single motions up to {} g", number(median, 3), number(most, 3))
+            format!(
+                "medians up to {} g; single motions up to {} g",
+                number(median, 3),
+                number(most, 3)
+            )
         }
         (None, Some(most)) => format!("single motions up to {} g", number(most, 3)),
         _ => "every motion overturns them".to_owned(),
@@ -72,7 +101,9 @@ fn shock_words(level: Option<&LevelResult>) -> String {
 }
 
 fn overturned_words(level: Option<&LevelResult>) -> String {
-    let Some(level) = level else { return "not a level of this study".to_owned() };
+    let Some(level) = level else {
+        return "not a level of this study".to_owned();
+    };
     let shares: Vec<f64> = level
         .statistics
         .iter()
@@ -80,10 +111,19 @@ fn overturned_words(level: Option<&LevelResult>) -> String {
         .filter(|s| (s.thickness_m - 0.2).abs() < 1e-9 && s.height_m > 1.5 + 1e-9)
         .map(|s| s.overturned_share)
         .collect();
-    match (shares.iter().copied().reduce(f64::min), shares.iter().copied().reduce(f64::max)) {
-        (Some(least), Some(most)) if least == most => format!("{} of the motions overturn them", percent(most, 0)),
+    match (
+        shares.iter().copied().reduce(f64::min),
+        shares.iter().copied().reduce(f64::max),
+    ) {
+        (Some(least), Some(most)) if least == most => {
+            format!("{} of the motions overturn them", percent(most, 0))
+        }
         (Some(least), Some(most)) => {
-            format!("{} to {} of the motions overturn them", percent(least, 0), percent(most, 0))
+            format!(
+                "{} to {} of the motions overturn them",
+                percent(least, 0),
+                percent(most, 0)
+            )
         }
         _ => "not in this study’s grid".to_owned(),
     }
@@ -110,7 +150,11 @@ pub(super) fn assumptions(study: &Study) -> String {
         } else {
             "Horizontal only: the vertical motion of the floor is not considered."
         },
-        match study.building.as_ref().map(|building| building.along.model()) {
+        match study
+            .building
+            .as_ref()
+            .map(|building| building.along.model())
+        {
             Some(Model::Beam { .. }) => {
                 "The building is linear and elastic and uniform over its height; the objects do not affect it."
             }
@@ -149,8 +193,11 @@ pub(super) fn assumptions(study: &Study) -> String {
         ),
         Ground::Recorded(_) | Ground::OnFloors => {}
     }
-    let assumed =
-        if let Ground::Simulated(simulated) = &study.ground { simulated.request.assumptions() } else { vec![] };
+    let assumed = if let Ground::Simulated(simulated) = &study.ground {
+        simulated.request.assumptions()
+    } else {
+        vec![]
+    };
     items.extend(assumed.iter().map(String::as_str));
     list(&items)
 }
@@ -171,7 +218,9 @@ pub(super) fn definitions() -> String {
         "Overturned: |θ| reaches π/2. An object that has passed α has not overturned yet: the motion can bring it \
          back.",
     ));
-    html.push_str(&equation("uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]"));
+    html.push_str(&equation(
+        "uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]",
+    ));
     html.push_str(&heading("Shock"));
     html.push_str(&paragraph(
         "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
@@ -225,7 +274,11 @@ pub(super) fn errata() -> String {
     .into_iter()
     .map(|(place, printed, used)| vec![markup(place.into(), ""), markup(printed.into(), ""), markup(used.into(), "")])
     .collect();
-    table("", &[vec![words("Where"), words("Printed"), words("Used here")]], &rows)
+    table(
+        "",
+        &[vec![words("Where"), words("Printed"), words("Used here")]],
+        &rows,
+    )
 }
 
 #[cfg(test)]
@@ -240,7 +293,11 @@ mod tests {
         let mut study = crate::fixture::study();
         assert!(assumptions(&study).contains("uniform over its height"));
         let damping = Damping::Uniform(0.05);
-        let storey = Storey { mass_kg: 1e5, stiffness_n_m: 1e8, height_m: 3.0 };
+        let storey = Storey {
+            mass_kg: 1e5,
+            stiffness_n_m: 1e8,
+            height_m: 3.0,
+        };
         let mode = TableMode {
             period_s: 1.0,
             damping_ratio: None,
@@ -249,12 +306,21 @@ mod tests {
             shape_ratio: vec![1.0],
         };
         for (building, said) in [
-            (Building::shear(&[storey; 2], &damping, 2).unwrap(), "its floors are rigid"),
-            (Building::from_modes(&[1.0], &[mode], &damping).unwrap(), "the modes of its table"),
+            (
+                Building::shear(&[storey; 2], &damping, 2).unwrap(),
+                "its floors are rigid",
+            ),
+            (
+                Building::from_modes(&[1.0], &[mode], &damping).unwrap(),
+                "the modes of its table",
+            ),
         ] {
             study.building.as_mut().unwrap().along = building;
             let html = assumptions(&study);
-            assert!(html.contains(said) && !html.contains("uniform over"), "{html}");
+            assert!(
+                html.contains(said) && !html.contains("uniform over"),
+                "{html}"
+            );
         }
     }
 }

@@ -21,7 +21,10 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
     html.push_str(&records_words(study));
     html.push_str(&paragraph(&how_to_read(study)));
     for level in &result.levels {
-        html.push_str(&heading(&format!("Median shock at the level {}", level.level.name)));
+        html.push_str(&heading(&format!(
+            "Median shock at the level {}",
+            level.level.name
+        )));
         let mut thicknesses = study.objects.thicknesses_m.clone();
         thicknesses.sort_by(f64::total_cmp);
         for some in thicknesses.chunks(MAX_COLUMNS) {
@@ -44,7 +47,10 @@ fn records_words(study: &Study) -> String {
 }
 
 fn framed(number: usize, figure: &Figure) -> String {
-    let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escape(&figure.title));
+    let label = format!(
+        "<svg role=\"img\" aria-label=\"{}\" ",
+        escape(&figure.title)
+    );
     format!(
         "<figure id=\"figure-{name}\">\n<div class=\"scroll\" tabindex=\"0\">{svg}</div>\n<figcaption><strong>Figure \
          {number}. {title}.</strong> {caption}</figcaption>\n</figure>\n",
@@ -84,14 +90,22 @@ fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Strin
     }
     let mut heights = study.objects.heights_m.clone();
     heights.sort_by(f64::total_cmp);
-    let decimals = heights.iter().map(|&h| decimals(&number(h, 5))).max().unwrap_or(0);
+    let decimals = heights
+        .iter()
+        .map(|&h| decimals(&number(h, 5)))
+        .max()
+        .unwrap_or(0);
     let tolerance_g = study.objects.tolerance_m_s2.map(|a| a / freestand::G0_M_S2);
     let rows: Vec<Vec<Cell>> = heights
         .iter()
         .map(|&h| {
             let mut row = vec![figure(fixed(h, decimals))];
             for &t in thicknesses {
-                let object = level.statistics.iter().flatten().find(|s| s.height_m == h && s.thickness_m == t);
+                let object = level
+                    .statistics
+                    .iter()
+                    .flatten()
+                    .find(|s| s.height_m == h && s.thickness_m == t);
                 row.extend(object_cells(object, tolerance_g));
             }
             row
@@ -107,11 +121,26 @@ fn decimals(number: &str) -> usize {
 
 /// Both sources and the overturned share of one object.
 fn object_cells(object: Option<&ObjectStatistics>, tolerance_g: Option<f64>) -> Vec<Cell> {
-    let Some(s) = object else { return vec![markup("failed".into(), "over").over(3)] };
-    let sign = if tolerance_g.is_some_and(|tolerance| s.exceeds(tolerance)) { " ▲" } else { "" };
-    let share =
-        markup(if s.overturned_share > 0.0 { percent(s.overturned_share, 0) } else { String::new() }, "n share");
-    match (s.edge_acceleration_g[1], s.edge_acceleration_impact_velocity_g[1]) {
+    let Some(s) = object else {
+        return vec![markup("failed".into(), "over").over(3)];
+    };
+    let sign = if tolerance_g.is_some_and(|tolerance| s.exceeds(tolerance)) {
+        " ▲"
+    } else {
+        ""
+    };
+    let share = markup(
+        if s.overturned_share > 0.0 {
+            percent(s.overturned_share, 0)
+        } else {
+            String::new()
+        },
+        "n share",
+    );
+    match (
+        s.edge_acceleration_g[1],
+        s.edge_acceleration_impact_velocity_g[1],
+    ) {
         (Ranked::Value(uplift), Ranked::Value(velocity)) => {
             let larger = uplift.max(velocity);
             let cell = |value: f64, class| {

@@ -8,7 +8,9 @@ use freestand_output::html::{Cell, classed_table, figure, list, paragraph, words
 
 /// A table for each level; empty where nothing was varied.
 pub(super) fn sensitivity(result: &StudyResult) -> String {
-    let Some(sensitivity) = &result.sensitivity else { return String::new() };
+    let Some(sensitivity) = &result.sensitivity else {
+        return String::new();
+    };
     let mut html = paragraph(
         "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
          by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
@@ -26,8 +28,18 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
     ]];
     for level in &result.levels {
         let name = &level.level.name;
-        let rows: Vec<Vec<Cell>> = sensitivity.rows.iter().filter(|row| row.level == *name).map(row).collect();
-        html.push_str(&classed_table("glance", &format!("Level {name}"), &headings, &rows));
+        let rows: Vec<Vec<Cell>> = sensitivity
+            .rows
+            .iter()
+            .filter(|row| row.level == *name)
+            .map(row)
+            .collect();
+        html.push_str(&classed_table(
+            "glance",
+            &format!("Level {name}"),
+            &headings,
+            &rows,
+        ));
     }
     let mut remarks: Vec<String> = Vec::new();
     // A remark belongs to a variation, not to a level: it is printed once.
@@ -45,18 +57,29 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
 
 /// Why there is no result, or the additional warnings of this change.
 fn remark(row: &VariedLevel) -> Option<String> {
-    let why = row.reason.as_ref().map(ToString::to_string).or_else(|| row.warnings.clone())?;
+    let why = row
+        .reason
+        .as_ref()
+        .map(ToString::to_string)
+        .or_else(|| row.warnings.clone())?;
     Some(format!("{}: {why}", row.words()))
 }
 
 fn row(row: &VariedLevel) -> Vec<Cell> {
     let dash = || "–".to_owned();
     let value = |value: Option<f64>, digits| figure(value.map_or_else(dash, |v| fixed(v, digits)));
-    let changed = if row.value.is_empty() { "unchanged".to_owned() } else { row.words() };
+    let changed = if row.value.is_empty() {
+        "unchanged".to_owned()
+    } else {
+        row.words()
+    };
     vec![
         words(&changed),
         value(row.pfa_g_median, 3),
-        figure(row.overturned_share.map_or_else(dash, |share| percent(share, 1))),
+        figure(
+            row.overturned_share
+                .map_or_else(dash, |share| percent(share, 1)),
+        ),
         figure(row.overturned_objects.map_or_else(dash, |n| n.to_string())),
         value(row.edge_acceleration_g_median, 2),
         value(row.edge_acceleration_g_max, 2),

@@ -38,9 +38,15 @@ fn texts(document: &roxmltree::Document) -> String {
 
 /// Every report is well-formed, loads no other file, and has no NaN and no duplicate id.
 fn check(html: &str) {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
     let document = roxmltree::Document::parse_with_options(html, options).unwrap();
-    let mut ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    let mut ids: Vec<&str> = document
+        .descendants()
+        .filter_map(|node| node.attribute("id"))
+        .collect();
     let all = ids.len();
     ids.sort_unstable();
     ids.dedup();
@@ -72,12 +78,59 @@ fn check(html: &str) {
 fn every_figure_is_drawn_with_its_axes() {
     let (figures, _) = rendered(false);
     let expected: [(&str, &[&str]); 8] = [
-        ("urs", &["Height of the object (m)", "Uplift (mm)", "t = 200 mm", "overturned", "roof", "mid-height"]),
-        ("srs", &["Height of the object (m)", "Shock (g)", "uplift ceiling", "half or more overturn it"]),
-        ("overturning", &["Height of the object (m)", "Share of motions"]),
-        ("floor_spectra", &["Period (s)", "Spectral acceleration (g)", "ground", "target: code spectrum", "T₁"]),
-        ("floor_profile", &["Peak floor acceleration (g)", "Height (m)", "median", "16 and 84 %", "a code’s line"]),
-        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor acceleration (g)", "Shock (g)"]),
+        (
+            "urs",
+            &[
+                "Height of the object (m)",
+                "Uplift (mm)",
+                "t = 200 mm",
+                "overturned",
+                "roof",
+                "mid-height",
+            ],
+        ),
+        (
+            "srs",
+            &[
+                "Height of the object (m)",
+                "Shock (g)",
+                "uplift ceiling",
+                "half or more overturn it",
+            ],
+        ),
+        (
+            "overturning",
+            &["Height of the object (m)", "Share of motions"],
+        ),
+        (
+            "floor_spectra",
+            &[
+                "Period (s)",
+                "Spectral acceleration (g)",
+                "ground",
+                "target: code spectrum",
+                "T₁",
+            ],
+        ),
+        (
+            "floor_profile",
+            &[
+                "Peak floor acceleration (g)",
+                "Height (m)",
+                "median",
+                "16 and 84 %",
+                "a code’s line",
+            ],
+        ),
+        (
+            "history",
+            &[
+                "Time (s)",
+                "Rotation θ/α (–)",
+                "Floor acceleration (g)",
+                "Shock (g)",
+            ],
+        ),
         ("record_01", &["Time (s)"]),
         ("record_02", &["Time (s)"]),
     ];
@@ -89,7 +142,10 @@ fn every_figure_is_drawn_with_its_axes() {
         for label in labels {
             assert!(texts.contains(label), "{name}: {label}");
         }
-        assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf\""), "{name}");
+        assert!(
+            !figure.svg.contains("NaN") && !figure.svg.contains("inf\""),
+            "{name}"
+        );
         assert!(document.root_element().attribute("viewBox").is_some());
         assert!(figure.png.starts_with(b"\x89PNG\r\n\x1a\n"), "{name}");
         assert!(!figure.title.is_empty() && !figure.caption.is_empty());
@@ -105,10 +161,22 @@ fn the_same_result_gives_the_same_report() {
 fn report_holds_figures_tables_and_definitions() {
     let (figures, html) = rendered(false);
     check(&html);
-    print_check::check_print(&html, "Free-standing objects in a 500-year earthquake: Melbourne, site class De", "");
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    print_check::check_print(
+        &html,
+        "Free-standing objects in a 500-year earthquake: Melbourne, site class De",
+        "",
+    );
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
     let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
-    let count = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).count();
+    let count = |tag: &str| {
+        document
+            .descendants()
+            .filter(|n| n.tag_name().name() == tag)
+            .count()
+    };
     assert_eq!(count("svg"), figures.len());
     assert_eq!(count("figcaption"), figures.len());
     let texts = texts(&document);
@@ -135,9 +203,16 @@ fn report_holds_figures_tables_and_definitions() {
     }
     // Every object of every level is in the tables once: 26 heights, and 5 overturned shares or
     // blanks each.
-    let rows = document.descendants().filter(|n| n.tag_name().name() == "tr");
+    let rows = document
+        .descendants()
+        .filter(|n| n.tag_name().name() == "tr");
     assert_eq!(
-        rows.filter(|row| row.children().filter(|c| c.attribute("class") == Some("n share")).count() == 5).count(),
+        rows.filter(|row| row
+            .children()
+            .filter(|c| c.attribute("class") == Some("n share"))
+            .count()
+            == 5)
+            .count(),
         52
     );
 }
@@ -154,9 +229,16 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     assert!(html.contains("▲") && html.contains("tolerance of 2 g"));
     assert!(!html.contains("target: code spectrum"));
     // Ten recorded motions: the first six are drawn, each with its steps, and the report says so.
-    let records: Vec<_> = figures.iter().filter(|figure| figure.name.starts_with("record_")).collect();
+    let records: Vec<_> = figures
+        .iter()
+        .filter(|figure| figure.name.starts_with("record_"))
+        .collect();
     assert_eq!((records.len(), records[5].name.as_str()), (6, "record_06"));
-    assert!(records.iter().all(|figure| figure.caption.contains("processing: multiplied by 1.25")));
+    assert!(
+        records
+            .iter()
+            .all(|figure| figure.caption.contains("processing: multiplied by 1.25"))
+    );
     assert!(html.contains("Figures show the first 6 of the 10 recorded ground motions"));
 }
 
@@ -164,10 +246,16 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
 /// samples.
 #[test]
 fn records_of_every_kind_are_drawn_small() {
-    let million: Vec<f64> = (0..1_000_000).map(|i| (i as f64 * 0.7).sin() * 1e-6).collect();
+    let million: Vec<f64> = (0..1_000_000)
+        .map(|i| (i as f64 * 0.7).sin() * 1e-6)
+        .collect();
     for accel in [vec![0.0; 3], vec![0.0, 1.0], vec![9.0; 5000], million] {
         let motion = freestand::motion::Motion::new(0.005, accel).unwrap();
-        let words = crate::inspect::Words { name: "a <b> $x$", description: "CSV", processing: &[] };
+        let words = crate::inspect::Words {
+            name: "a <b> $x$",
+            description: "CSV",
+            processing: &[],
+        };
         let figure = crate::inspect::record_figure(words, &motion).unwrap();
         let document = roxmltree::Document::parse(&figure.svg).unwrap();
         let texts = texts(&document);
@@ -197,7 +285,9 @@ fn the_smallest_study_has_a_report_too() {
         level.floors.truncate(1);
         level.spectra.truncate(1);
         level.responses.truncate(1);
-        level.statistics = vec![crate::statistics::object_statistics(level.responses.iter().map(|row| &row[0]))];
+        level.statistics = vec![crate::statistics::object_statistics(
+            level.responses.iter().map(|row| &row[0]),
+        )];
     }
     let figures = figures(&study, &result).unwrap();
     assert_eq!(figures.len(), 6);
@@ -214,30 +304,52 @@ fn the_smallest_study_has_a_report_too() {
 #[test]
 fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     let mut study = fixture::study();
-    study
-        .levels
-        .insert(0, crate::study::Level { name: "ground floor".into(), level_ratio: Some(0.0), motions: Vec::new() });
-    study
-        .levels
-        .insert(1, crate::study::Level { name: "quarter".into(), level_ratio: Some(0.25), motions: Vec::new() });
+    study.levels.insert(
+        0,
+        crate::study::Level {
+            name: "ground floor".into(),
+            level_ratio: Some(0.0),
+            motions: Vec::new(),
+        },
+    );
+    study.levels.insert(
+        1,
+        crate::study::Level {
+            name: "quarter".into(),
+            level_ratio: Some(0.25),
+            motions: Vec::new(),
+        },
+    );
     study.objects.heights_m = vec![1.0, 1.25, 3.0];
     study.objects.thicknesses_m = (0..10).map(|i| 0.1 + 0.05 * f64::from(i)).collect();
     study.objects.blocks.clear();
     for &h in &study.objects.heights_m {
         for &t in &study.objects.thicknesses_m {
-            study.objects.blocks.push(freestand::block::Block::uniform(h, t).unwrap());
+            study
+                .objects
+                .blocks
+                .push(freestand::block::Block::uniform(h, t).unwrap());
         }
     }
     let mut result = fixture::result(&study);
     let history = result.history.as_mut().unwrap();
     history.outcome = freestand::rocking::Outcome::Overturned;
-    let topples = |t: &f64| if *t < 6.0 { 0.0 } else { ((t - 6.0) * 0.5).min(std::f64::consts::FRAC_PI_2) };
+    let topples = |t: &f64| {
+        if *t < 6.0 {
+            0.0
+        } else {
+            ((t - 6.0) * 0.5).min(std::f64::consts::FRAC_PI_2)
+        }
+    };
     history.theta_rad = history.time_s.iter().map(topples).collect();
     history.impacts.clear();
     let figures = figures(&study, &result).unwrap();
     let urs = &figures[0].svg;
     assert!(urs.contains("quarter") && urs.contains("t = 550 mm") && !urs.contains("16–84"));
-    let history = figures.iter().find(|figure| figure.name == "history").unwrap();
+    let history = figures
+        .iter()
+        .find(|figure| figure.name == "history")
+        .unwrap();
     assert!(history.svg.contains("overturns"));
     let html = report(&study, &result, &figures, &provenance(&study));
     check(&html);

@@ -8,8 +8,8 @@ use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
-    Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse,
-    WorldSettings,
+    Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings,
+    Spread, WallUse, WorldSettings,
 };
 use crate::target::Target;
 use freestand_input::file::check_allowed;
@@ -37,16 +37,32 @@ impl Resolver<'_> {
                     (format!("{key} is no key of [assessment]"), hint.to_owned())
                 }
                 key => {
-                    let message = format!("{key} belongs in the table [worlds], not in [assessment]");
+                    let message =
+                        format!("{key} belongs in the table [worlds], not in [assessment]");
                     (message, format!("write {key} in the table [worlds]"))
                 }
             };
             self.note(Some(*line), message, hint);
         }
-        let Spread { restitution, stiffness, mass, geometry, model, compliant } = defaults.spread;
-        let files = [&written.inventory, &written.library, &written.cushion_library];
+        let Spread {
+            restitution,
+            stiffness,
+            mass,
+            geometry,
+            model,
+            compliant,
+        } = defaults.spread;
+        let files = [
+            &written.inventory,
+            &written.library,
+            &written.cushion_library,
+        ];
         let keys = ["inventory", "library", "cushion_library"];
-        let mut paths = files.map(|written| written.as_ref().map(|written| self.base_dir.join(&written.value)));
+        let mut paths = files.map(|written| {
+            written
+                .as_ref()
+                .map(|written| self.base_dir.join(&written.value))
+        });
         for ((path, written), key) in paths.iter().zip(files).zip(keys) {
             // These are read later, or not at all where a flag names another: refused here with their line.
             if let (Some(path), Some(written)) = (path, written)
@@ -67,7 +83,11 @@ impl Resolver<'_> {
             seed: or(&written.seed, defaults.seed),
             worlds: self.worlds(worlds, defaults.worlds, period_is_measured),
             spread: Spread {
-                restitution: self.spread("restitution_spread", &written.restitution_spread, restitution),
+                restitution: self.spread(
+                    "restitution_spread",
+                    &written.restitution_spread,
+                    restitution,
+                ),
                 stiffness: self.spread("stiffness_spread", &written.stiffness_spread, stiffness),
                 mass: self.spread("mass_spread", &written.mass_spread, mass),
                 geometry: self.spread("geometry_spread", &written.geometry_spread, geometry),
@@ -75,12 +95,20 @@ impl Resolver<'_> {
                 compliant: self.spread("compliant_spread", &written.compliant_spread, compliant),
             },
             pad_damping_ratio: self.pad_damping(written, defaults.pad_damping_ratio),
-            compliant_factor: self.factor("compliant_factor", &written.compliant_factor, defaults.compliant_factor),
+            compliant_factor: self.factor(
+                "compliant_factor",
+                &written.compliant_factor,
+                defaults.compliant_factor,
+            ),
             friction_ratio: self.friction(written, defaults.friction_ratio),
             pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
             compliant: or(&written.compliant, defaults.compliant),
-            walls: self.named("walls", &written.walls, &WallUse::ALL).unwrap_or(defaults.walls),
-            dimensions: self.named("dimensions", &written.dimensions, &Dimensions::ALL).unwrap_or(defaults.dimensions),
+            walls: self
+                .named("walls", &written.walls, &WallUse::ALL)
+                .unwrap_or(defaults.walls),
+            dimensions: self
+                .named("dimensions", &written.dimensions, &Dimensions::ALL)
+                .unwrap_or(defaults.dimensions),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
             restraint: self.restraint(restraint, defaults.restraint),
             restraint_code: self.restraint_code(&restraint.code, ground),
@@ -91,11 +119,21 @@ impl Resolver<'_> {
     /// and one of a high rating also for the milder ratings, where it is the larger.
     fn accepted(&mut self, written: &AssessmentOptions, defaults: Accepted) -> Accepted {
         let base = match &written.accepted {
-            Some(_) => Accepted::all(self.probability("accepted", &written.accepted, defaults.other_ratio)),
+            Some(_) => {
+                Accepted::all(self.probability("accepted", &written.accepted, defaults.other_ratio))
+            }
             None => defaults,
         };
-        let mut ratios = [base.life_safety_ratio, base.function_ratio, base.property_ratio];
-        for ((ratios, keys), written) in ratios.iter_mut().zip(ACCEPTED_KEYS).zip(&written.accepted_by_rating) {
+        let mut ratios = [
+            base.life_safety_ratio,
+            base.function_ratio,
+            base.property_ratio,
+        ];
+        for ((ratios, keys), written) in ratios
+            .iter_mut()
+            .zip(ACCEPTED_KEYS)
+            .zip(&written.accepted_by_rating)
+        {
             let mut stricter: f64 = 0.0;
             for ((ratio, key), written) in ratios.iter_mut().zip(keys).zip(written) {
                 *ratio = self.probability(key, written, ratio.max(stricter));
@@ -103,50 +141,125 @@ impl Resolver<'_> {
             }
         }
         let [life_safety_ratio, function_ratio, property_ratio] = ratios;
-        Accepted { life_safety_ratio, function_ratio, property_ratio, ..base }
+        Accepted {
+            life_safety_ratio,
+            function_ratio,
+            property_ratio,
+            ..base
+        }
     }
 
-    fn worlds(&mut self, written: &WorldOptions, defaults: WorldSettings, period_is_measured: bool) -> WorldSettings {
-        let period_spread = if period_is_measured { MEASURED_PERIOD_SPREAD } else { defaults.period_spread };
+    fn worlds(
+        &mut self,
+        written: &WorldOptions,
+        defaults: WorldSettings,
+        period_is_measured: bool,
+    ) -> WorldSettings {
+        let period_spread = if period_is_measured {
+            MEASURED_PERIOD_SPREAD
+        } else {
+            defaults.period_spread
+        };
         let correlation = "a correlation from 0 to 1";
         let of_components = |ratio: f64| ratio > 0.0 && ratio <= 1.0;
-        self.require(&written.component_ratio, of_components, "component_ratio", "above 0, at most 1");
+        self.require(
+            &written.component_ratio,
+            of_components,
+            "component_ratio",
+            "above 0, at most 1",
+        );
         let unit = |value: f64| (0.0..=1.0).contains(&value);
-        self.require(&written.component_correlation, unit, "component_correlation", correlation);
-        self.require(&written.components, |count| count == 1 || count == 2, "components", "1 or 2");
-        self.require(&written.confidence, |value| value > 0.5 && value < 1.0, "confidence", "above 0.5 and below 1");
+        self.require(
+            &written.component_correlation,
+            unit,
+            "component_correlation",
+            correlation,
+        );
+        self.require(
+            &written.components,
+            |count| count == 1 || count == 2,
+            "components",
+            "1 or 2",
+        );
+        self.require(
+            &written.confidence,
+            |value| value > 0.5 && value < 1.0,
+            "confidence",
+            "above 0.5 and below 1",
+        );
         for (key, count) in [("first", &written.first), ("most", &written.most)] {
             let expected = format!("a whole number from 1 to {MAX_WORLDS}");
-            self.require(count, |count| (1..=MAX_WORLDS).contains(&count), key, &expected);
+            self.require(
+                count,
+                |count| (1..=MAX_WORLDS).contains(&count),
+                key,
+                &expected,
+            );
         }
         let count = |written: &Option<Written<u64>>, default: u32| {
-            u32::try_from(or(written, u64::from(default))).unwrap_or(default).clamp(1, MAX_WORLDS as u32)
+            u32::try_from(or(written, u64::from(default)))
+                .unwrap_or(default)
+                .clamp(1, MAX_WORLDS as u32)
         };
-        let (first, most) =
-            (count(&written.first, defaults.looks.first()), count(&written.most, defaults.looks.most()));
+        let (first, most) = (
+            count(&written.first, defaults.looks.first()),
+            count(&written.most, defaults.looks.most()),
+        );
         let confidence = or(&written.confidence, defaults.looks.confidence());
         if first > most {
-            let line = written.first.as_ref().or(written.most.as_ref()).map(|one| one.line);
+            let line = written
+                .first
+                .as_ref()
+                .or(written.most.as_ref())
+                .map(|one| one.line);
             let message = format!("first = {first} is more than most = {most}");
-            self.note(line, message, "give both: the number of worlds is doubled from first until it reaches most");
+            self.note(
+                line,
+                message,
+                "give both: the number of worlds is doubled from first until it reaches most",
+            );
         }
         WorldSettings {
-            spectral_spread: self.spread("spectral_spread", &written.spectral_spread, defaults.spectral_spread),
-            intensity_spread: self.spread("intensity_spread", &written.intensity_spread, defaults.intensity_spread),
-            component_correlation: or(&written.component_correlation, defaults.component_correlation),
+            spectral_spread: self.spread(
+                "spectral_spread",
+                &written.spectral_spread,
+                defaults.spectral_spread,
+            ),
+            intensity_spread: self.spread(
+                "intensity_spread",
+                &written.intensity_spread,
+                defaults.intensity_spread,
+            ),
+            component_correlation: or(
+                &written.component_correlation,
+                defaults.component_correlation,
+            ),
             component_ratio: or(&written.component_ratio, defaults.component_ratio),
             components: count(&written.components, defaults.components),
             period_spread: self.spread("period_spread", &written.period_spread, period_spread),
-            damping_spread: self.spread("damping_spread", &written.damping_spread, defaults.damping_spread),
+            damping_spread: self.spread(
+                "damping_spread",
+                &written.damping_spread,
+                defaults.damping_spread,
+            ),
             // What it refuses was told above.
             looks: Looks::new(first, most, confidence).unwrap_or_default(),
             shares: written.shares.as_ref().map(|shares| shares.value),
         }
     }
 
-    fn restraint(&mut self, written: &RestraintOptions, defaults: RestraintSettings) -> RestraintSettings {
+    fn restraint(
+        &mut self,
+        written: &RestraintOptions,
+        defaults: RestraintSettings,
+    ) -> RestraintSettings {
         let of_one = "a share above 0, at most 1";
-        self.require(&written.dead_load_ratio, |share| share > 0.0 && share <= 1.0, "dead_load_ratio", of_one);
+        self.require(
+            &written.dead_load_ratio,
+            |share| share > 0.0 && share <= 1.0,
+            "dead_load_ratio",
+            of_one,
+        );
         let factors = [
             ("overstrength_ratio", &written.overstrength_ratio),
             ("amplification_ratio", &written.amplification_ratio),
@@ -156,7 +269,12 @@ impl Resolver<'_> {
             ("importance_ratio", &written.importance_ratio),
         ];
         let factors = factors.map(|(key, written)| {
-            self.require(written, |factor| factor > 0.0 && factor <= 20.0, key, "a factor above 0, at most 20");
+            self.require(
+                written,
+                |factor| factor > 0.0 && factor <= 20.0,
+                key,
+                "a factor above 0, at most 20",
+            );
             written.as_ref().map(|factor| factor.value)
         });
         let [
@@ -173,8 +291,18 @@ impl Resolver<'_> {
             "building_ductility_ratio",
             &format!("a factor from {LEAST_BUILDING_DUCTILITY_RATIO} to 20"),
         );
-        self.require(&written.bracket_height_m, |height| height > 0.0, "bracket_height", "positive");
-        self.require(&written.anchor_inset_m, |inset| inset >= 0.0, "anchor_inset", "zero or positive");
+        self.require(
+            &written.bracket_height_m,
+            |height| height > 0.0,
+            "bracket_height",
+            "positive",
+        );
+        self.require(
+            &written.anchor_inset_m,
+            |inset| inset >= 0.0,
+            "anchor_inset",
+            "zero or positive",
+        );
         RestraintSettings {
             dead_load_ratio: or(&written.dead_load_ratio, defaults.dead_load_ratio),
             overstrength_ratio,
@@ -182,11 +310,16 @@ impl Resolver<'_> {
             response_ratio,
             resonance_ratio,
             strength_ratio,
-            building_ductility_ratio: written.building_ductility_ratio.as_ref().map(|factor| factor.value),
+            building_ductility_ratio: written
+                .building_ductility_ratio
+                .as_ref()
+                .map(|factor| factor.value),
             importance_ratio,
             bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
             anchor_inset_m: written.anchor_inset_m.as_ref().map(|inset| inset.value),
-            bracket: self.named("bracket", &written.bracket, &Bracket::ALL).unwrap_or(defaults.bracket),
+            bracket: self
+                .named("bracket", &written.bracket, &Bracket::ALL)
+                .unwrap_or(defaults.bracket),
         }
     }
 
@@ -196,15 +329,31 @@ impl Resolver<'_> {
         if written.is_empty() {
             return None;
         }
-        let of_motions = ground.and_then(Ground::code_spectrum).map(|target| &target.spectrum);
-        if let Some(spectrum) = of_motions.filter(|spectrum| !matches!(spectrum, CodeSpectrum::Table(_))) {
-            let message = format!("[restraint] names a code, but the motions are by {} already", spectrum.name());
-            self.note(first, message, "leave it out: the forces of restraints are by the code of [ground]");
+        let of_motions = ground
+            .and_then(Ground::code_spectrum)
+            .map(|target| &target.spectrum);
+        if let Some(spectrum) =
+            of_motions.filter(|spectrum| !matches!(spectrum, CodeSpectrum::Table(_)))
+        {
+            let message = format!(
+                "[restraint] names a code, but the motions are by {} already",
+                spectrum.name()
+            );
+            self.note(
+                first,
+                message,
+                "leave it out: the forces of restraints are by the code of [ground]",
+            );
             return None;
         }
         match Target::for_parts(written) {
             Ok(target) => {
-                self.warnings.extend(target.warnings.iter().map(|warning| format!("[restraint]: {warning}")));
+                self.warnings.extend(
+                    target
+                        .warnings
+                        .iter()
+                        .map(|warning| format!("[restraint]: {warning}")),
+                );
                 Some(target)
             }
             Err(problems) => {
@@ -218,31 +367,61 @@ impl Resolver<'_> {
     }
 
     /// One of some names.
-    fn named<T: Copy>(&mut self, key: &str, written: &Option<Written<String>>, all: &[(&str, T)]) -> Option<T> {
+    fn named<T: Copy>(
+        &mut self,
+        key: &str,
+        written: &Option<Written<String>>,
+        all: &[(&str, T)],
+    ) -> Option<T> {
         let Written { value, line } = written.as_ref()?;
-        let found = all.iter().find(|(name, _)| value.trim().eq_ignore_ascii_case(name));
+        let found = all
+            .iter()
+            .find(|(name, _)| value.trim().eq_ignore_ascii_case(name));
         if found.is_none() {
             let names: Vec<String> = all.iter().map(|(name, _)| format!("\"{name}\"")).collect();
-            let message = format!("{key} must be {}, not \"{}\"", names.join(" or "), shorten(value));
-            self.note(Some(*line), message, format!("write {key} = {}", names.first().map_or("", String::as_str)));
+            let message = format!(
+                "{key} must be {}, not \"{}\"",
+                names.join(" or "),
+                shorten(value)
+            );
+            self.note(
+                Some(*line),
+                message,
+                format!("write {key} = {}", names.first().map_or("", String::as_str)),
+            );
         }
         found.map(|(_, value)| *value)
     }
 
     fn probability(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| value > 0.0 && value < 1.0, key, "a probability between 0 and 1");
+        self.require(
+            written,
+            |value| value > 0.0 && value < 1.0,
+            key,
+            "a probability between 0 and 1",
+        );
         or(written, default)
     }
 
     /// With a spread above 1 a value is practically unknown, and its draws leave the range of the
     /// models.
     fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| (0.0..=1.0).contains(&value), key, "a number from 0 to 1");
+        self.require(
+            written,
+            |value| (0.0..=1.0).contains(&value),
+            key,
+            "a number from 0 to 1",
+        );
         or(written, default)
     }
 
     fn factor(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| value > 0.0 && value <= 10.0, key, "a factor above 0, at most 10");
+        self.require(
+            written,
+            |value| value > 0.0 && value <= 10.0,
+            key,
+            "a factor above 0, at most 10",
+        );
         or(written, default)
     }
 
@@ -254,7 +433,12 @@ impl Resolver<'_> {
             ("pad_damping_high", &written.pad_damping_high),
         ];
         for (key, one) in keys {
-            self.require(one, |value| value > 0.0 && value <= 1.0, key, "a damping ratio above 0, at most 1");
+            self.require(
+                one,
+                |value| value > 0.0 && value <= 1.0,
+                key,
+                "a damping ratio above 0, at most 1",
+            );
         }
         for (key, one) in &keys[1..] {
             self.exclusive(keys[0], (key, one));
@@ -263,29 +447,64 @@ impl Resolver<'_> {
         let low = or(&written.pad_damping_low, both.unwrap_or(default.0));
         let high = or(&written.pad_damping_high, both.unwrap_or(default.1));
         if low > high {
-            let line = written.pad_damping_low.as_ref().or(written.pad_damping_high.as_ref()).map(|one| one.line);
+            let line = written
+                .pad_damping_low
+                .as_ref()
+                .or(written.pad_damping_high.as_ref())
+                .map(|one| one.line);
             let message = format!("pad_damping_low = {low} is above pad_damping_high = {high}");
-            self.note(line, message, "give both: one that is left out has its default value");
+            self.note(
+                line,
+                message,
+                "give both: one that is left out has its default value",
+            );
         }
         (low, high)
     }
 
     fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
-        for (key, one) in [("friction_low", &written.friction_low), ("friction_high", &written.friction_high)] {
-            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient of friction from 0 to 10");
+        for (key, one) in [
+            ("friction_low", &written.friction_low),
+            ("friction_high", &written.friction_high),
+        ] {
+            self.require(
+                one,
+                |value| (0.0..=10.0).contains(&value),
+                key,
+                "a coefficient of friction from 0 to 10",
+            );
         }
-        let range = (or(&written.friction_low, default.0), or(&written.friction_high, default.1));
+        let range = (
+            or(&written.friction_low, default.0),
+            or(&written.friction_high, default.1),
+        );
         if range.0 > range.1 {
-            let line = written.friction_low.as_ref().or(written.friction_high.as_ref()).map(|one| one.line);
-            let message = format!("friction_low = {} is above friction_high = {}", range.0, range.1);
-            self.note(line, message, "give both: one that is left out has its default value");
+            let line = written
+                .friction_low
+                .as_ref()
+                .or(written.friction_high.as_ref())
+                .map(|one| one.line);
+            let message = format!(
+                "friction_low = {} is above friction_high = {}",
+                range.0, range.1
+            );
+            self.note(
+                line,
+                message,
+                "give both: one that is left out has its default value",
+            );
         }
         range
     }
 
     fn pad_strain(&mut self, written: &Option<Written<f64>>, default: f64) -> f64 {
         let expected = "a share of the pad's thickness, above 0 and below 1";
-        self.require(written, |value| value > 0.0 && value < 1.0, "pad_strain", expected);
+        self.require(
+            written,
+            |value| value > 0.0 && value < 1.0,
+            "pad_strain",
+            expected,
+        );
         or(written, default)
     }
 }
@@ -298,8 +517,16 @@ mod tests {
     /// What the built-in study says in words is what a study has that says nothing.
     #[test]
     fn the_built_in_study_states_the_defaults() {
-        assert_eq!(builtin(&Overrides::default()).unwrap().assessment, Settings::default());
-        assert_eq!(resolve("[assessment]\n", None, "".as_ref()).unwrap().assessment, Settings::default());
+        assert_eq!(
+            builtin(&Overrides::default()).unwrap().assessment,
+            Settings::default()
+        );
+        assert_eq!(
+            resolve("[assessment]\n", None, "".as_ref())
+                .unwrap()
+                .assessment,
+            Settings::default()
+        );
     }
 
     #[test]
@@ -315,7 +542,13 @@ mod tests {
         };
         assert_eq!(settings.accepted, expected);
         assert_eq!(settings.inventory, Some("here/a/b.csv".into()));
-        let one = resolve("[assessment]\naccepted_life_safety_medium = 0.03\n", None, "".as_ref()).unwrap().assessment;
+        let one = resolve(
+            "[assessment]\naccepted_life_safety_medium = 0.03\n",
+            None,
+            "".as_ref(),
+        )
+        .unwrap()
+        .assessment;
         assert_eq!(one.accepted.life_safety_ratio, [0.02, 0.03, 0.20]);
     }
 
@@ -334,62 +567,132 @@ mod tests {
 
     #[test]
     fn keys_of_worlds_are_pointed_to_their_table() {
-        let problems =
-            resolve("[assessment]\nworlds = 30\nconfidence = 0.9\n", None, "".as_ref()).unwrap_err().problems;
-        let said: Vec<&str> = problems.iter().filter_map(|problem| problem.hint.as_deref()).collect();
-        assert!(said.iter().any(|hint| hint.contains("set first and most")), "{problems:?}");
-        assert!(said.contains(&"write confidence in the table [worlds]"), "{problems:?}");
+        let problems = resolve(
+            "[assessment]\nworlds = 30\nconfidence = 0.9\n",
+            None,
+            "".as_ref(),
+        )
+        .unwrap_err()
+        .problems;
+        let said: Vec<&str> = problems
+            .iter()
+            .filter_map(|problem| problem.hint.as_deref())
+            .collect();
+        assert!(
+            said.iter().any(|hint| hint.contains("set first and most")),
+            "{problems:?}"
+        );
+        assert!(
+            said.contains(&"write confidence in the table [worlds]"),
+            "{problems:?}"
+        );
         // All keys of the table.
-        let worlds = resolve("[worlds]\nno_such = 1\n", None, "".as_ref()).unwrap_err().problems;
+        let worlds = resolve("[worlds]\nno_such = 1\n", None, "".as_ref())
+            .unwrap_err()
+            .problems;
         let known = worlds[0].hint.clone().unwrap_or_default();
         for key in known.trim_start_matches("known: ").split(", ") {
-            let problems = resolve(&format!("[assessment]\n{key} = 1\n"), None, "".as_ref()).unwrap_err().problems;
-            assert!(problems[0].message.contains("belongs in the table [worlds]"), "{key}: {problems:?}");
+            let problems = resolve(&format!("[assessment]\n{key} = 1\n"), None, "".as_ref())
+                .unwrap_err()
+                .problems;
+            assert!(
+                problems[0]
+                    .message
+                    .contains("belongs in the table [worlds]"),
+                "{key}: {problems:?}"
+            );
         }
     }
 
     /// The motions of floors are by no code: [restraint] names the one of the forces.
     #[test]
     fn the_code_of_restraints_stands_where_the_motions_have_none() {
-        let study =
-            |ground: &str, restraint: &str| resolve(&format!("{ground}[restraint]\n{restraint}"), None, "".as_ref());
+        let study = |ground: &str, restraint: &str| {
+            resolve(
+                &format!("{ground}[restraint]\n{restraint}"),
+                None,
+                "".as_ref(),
+            )
+        };
         let table = "[ground]\ncode = \"table\"\nspectrum = \"gone.csv\"\n";
-        let problems = study("", "code = \"asce7\"\nsds = \"1 g\"\n").unwrap_err().problems;
-        assert!(problems[0].message.contains("the motions are by AS 1170.4"), "{problems:?}");
+        let problems = study("", "code = \"asce7\"\nsds = \"1 g\"\n")
+            .unwrap_err()
+            .problems;
+        assert!(
+            problems[0].message.contains("the motions are by AS 1170.4"),
+            "{problems:?}"
+        );
         assert_eq!(problems[0].line, Some(2));
         // The table of the ground is missing too.
-        let problems = study(table, "code = \"asce7\"\nsds = \"-1 g\"\nbuilding_ductility_ratio = 1\n").unwrap_err();
-        let lines: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
+        let problems = study(
+            table,
+            "code = \"asce7\"\nsds = \"-1 g\"\nbuilding_ductility_ratio = 1\n",
+        )
+        .unwrap_err();
+        let lines: Vec<Option<usize>> = problems
+            .problems
+            .iter()
+            .map(|problem| problem.line)
+            .collect();
         assert_eq!(lines, [Some(3), Some(6), Some(7)], "{problems:?}");
         let problems = study(table, "sds = \"1 g\"\n").unwrap_err().to_string();
-        assert!(problems.contains("sds needs a code or a place"), "{problems}");
+        assert!(
+            problems.contains("sds needs a code or a place"),
+            "{problems}"
+        );
     }
 
     #[test]
     fn walls_count_as_listed_or_not_at_all() {
-        let walls = |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.walls);
-        assert_eq!(walls("[assessment]\nwalls = \"as-listed\"\n").unwrap(), WallUse::AsListed);
-        assert_eq!(walls("[assessment]\nwalls = \"ignore\"\n").unwrap(), WallUse::Ignore);
-        let problems = walls("[assessment]\nwalls = \"none\"\n").unwrap_err().problems;
+        let walls =
+            |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.walls);
+        assert_eq!(
+            walls("[assessment]\nwalls = \"as-listed\"\n").unwrap(),
+            WallUse::AsListed
+        );
+        assert_eq!(
+            walls("[assessment]\nwalls = \"ignore\"\n").unwrap(),
+            WallUse::Ignore
+        );
+        let problems = walls("[assessment]\nwalls = \"none\"\n")
+            .unwrap_err()
+            .problems;
         assert_eq!(problems[0].line, Some(2));
         assert!(problems[0].to_string().contains("ignore"), "{problems:?}");
     }
 
     #[test]
     fn objects_move_in_a_plane_or_in_three_dimensions() {
-        let dimensions = |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.dimensions);
+        let dimensions =
+            |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.dimensions);
         assert_eq!(dimensions("[assessment]\n").unwrap(), Dimensions::Planar);
-        assert_eq!(dimensions("[assessment]\ndimensions = \"planar\"\n").unwrap(), Dimensions::Planar);
-        assert_eq!(dimensions("[assessment]\ndimensions = \"3d\"\n").unwrap(), Dimensions::Three);
-        let problems = dimensions("[assessment]\ndimensions = \"3\"\n").unwrap_err().problems;
+        assert_eq!(
+            dimensions("[assessment]\ndimensions = \"planar\"\n").unwrap(),
+            Dimensions::Planar
+        );
+        assert_eq!(
+            dimensions("[assessment]\ndimensions = \"3d\"\n").unwrap(),
+            Dimensions::Three
+        );
+        let problems = dimensions("[assessment]\ndimensions = \"3\"\n")
+            .unwrap_err()
+            .problems;
         assert_eq!(problems[0].line, Some(2));
         assert!(problems[0].to_string().contains("planar"), "{problems:?}");
     }
 
     #[test]
     fn one_damping_sets_both_ends_of_its_range() {
-        let damping = |text: &str| resolve(text, None, "".as_ref()).unwrap().assessment.pad_damping_ratio;
+        let damping = |text: &str| {
+            resolve(text, None, "".as_ref())
+                .unwrap()
+                .assessment
+                .pad_damping_ratio
+        };
         assert_eq!(damping("[assessment]\npad_damping = 0.1\n"), (0.1, 0.1));
-        assert_eq!(damping("[assessment]\npad_damping_high = 0.3\n"), (0.05, 0.3));
+        assert_eq!(
+            damping("[assessment]\npad_damping_high = 0.3\n"),
+            (0.05, 0.3)
+        );
     }
 }

@@ -19,7 +19,8 @@ pub(super) struct Stated<'s> {
 
 impl Stated<'_> {
     fn of_ground(&self, key: &str) -> bool {
-        self.overrides.hazard.get(key).is_some() || !self.is_builtin && self.ground.target.get(key).is_some()
+        self.overrides.hazard.get(key).is_some()
+            || !self.is_builtin && self.ground.target.get(key).is_some()
     }
 
     fn of_building(&self, key: &str) -> bool {
@@ -33,25 +34,49 @@ impl Stated<'_> {
 }
 
 /// What was assumed about the ground and the building.
-pub(super) fn assumed(ground: Option<&Ground>, building: Option<&BuildingInput>, stated: &Stated) -> Vec<Assumed> {
-    let of_ground = ground.into_iter().flat_map(|ground| on_ground(ground, stated));
-    let of_building = building.into_iter().flat_map(|building| above(building, stated));
-    of_ground.map(|words| Assumed { of_building: false, value: AssumedValue::Said(words) }).chain(of_building).collect()
+pub(super) fn assumed(
+    ground: Option<&Ground>,
+    building: Option<&BuildingInput>,
+    stated: &Stated,
+) -> Vec<Assumed> {
+    let of_ground = ground
+        .into_iter()
+        .flat_map(|ground| on_ground(ground, stated));
+    let of_building = building
+        .into_iter()
+        .flat_map(|building| above(building, stated));
+    of_ground
+        .map(|words| Assumed {
+            of_building: false,
+            value: AssumedValue::Said(words),
+        })
+        .chain(of_building)
+        .collect()
 }
 
 fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
     let mut said = Vec::new();
     if let Some(target) = ground.code_spectrum() {
         if stated.place_is_assumed {
-            let place = target.place_name().unwrap_or_else(|| "the built-in study".to_owned());
+            let place = target
+                .place_name()
+                .unwrap_or_else(|| "the built-in study".to_owned());
             said.push(format!("the hazard of {place}, because no place was given"));
         }
         if target.spectrum.site_name().is_some() && !stated.of_ground("site") {
-            said.push(format!("{}, because no site was given", target.site_words()));
+            said.push(format!(
+                "{}, because no site was given",
+                target.site_words()
+            ));
         }
-        if let Some(years) = target.spectrum.return_period_years().filter(|_| !stated.of_ground("return_period_years"))
+        if let Some(years) = target
+            .spectrum
+            .return_period_years()
+            .filter(|_| !stated.of_ground("return_period_years"))
         {
-            said.push(format!("a return period of {years} years, because none was given"));
+            said.push(format!(
+                "a return period of {years} years, because none was given"
+            ));
         }
     }
     if !matches!(ground, Ground::OnFloors) && !ground.has_vertical() {
@@ -62,27 +87,53 @@ fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
 
 fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
     let mut said = Vec::new();
-    let plain = |words: String| Assumed { of_building: true, value: AssumedValue::Said(words) };
+    let plain = |words: String| Assumed {
+        of_building: true,
+        value: AssumedValue::Said(words),
+    };
     if stated.building_is_assumed {
-        said.push(plain(format!("a building of {}, because none was given", counted(building.storeys, "storey"))));
+        said.push(plain(format!(
+            "a building of {}, because none was given",
+            counted(building.storeys, "storey")
+        )));
     }
     let has_table = !building.tables.is_empty();
     if let Some(height_m) = building.storey_height_m
-        && !["storey_height", "height"].into_iter().any(|key| stated.of_building(key))
+        && !["storey_height", "height"]
+            .into_iter()
+            .any(|key| stated.of_building(key))
     {
-        said.push(Assumed { of_building: true, value: AssumedValue::StoreyHeight(height_m) });
+        said.push(Assumed {
+            of_building: true,
+            value: AssumedValue::StoreyHeight(height_m),
+        });
     }
     if !has_table && !stated.of_building("period") {
         let period_s = number(building.along.period_s(), 3);
-        said.push(plain(format!("a first period of {period_s} s, by {}", building.period_note)));
+        said.push(plain(format!(
+            "a first period of {period_s} s, by {}",
+            building.period_note
+        )));
     }
-    let states_damping = building.tables.iter().any(|(_, table)| table.states_damping);
+    let states_damping = building
+        .tables
+        .iter()
+        .any(|(_, table)| table.states_damping);
     if !states_damping && !stated.of_building("damping") {
-        let ratio = building.along.modes().first().map_or(0.0, |mode| mode.damping_ratio());
-        said.push(plain(format!("{} damping of the building, which stays elastic", percent(ratio, 0))));
+        let ratio = building
+            .along
+            .modes()
+            .first()
+            .map_or(0.0, |mode| mode.damping_ratio());
+        said.push(plain(format!(
+            "{} damping of the building, which stays elastic",
+            percent(ratio, 0)
+        )));
     }
     if !has_table && !stated.of_building("shear_flexure") {
-        said.push(plain("a building of walls and frames (shear_flexure)".to_owned()));
+        said.push(plain(
+            "a building of walls and frames (shear_flexure)".to_owned(),
+        ));
     }
     said
 }

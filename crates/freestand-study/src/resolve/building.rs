@@ -26,7 +26,9 @@ const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 /// table, or by its period and its named floors.
 fn states_its_size(written: &BuildingOptions) -> bool {
     let has = |key: &str| written.words.get(key).is_some();
-    ["storeys", "height", "storey_table", "mode_table"].into_iter().any(has)
+    ["storeys", "height", "storey_table", "mode_table"]
+        .into_iter()
+        .any(has)
         || has("period") && written.floors.is_some()
         || has_measured_floors(written)
 }
@@ -45,22 +47,33 @@ impl Resolver<'_> {
         if states_its_size(written) && !is_builtin {
             return (text, false);
         }
-        let Some(storeys) = overrides.storeys else { return (text, true) };
+        let Some(storeys) = overrides.storeys else {
+            return (text, true);
+        };
         // The name of the built-in building is not that of another.
         if is_builtin {
             written.name = None;
         }
-        let height = overrides.storey_height_m.map(|height_m| format!("{height_m} m"));
+        let height = overrides
+            .storey_height_m
+            .map(|height_m| format!("{height_m} m"));
         written.words.set("storeys", storeys.to_string());
         if let Some(height) = &height {
             written.words.set("storey_height", height);
         }
         // Text that is not TOML was noted when it was read.
-        (with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text), false)
+        (
+            with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text),
+            false,
+        )
     }
 
     /// Its warnings are still with it; `code` is that of the spectrum.
-    pub(super) fn building(&mut self, words: &Words, code: Option<PeriodCode>) -> Option<BuildingInput> {
+    pub(super) fn building(
+        &mut self,
+        words: &Words,
+        code: Option<PeriodCode>,
+    ) -> Option<BuildingInput> {
         match building::resolve(words, self.base_dir, code) {
             Ok(building) => Some(building),
             Err(problems) => {
@@ -76,10 +89,21 @@ impl Resolver<'_> {
         }
     }
 
-    pub(super) fn levels(&mut self, written: &BuildingOptions, ground: &GroundOptions) -> Vec<Level> {
-        let Some(Written { value: entries, line }) = &written.levels else {
-            let level =
-                |(name, ratio): (&str, _)| Level { name: name.to_owned(), level_ratio: Some(ratio), motions: vec![] };
+    pub(super) fn levels(
+        &mut self,
+        written: &BuildingOptions,
+        ground: &GroundOptions,
+    ) -> Vec<Level> {
+        let Some(Written {
+            value: entries,
+            line,
+        }) = &written.levels
+        else {
+            let level = |(name, ratio): (&str, _)| Level {
+                name: name.to_owned(),
+                level_ratio: Some(ratio),
+                motions: vec![],
+            };
             return DEFAULT_LEVELS.map(level).to_vec();
         };
         if entries.is_empty() || entries.len() > MAX_LEVELS {
@@ -113,7 +137,10 @@ impl Resolver<'_> {
             return (*written == BuildingOptions::default()).then(|| DEFAULT_NAME.to_owned());
         };
         let name = value.trim();
-        if name.is_empty() || name.chars().count() > MAX_NAME_CHARS || name.contains(char::is_control) {
+        if name.is_empty()
+            || name.chars().count() > MAX_NAME_CHARS
+            || name.contains(char::is_control)
+        {
             self.note(
                 Some(*line),
                 format!(
@@ -128,12 +155,20 @@ impl Resolver<'_> {
 
     /// Floors by their names; the top one is the roof.
     pub(super) fn floors(&mut self, written: &BuildingOptions) -> Vec<NamedFloor> {
-        let Some(Written { value: entries, line }) = &written.floors else { return Vec::new() };
+        let Some(Written {
+            value: entries,
+            line,
+        }) = &written.floors
+        else {
+            return Vec::new();
+        };
         let mut floors = Vec::new();
         for entry in entries {
             match (&entry.name, &entry.elevation) {
                 (Some(name), Some(elevation)) => floors.push(NamedFloor {
-                    names: std::iter::once(name.value.clone()).chain(entry.aliases.iter().cloned()).collect(),
+                    names: std::iter::once(name.value.clone())
+                        .chain(entry.aliases.iter().cloned())
+                        .collect(),
                     level_ratio: elevation.value,
                 }),
                 _ => self.note(
@@ -143,7 +178,10 @@ impl Resolver<'_> {
                 ),
             }
         }
-        let roof_m = floors.iter().map(|floor| floor.level_ratio).fold(0.0, f64::max);
+        let roof_m = floors
+            .iter()
+            .map(|floor| floor.level_ratio)
+            .fold(0.0, f64::max);
         if roof_m <= 0.0 {
             self.note(
                 Some(*line),
@@ -161,16 +199,30 @@ impl Resolver<'_> {
     /// Vertical acceleration of the floors over that of the ground.
     pub(super) fn vertical_amplification(&mut self, written: &BuildingOptions) -> f64 {
         let accept = |ratio: f64| ratio > 0.0 && ratio.is_finite();
-        self.require(&written.vertical_amplification, accept, "vertical_amplification", "a ratio above 0");
-        or(&written.vertical_amplification, DEFAULT_VERTICAL_AMPLIFICATION)
+        self.require(
+            &written.vertical_amplification,
+            accept,
+            "vertical_amplification",
+            "a ratio above 0",
+        );
+        or(
+            &written.vertical_amplification,
+            DEFAULT_VERTICAL_AMPLIFICATION,
+        )
     }
 
     /// Whether floor 1 is the ground.
     pub(super) fn first_floor(&mut self, written: &BuildingOptions) -> Option<FirstFloor> {
         let Written { value, line } = written.first_floor.as_ref()?;
-        let found = FirstFloor::ALL.iter().find(|(name, _)| name == value).map(|(_, first)| *first);
+        let found = FirstFloor::ALL
+            .iter()
+            .find(|(name, _)| name == value)
+            .map(|(_, first)| *first);
         if found.is_none() {
-            let message = format!("first_floor must be \"ground\" or \"above\", not \"{}\"", shorten(value));
+            let message = format!(
+                "first_floor must be \"ground\" or \"above\", not \"{}\"",
+                shorten(value)
+            );
             self.note(
                 Some(*line),
                 message,
@@ -225,7 +277,11 @@ impl Resolver<'_> {
             Some(motions) => self.motions(ground, motions, &entry.across)?,
             None => Vec::new(),
         };
-        Some(Level { name, level_ratio: ratio, motions })
+        Some(Level {
+            name,
+            level_ratio: ratio,
+            motions,
+        })
     }
 }
 
@@ -249,7 +305,15 @@ fn is_file_name(name: &str) -> bool {
 
 /// Names that Windows reserves for devices, with any extension.
 fn is_device(name: &str) -> bool {
-    let stem = name.split('.').next().unwrap_or(name).trim_end().to_lowercase();
-    let numbered = |prefix| stem.strip_prefix(prefix).is_some_and(|n: &str| matches!(n.as_bytes(), [b'1'..=b'9']));
+    let stem = name
+        .split('.')
+        .next()
+        .unwrap_or(name)
+        .trim_end()
+        .to_lowercase();
+    let numbered = |prefix| {
+        stem.strip_prefix(prefix)
+            .is_some_and(|n: &str| matches!(n.as_bytes(), [b'1'..=b'9']))
+    };
     matches!(stem.as_str(), "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt")
 }

@@ -28,17 +28,24 @@ impl Resolver<'_> {
                     file = Some((input, joined));
                 }
                 Err(problems) => {
-                    problems.into_iter().for_each(|problem| self.cushion_fault(written, problem));
+                    problems
+                        .into_iter()
+                        .for_each(|problem| self.cushion_fault(written, problem));
                     return None;
                 }
             }
-        } else if !["stiffness", "pad_stiffness", "law"].iter().any(|key| words.get(key).is_some()) {
+        } else if !["stiffness", "pad_stiffness", "law"]
+            .iter()
+            .any(|key| words.get(key).is_some())
+        {
             words.set("stiffness", DEFAULT_STIFFNESS);
         }
         match cushion::resolve(&words, Some(mass_kg)) {
             Ok(cushion) => Some((cushion, file)),
             Err(problems) => {
-                problems.into_iter().for_each(|problem| self.cushion_fault(written, problem));
+                problems
+                    .into_iter()
+                    .for_each(|problem| self.cushion_fault(written, problem));
                 None
             }
         }

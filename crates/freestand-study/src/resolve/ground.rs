@@ -9,7 +9,8 @@ use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::{GroundOptions, VerticalOption};
 use crate::study::{
-    BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround, VerticalTarget,
+    BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround,
+    VerticalTarget,
 };
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
@@ -41,12 +42,21 @@ impl Resolver<'_> {
             return self.read(files, None).map(Ground::Recorded);
         }
         if let Some(folder) = &written.suite {
-            self.without_vertical(written, "the records of a suite are selected by their horizontal components");
-            return self.suite(written, folder, building, levels).map(Ground::Recorded);
+            self.without_vertical(
+                written,
+                "the records of a suite are selected by their horizontal components",
+            );
+            return self
+                .suite(written, folder, building, levels)
+                .map(Ground::Recorded);
         }
         for (key, line) in suite_keys(written) {
             if line.is_some() {
-                self.note(line, format!("{key} needs suite"), "name the folder of the records: suite = \"records\"");
+                self.note(
+                    line,
+                    format!("{key} needs suite"),
+                    "name the folder of the records: suite = \"records\"",
+                );
             }
         }
         let Some(motions) = &written.motions else {
@@ -66,7 +76,8 @@ impl Resolver<'_> {
             return match &written.point_source {
                 Some(source) => {
                     self.without_vertical(written, "simulated motions are horizontal");
-                    self.simulated(written, source, overrides).map(Ground::Simulated)
+                    self.simulated(written, source, overrides)
+                        .map(Ground::Simulated)
                 }
                 None => self.synthetic(written, overrides),
             };
@@ -80,12 +91,15 @@ impl Resolver<'_> {
                 let message = format!("{key} and motions exclude each other");
                 let hint = match key {
                     "count" | "seed" | "point_source" => "keep one of them",
-                    _ => "keep one of them, or match the records to the spectrum with match = \"wavelet\"",
+                    _ => {
+                        "keep one of them, or match the records to the spectrum with match = \"wavelet\""
+                    }
                 };
                 self.note(Some(line.max(motions.line)), message, hint);
             }
         }
-        self.motions(written, motions, &written.across).map(Ground::Recorded)
+        self.motions(written, motions, &written.across)
+            .map(Ground::Recorded)
     }
 
     /// The ground by the other spectrum of a national annex: its records are selected or matched again. Of what is
@@ -98,13 +112,20 @@ impl Resolver<'_> {
         building: Option<&BuildingInput>,
         levels: &[Level],
     ) -> Option<Ground> {
-        let (warnings, notes, problems) = (self.warnings.len(), self.notes.len(), self.problems.len());
+        let (warnings, notes, problems) =
+            (self.warnings.len(), self.notes.len(), self.problems.len());
         let mut written = written.clone();
-        written.target.set("spectrum_type", spectrum_type.to_string());
+        written
+            .target
+            .set("spectrum_type", spectrum_type.to_string());
         let ground = self.ground(&written, overrides, building, levels);
         let said = |what: &str| format!("with the spectrum of type {spectrum_type}: {what}");
         let new = self.warnings.split_off(warnings);
-        let new: Vec<String> = new.iter().filter(|one| !self.warnings.contains(one)).map(|one| said(one)).collect();
+        let new: Vec<String> = new
+            .iter()
+            .filter(|one| !self.warnings.contains(one))
+            .map(|one| said(one))
+            .collect();
         self.warnings.extend(new);
         for note in self.notes.split_off(notes) {
             if !self.notes.contains(&note) {
@@ -138,17 +159,27 @@ impl Resolver<'_> {
         let (method, target) = (method?, target?);
         self.warnings.extend(target.warnings.iter().cloned());
         let mut records = self.motions(written, motions, &None)?;
-        let matched: Vec<_> = records.par_iter().map(|record| match_record(&record.motion, &target, method)).collect();
+        let matched: Vec<_> = records
+            .par_iter()
+            .map(|record| match_record(&record.motion, &target, method))
+            .collect();
         for (record, matched) in records.iter_mut().zip(matched) {
             match matched {
                 Ok(MatchedMotion { motion, misfit, .. }) => {
                     let resemblance = Resemblance::between(&record.motion, &motion);
-                    let matched = Matched { method, target: target.clone(), misfit, resemblance };
+                    let matched = Matched {
+                        method,
+                        target: target.clone(),
+                        misfit,
+                        resemblance,
+                    };
                     record.processing.push(matched.words());
                     record.motion = motion;
                     record.matched = Some(matched);
                 }
-                Err(problem) => self.problems.push(problem.in_file(&record.path).shown(KeyStyle::File)),
+                Err(problem) => self
+                    .problems
+                    .push(problem.in_file(&record.path).shown(KeyStyle::File)),
             }
         }
         (self.problems.len() == before).then_some(records)
@@ -163,13 +194,37 @@ impl Resolver<'_> {
         );
         let other = |why| (why, "keep one of them");
         for (key, line, (why, hint)) in [
-            ("count", written.count.as_ref().map(|w| w.line), other("each record gives one motion")),
-            ("seed", written.seed.as_ref().map(|w| w.line), other("a record has no random numbers")),
-            ("point_source", written.point_source.as_ref().map(|w| w.line), other("the records replace it")),
-            ("scale", written.reading.line_of(&["scale"]), other("the target sets the amplitudes")),
-            ("scale_to", written.reading.line_of(&SCALES_TO), other("the target sets the amplitudes")),
+            (
+                "count",
+                written.count.as_ref().map(|w| w.line),
+                other("each record gives one motion"),
+            ),
+            (
+                "seed",
+                written.seed.as_ref().map(|w| w.line),
+                other("a record has no random numbers"),
+            ),
+            (
+                "point_source",
+                written.point_source.as_ref().map(|w| w.line),
+                other("the records replace it"),
+            ),
+            (
+                "scale",
+                written.reading.line_of(&["scale"]),
+                other("the target sets the amplitudes"),
+            ),
+            (
+                "scale_to",
+                written.reading.line_of(&SCALES_TO),
+                other("the target sets the amplitudes"),
+            ),
             ("across", written.across.as_ref().map(|w| w.line), one),
-            ("components", written.components.as_ref().map(|w| w.line), one),
+            (
+                "components",
+                written.components.as_ref().map(|w| w.line),
+                one,
+            ),
         ] {
             if let Some(line) = line {
                 let message = format!("{key} and match exclude each other: {why}");
@@ -189,7 +244,8 @@ impl Resolver<'_> {
         let vertical = self.vertical_target(written, &target);
         self.warnings.extend(target.warnings.iter().cloned());
         // A larger count was refused above; the names of its motions are still listed.
-        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
+        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS))
+            .unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {
             target,
             count,
@@ -201,25 +257,36 @@ impl Resolver<'_> {
     /// Notes `vertical` where there is no vertical motion.
     fn without_vertical(&mut self, written: &GroundOptions, why: &str) {
         if let Some(vertical) = &written.vertical {
-            self.note(Some(vertical.line), format!("vertical has no effect here: {why}"), "leave vertical out");
+            self.note(
+                Some(vertical.line),
+                format!("vertical has no effect here: {why}"),
+                "leave vertical out",
+            );
         }
     }
 
     /// The vertical target of synthetic motions: none unless the study has one.
     fn vertical_target(&mut self, written: &GroundOptions, target: &Target) -> VerticalTarget {
-        let Some(Written { value, line }) = &written.vertical else { return VerticalTarget::None };
+        let Some(Written { value, line }) = &written.vertical else {
+            return VerticalTarget::None;
+        };
         let (message, hint) = match value {
             VerticalOption::Ratio(0.0) => return VerticalTarget::None,
             VerticalOption::Ratio(ratio) if *ratio > 0.0 && *ratio <= MAX_VERTICAL_RATIO => {
                 return VerticalTarget::Ratio(*ratio);
             }
-            VerticalOption::Code if target.spectrum.vertical_sa_g(0.0).is_some() => return VerticalTarget::Code,
+            VerticalOption::Code if target.spectrum.vertical_sa_g(0.0).is_some() => {
+                return VerticalTarget::Code;
+            }
             VerticalOption::Ratio(ratio) => (
                 format!("vertical must be from 0 to {MAX_VERTICAL_RATIO}, not {ratio}"),
                 "give the vertical spectrum as a share of the horizontal one, such as vertical = 0.67",
             ),
             VerticalOption::Code => (
-                format!("the vertical spectrum of {} is not known to this program", target.spectrum.name()),
+                format!(
+                    "the vertical spectrum of {} is not known to this program",
+                    target.spectrum.name()
+                ),
                 "give a share of the horizontal spectrum, such as vertical = 0.67",
             ),
             VerticalOption::Record | VerticalOption::Files(_) => (
@@ -254,10 +321,14 @@ impl Resolver<'_> {
                         continue;
                     }
                     // What a flag put in place of the study's is on no line of it.
-                    let is_flag =
-                        |(key, line): (&'static str, Option<usize>)| line.is_none() && problem.keys.contains(&key);
+                    let is_flag = |(key, line): (&'static str, Option<usize>)| {
+                        line.is_none() && problem.keys.contains(&key)
+                    };
                     if written.target.lines().any(is_flag) {
-                        let hint = problem.hint.as_deref().map(|hint| KeyStyle::File.shown(hint));
+                        let hint = problem
+                            .hint
+                            .as_deref()
+                            .map(|hint| KeyStyle::File.shown(hint));
                         self.problems.push(Problem { hint, ..problem });
                         continue;
                     }
@@ -275,7 +346,10 @@ pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Opti
     let others = [
         ("count", written.count.as_ref().map(|w| w.line)),
         ("seed", written.seed.as_ref().map(|w| w.line)),
-        ("point_source", written.point_source.as_ref().map(|w| w.line)),
+        (
+            "point_source",
+            written.point_source.as_ref().map(|w| w.line),
+        ),
     ];
     written.target.lines().chain(others).collect()
 }

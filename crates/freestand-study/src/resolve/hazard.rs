@@ -8,16 +8,29 @@ use crate::target::code_name;
 
 impl Resolver<'_> {
     /// Puts the hazard of `overrides` into the options, and returns the text of the study with it.
-    pub(super) fn with_hazard(&mut self, ground: &mut GroundOptions, text: &str, overrides: &Overrides) -> String {
+    pub(super) fn with_hazard(
+        &mut self,
+        ground: &mut GroundOptions,
+        text: &str,
+        overrides: &Overrides,
+    ) -> String {
         let hazard = &overrides.hazard;
         if hazard.is_empty() {
             return text.to_owned();
         }
         let keys: Vec<&str> = hazard.entries().map(|(key, _)| key).collect();
-        let has_records = overrides.motions.is_some() || ground.motions.is_some() && ground.match_by.is_none();
+        let has_records =
+            overrides.motions.is_some() || ground.motions.is_some() && ground.match_by.is_none();
         if has_records {
-            let message = format!("{} does not apply: the ground motions are records", keys.join(", "));
-            self.note(None, message, "leave it out, or match the records to a spectrum with match = \"wavelet\"");
+            let message = format!(
+                "{} does not apply: the ground motions are records",
+                keys.join(", ")
+            );
+            self.note(
+                None,
+                message,
+                "leave it out, or match the records to a spectrum with match = \"wavelet\"",
+            );
             return text.to_owned();
         }
         let stays = |key: &str| match hazard.get("place").and_then(Place::find) {
@@ -30,7 +43,11 @@ impl Resolver<'_> {
                     || key == "site" && code_name(&ground.target) == Some(code)
             }
         };
-        let removed: Vec<&'static str> = TARGET_KEYS.iter().map(|(key, _)| *key).filter(|key| !stays(key)).collect();
+        let removed: Vec<&'static str> = TARGET_KEYS
+            .iter()
+            .map(|(key, _)| *key)
+            .filter(|key| !stays(key))
+            .collect();
         for key in &removed {
             ground.target.remove(key);
         }

@@ -85,27 +85,43 @@ pub fn nothing_stated(overrides: &Overrides) -> Result<Study, Problems> {
 /// # Errors
 /// A file that cannot be read, or the errors of [`resolve`].
 pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, Problems> {
-    resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+    resolve_with(
+        &read_text(path)?,
+        Some(path),
+        path.parent().unwrap_or(Path::new("")),
+        overrides,
+    )
 }
 
 /// Whether a file is a study, judged by its name and its content: a study is sometimes given where
 /// a record is expected.
 pub fn is_study_file(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
         && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
 }
 
 fn read_text(path: &Path) -> Result<String, Problem> {
     const TABLES: [&str; 6] = ["csv", "tsv", "xlsx", "xls", "xlsm", "ods"];
-    if path.extension().is_some_and(|end| TABLES.iter().any(|table| end.eq_ignore_ascii_case(table))) {
+    if path
+        .extension()
+        .is_some_and(|end| TABLES.iter().any(|table| end.eq_ignore_ascii_case(table)))
+    {
         let message = "is a list or a record, not a study";
-        return Err(Problem::value(message, "give a list with `inventory`, a record with `motion`").in_file(path));
+        return Err(Problem::value(
+            message,
+            "give a list with `inventory`, a record with `motion`",
+        )
+        .in_file(path));
     }
     const MAX_BYTES: u64 = 16 << 20;
     const HINT: &str = "name a study: a short text file in TOML";
     let bytes = load_up_to(path, MAX_BYTES, "is too large for a study", HINT)?;
-    String::from_utf8(bytes)
-        .map_err(|_| Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path).hint(HINT))
+    String::from_utf8(bytes).map_err(|_| {
+        Problem::new(ProblemKind::Format, "is not text (UTF-8)")
+            .in_file(path)
+            .hint(HINT)
+    })
 }
 
 /// Resolves the study in a TOML text; `source` names it in messages, and paths in it are relative
@@ -141,9 +157,15 @@ pub fn resolve_with(
     if options::is_empty(text) {
         let hint = "state the place, such as `place = \"Wellington\"` in [ground], and the building, such as `storeys = 4` \
                     in [building]";
-        let empty = Problem::new(ProblemKind::Missing, "the study is empty: nothing is stated in it").hint(hint);
+        let empty = Problem::new(
+            ProblemKind::Missing,
+            "the study is empty: nothing is stated in it",
+        )
+        .hint(hint);
         let empty = empty.shown(KeyStyle::File);
-        return Err(source.map_or(empty.clone(), |path| empty.in_file(path)).into());
+        return Err(source
+            .map_or(empty.clone(), |path| empty.in_file(path))
+            .into());
     }
     resolve_as(Text::Of(text), source, base_dir, overrides)
 }
@@ -159,7 +181,12 @@ enum Text<'t> {
     Nothing,
 }
 
-fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: &Overrides) -> Result<Study, Problems> {
+fn resolve_as(
+    written: Text,
+    source: Option<&Path>,
+    base_dir: &Path,
+    overrides: &Overrides,
+) -> Result<Study, Problems> {
     let is_builtin = written == Text::Builtin;
     let text = match written {
         Text::Of(text) => text,
@@ -168,18 +195,37 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     };
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
-    let mut resolver =
-        Resolver { source, base_dir, problems, warnings: Vec::new(), notes: Vec::new(), is_complete, reading: None };
-    let Options { mut ground, mut building, objects, outputs, assessment, worlds, restraint } = options;
+    let mut resolver = Resolver {
+        source,
+        base_dir,
+        problems,
+        warnings: Vec::new(),
+        notes: Vec::new(),
+        is_complete,
+        reading: None,
+    };
+    let Options {
+        mut ground,
+        mut building,
+        objects,
+        outputs,
+        assessment,
+        worlds,
+        restraint,
+    } = options;
     let text = resolver.with_hazard(&mut ground, text, overrides);
-    let (text, building_is_assumed) = resolver.with_storeys(&mut building, text, overrides, is_builtin);
+    let (text, building_is_assumed) =
+        resolver.with_storeys(&mut building, text, overrides, is_builtin);
     if has_measured_floors(&building)
         || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
     {
         resolver.reading = resolver.reading(&ground);
     }
     let levels = resolver.levels(&building, &ground);
-    let is_measured = building.period_measured.as_ref().is_some_and(|measured| measured.value);
+    let is_measured = building
+        .period_measured
+        .as_ref()
+        .is_some_and(|measured| measured.value);
     let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
     let vertical_amplification_ratio = resolver.vertical_amplification(&building);
     let building_name = resolver.building_name(&building);
@@ -189,26 +235,49 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     } else {
         let found = resolver.building(&building.words, period_code(&ground.target));
         let ground_input = resolver.ground(&ground, overrides, found.as_ref(), &levels);
-        let other_type = ground_input.as_ref().and_then(Ground::code_spectrum).and_then(Target::other_type);
-        let other =
-            other_type.and_then(|kind| resolver.ground_of_type(kind, &ground, overrides, found.as_ref(), &levels));
-        resolver.warnings.extend(found.iter().flat_map(|building| building.warnings.clone()));
+        let other_type = ground_input
+            .as_ref()
+            .and_then(Ground::code_spectrum)
+            .and_then(Target::other_type);
+        let other = other_type.and_then(|kind| {
+            resolver.ground_of_type(kind, &ground, overrides, found.as_ref(), &levels)
+        });
+        resolver
+            .warnings
+            .extend(found.iter().flat_map(|building| building.warnings.clone()));
         (ground_input, other, found.map(Some))
     };
-    let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
-    if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
+    let two = ground_input
+        .as_ref()
+        .is_some_and(|input| input.has_two_components(&levels));
+    if let Some(Some(BuildingInput {
+        across: Some(_), ..
+    })) = &building_input
         && !two
     {
-        resolver.warnings.push("[building] across is not used, because the motions have one component".to_owned());
+        resolver.warnings.push(
+            "[building] across is not used, because the motions have one component".to_owned(),
+        );
     }
-    let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
+    let directions_deg = if ground_input.is_some() {
+        resolver.directions(&ground, overrides, two)
+    } else {
+        vec![0.0]
+    };
     let objects = resolver.objects(&objects);
-    let assessment = resolver.assessment(&assessment, &worlds, &restraint, is_measured, ground_input.as_ref());
+    let assessment = resolver.assessment(
+        &assessment,
+        &worlds,
+        &restraint,
+        is_measured,
+        ground_input.as_ref(),
+    );
     let names = ground_input.as_ref().map(|input| input.names(&levels));
     let target = ground_input.as_ref().and_then(Ground::code_spectrum);
     // Nobody chose the place that the built-in study names.
-    let place_is_assumed =
-        target.is_some_and(|target| target.place_is_assumed || is_builtin && overrides.hazard.get("place").is_none());
+    let place_is_assumed = target.is_some_and(|target| {
+        target.place_is_assumed || is_builtin && overrides.hazard.get("place").is_none()
+    });
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
     let stated = assumed::Stated {
         ground: &ground,
@@ -218,8 +287,14 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
         place_is_assumed,
         building_is_assumed,
     };
-    let assumed = assumed::assumed(ground_input.as_ref(), building_input.as_ref().and_then(Option::as_ref), &stated);
-    if let (Text::Of(_), true, Some(Some(building))) = (written, building_is_assumed, &building_input) {
+    let assumed = assumed::assumed(
+        ground_input.as_ref(),
+        building_input.as_ref().and_then(Option::as_ref),
+        &stated,
+    );
+    if let (Text::Of(_), true, Some(Some(building))) =
+        (written, building_is_assumed, &building_input)
+    {
         resolver.warnings.push(format!(
             "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
             building.storeys,
@@ -228,29 +303,39 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     }
     let notes = grouped(resolver.notes.iter().map(|(name, note)| (name, note)));
     match (ground_input, building_input, objects) {
-        (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
-            source: source.map(Path::to_path_buf),
-            is_builtin,
-            place_is_assumed,
-            building_is_assumed,
-            assumed,
-            toml: text,
-            ground,
-            other_ground,
-            directions_deg,
-            building_name,
-            building,
-            levels,
-            vertical_amplification_ratio,
-            floors,
-            first_floor,
-            objects,
-            outputs,
-            assessment,
-            warnings: resolver.warnings.iter().chain(&notes).map(|warning| KeyStyle::File.shown(warning)).collect(),
-        }),
+        (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => {
+            Ok(Study {
+                source: source.map(Path::to_path_buf),
+                is_builtin,
+                place_is_assumed,
+                building_is_assumed,
+                assumed,
+                toml: text,
+                ground,
+                other_ground,
+                directions_deg,
+                building_name,
+                building,
+                levels,
+                vertical_amplification_ratio,
+                floors,
+                first_floor,
+                objects,
+                outputs,
+                assessment,
+                warnings: resolver
+                    .warnings
+                    .iter()
+                    .chain(&notes)
+                    .map(|warning| KeyStyle::File.shown(warning))
+                    .collect(),
+            })
+        }
         _ => {
-            resolver.problems.problems.sort_by_key(|problem| problem.line);
+            resolver
+                .problems
+                .problems
+                .sort_by_key(|problem| problem.line);
             Err(resolver.problems)
         }
     }
@@ -272,7 +357,9 @@ struct Resolver<'a> {
 /// The value, or the default where the key is missing. A key that was refused also gets the
 /// default: its problem is already noted, so the study is never used.
 fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
-    written.as_ref().map_or(default, |written| written.value.clone())
+    written
+        .as_ref()
+        .map_or(default, |written| written.value.clone())
 }
 
 impl Resolver<'_> {
@@ -283,7 +370,8 @@ impl Resolver<'_> {
     /// Keeps the notes of records, which are told together.
     fn take_notes<'m>(&mut self, motions: impl IntoIterator<Item = &'m ReadMotion>) {
         let notes = motions.into_iter().flat_map(ReadMotion::named_notes);
-        self.notes.extend(notes.map(|(name, note)| (name.to_owned(), note.clone())));
+        self.notes
+            .extend(notes.map(|(name, note)| (name.to_owned(), note.clone())));
     }
 
     /// Notes a problem that was found elsewhere. A problem that has a line already names its own
@@ -324,16 +412,31 @@ impl Resolver<'_> {
         if let Some(Written { value, line }) = written
             && !(*value > 0.0 && value.is_finite())
         {
-            let message = format!("{key} must be positive, not {}", format_si(*value, dimension));
-            self.note(Some(*line), message, format!("give {} above 0", dimension.with_article()));
+            let message = format!(
+                "{key} must be positive, not {}",
+                format_si(*value, dimension)
+            );
+            self.note(
+                Some(*line),
+                message,
+                format!("give {} above 0", dimension.with_article()),
+            );
         }
     }
 
     /// Notes two keys that exclude each other; the line is that of the second.
-    fn exclusive<A, B>(&mut self, first: (&str, &Option<Written<A>>), second: (&str, &Option<Written<B>>)) {
+    fn exclusive<A, B>(
+        &mut self,
+        first: (&str, &Option<Written<A>>),
+        second: (&str, &Option<Written<B>>),
+    ) {
         if let (Some(a), Some(b)) = (first.1, second.1) {
             let line = a.line.max(b.line);
-            self.note(Some(line), format!("{} and {} exclude each other", first.0, second.0), "keep one of them");
+            self.note(
+                Some(line),
+                format!("{} and {} exclude each other", first.0, second.0),
+                "keep one of them",
+            );
         }
     }
 }
@@ -345,9 +448,23 @@ pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
         Ground::Synthetic(synthetic) => synthetic.target.file.as_ref(),
         Ground::Simulated(_) | Ground::Recorded(_) | Ground::OnFloors => None,
     };
-    let others = recorded.iter().flat_map(|motion| motion.other_inputs()).chain(target).map(|file| &file.path);
-    let tables = study.building.iter().flat_map(|building| &building.tables).map(|(_, table)| &table.file.path);
-    recorded.iter().map(|motion| &motion.path).chain(others).chain(tables).cloned().collect()
+    let others = recorded
+        .iter()
+        .flat_map(|motion| motion.other_inputs())
+        .chain(target)
+        .map(|file| &file.path);
+    let tables = study
+        .building
+        .iter()
+        .flat_map(|building| &building.tables)
+        .map(|(_, table)| &table.file.path);
+    recorded
+        .iter()
+        .map(|motion| &motion.path)
+        .chain(others)
+        .chain(tables)
+        .cloned()
+        .collect()
 }
 
 #[cfg(test)]

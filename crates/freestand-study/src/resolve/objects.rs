@@ -18,25 +18,53 @@ const DEFAULT_THICKNESSES_M: [f64; 5] = [0.2, 0.3, 0.4, 0.5, 0.6];
 
 impl Resolver<'_> {
     pub(super) fn objects(&mut self, written: &ObjectsOptions) -> Option<Objects> {
-        for (key, grid) in [("heights", &written.heights_m), ("thicknesses", &written.thicknesses_m)] {
+        for (key, grid) in [
+            ("heights", &written.heights_m),
+            ("thicknesses", &written.thicknesses_m),
+        ] {
             if let Some(Written { value, line }) = grid {
                 if value.is_empty() {
-                    self.note(Some(*line), format!("{key} is empty"), "give at least one length");
-                } else if let Some(wrong) = value.iter().find(|&&length| !(length > 0.0 && length.is_finite())) {
-                    self.note(Some(*line), format!("{key} must be positive, not {wrong} m"), "give lengths above 0");
+                    self.note(
+                        Some(*line),
+                        format!("{key} is empty"),
+                        "give at least one length",
+                    );
+                } else if let Some(wrong) = value
+                    .iter()
+                    .find(|&&length| !(length > 0.0 && length.is_finite()))
+                {
+                    self.note(
+                        Some(*line),
+                        format!("{key} must be positive, not {wrong} m"),
+                        "give lengths above 0",
+                    );
                 }
             }
         }
         self.positive(&written.mass_kg, "mass", Dimension::Mass);
         let mass_kg = or(&written.mass_kg, DEFAULT_MASS_KG);
         let cushion = self.cushion(&written.cushion, mass_kg);
-        self.positive(&written.tolerance_m_s2, "tolerance", Dimension::Acceleration);
+        self.positive(
+            &written.tolerance_m_s2,
+            "tolerance",
+            Dimension::Acceleration,
+        );
         self.positive(&written.friction, "friction", Dimension::Ratio);
-        self.exclusive(("restitution", &written.restitution), ("restitution_factor", &written.restitution_factor));
-        let heights_m = or(&written.heights_m, parse_grid(DEFAULT_HEIGHTS, Dimension::Length).unwrap_or_default());
+        self.exclusive(
+            ("restitution", &written.restitution),
+            ("restitution_factor", &written.restitution_factor),
+        );
+        let heights_m = or(
+            &written.heights_m,
+            parse_grid(DEFAULT_HEIGHTS, Dimension::Length).unwrap_or_default(),
+        );
         let thicknesses_m = or(&written.thicknesses_m, DEFAULT_THICKNESSES_M.to_vec());
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
-            let line = written.heights_m.as_ref().or(written.thicknesses_m.as_ref()).map(|w| w.line);
+            let line = written
+                .heights_m
+                .as_ref()
+                .or(written.thicknesses_m.as_ref())
+                .map(|w| w.line);
             self.note(
                 line,
                 format!(
@@ -51,7 +79,11 @@ impl Resolver<'_> {
         let accuracy = self.accuracy(written);
         let blocks: Vec<Block> = heights_m
             .iter()
-            .flat_map(|&height_m| thicknesses_m.iter().filter_map(move |&t| Block::uniform(height_m, t).ok()))
+            .flat_map(|&height_m| {
+                thicknesses_m
+                    .iter()
+                    .filter_map(move |&t| Block::uniform(height_m, t).ok())
+            })
             .collect();
         let restitution = self.restitution(written, &blocks);
         if blocks.len() != heights_m.len() * thicknesses_m.len() {
@@ -60,7 +92,8 @@ impl Resolver<'_> {
         let (cushion, cushion_file) = cushion?;
         let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
         self.warnings.extend(soft.iter().map(ToString::to_string));
-        self.warnings.extend(squat_warning(blocks.len(), blocks.iter().copied()));
+        self.warnings
+            .extend(squat_warning(blocks.len(), blocks.iter().copied()));
         Some(Objects {
             heights_m,
             thicknesses_m,
@@ -76,7 +109,9 @@ impl Resolver<'_> {
     }
 
     fn accuracy(&mut self, written: &ObjectsOptions) -> Option<Accuracy> {
-        let Some(Written { value, line }) = &written.accuracy else { return Some(Accuracy::Standard) };
+        let Some(Written { value, line }) = &written.accuracy else {
+            return Some(Accuracy::Standard);
+        };
         match value.to_lowercase().as_str() {
             "fast" => Some(Accuracy::Fast),
             "standard" => Some(Accuracy::Standard),
@@ -95,11 +130,17 @@ impl Resolver<'_> {
     fn restitution(&mut self, written: &ObjectsOptions, blocks: &[Block]) -> Option<Restitution> {
         let (restitution, line) = match (&written.restitution_factor, &written.restitution) {
             (Some(factor), _) => (Restitution::Factor(factor.value), Some(factor.line)),
-            (None, Some(Written { value: RestitutionOption::Value(value), line })) => {
-                (Restitution::Value(*value), Some(*line))
-            }
+            (
+                None,
+                Some(Written {
+                    value: RestitutionOption::Value(value),
+                    line,
+                }),
+            ) => (Restitution::Value(*value), Some(*line)),
             (None, _) => (Restitution::Housner, None),
         };
-        checked(restitution, blocks).map_err(|problem| self.fault(line, "restitution", problem)).ok()
+        checked(restitution, blocks)
+            .map_err(|problem| self.fault(line, "restitution", problem))
+            .ok()
     }
 }

@@ -14,7 +14,10 @@ impl Resolver<'_> {
         objects: Option<&Objects>,
         motions: Option<&[String]>,
     ) -> Outputs {
-        let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, motions));
+        let history = written
+            .history
+            .as_ref()
+            .and_then(|history| self.history(history, levels, objects, motions));
         let parquet = or(&written.parquet, false);
         let stated = |text: &Option<Written<String>>| text.as_ref().map(|text| text.value.clone());
         let title = TitleBlock {
@@ -43,36 +46,56 @@ impl Resolver<'_> {
         if !self.is_complete {
             return None;
         }
-        let (Some(level), Some(height), Some(thickness)) = (&written.level, &written.height_m, &written.thickness_m)
+        let (Some(level), Some(height), Some(thickness)) =
+            (&written.level, &written.height_m, &written.thickness_m)
         else {
-            let hint = "write history = { level = \"roof\", height = \"1.5 m\", thickness = \"300 mm\" }";
-            self.note(Some(written.line), "history needs level, height and thickness", hint);
+            let hint =
+                "write history = { level = \"roof\", height = \"1.5 m\", thickness = \"300 mm\" }";
+            self.note(
+                Some(written.line),
+                "history needs level, height and thickness",
+                hint,
+            );
             return None;
         };
-        let named = levels.iter().find(|one| one.name.eq_ignore_ascii_case(&level.value));
+        let named = levels
+            .iter()
+            .find(|one| one.name.eq_ignore_ascii_case(&level.value));
         if named.is_none() {
             let names: Vec<&str> = levels.iter().map(|level| level.name.as_str()).collect();
             self.note(
                 Some(level.line),
-                format!("history: no level has the name \"{}\"", shorten(&level.value)),
+                format!(
+                    "history: no level has the name \"{}\"",
+                    shorten(&level.value)
+                ),
                 format!("levels: {}", names.join(", ")),
             );
         }
         self.positive(&written.height_m, "history.height", Dimension::Length);
         self.positive(&written.thickness_m, "history.thickness", Dimension::Length);
         if let Some(objects) = objects {
-            for (key, value, grid) in
-                [("height", height, &objects.heights_m), ("thickness", thickness, &objects.thicknesses_m)]
-            {
+            for (key, value, grid) in [
+                ("height", height, &objects.heights_m),
+                ("thickness", thickness, &objects.thicknesses_m),
+            ] {
                 // Grid points are interpolated, so that 1.5 m in the grid may differ from "1.5 m"
                 // by rounding.
-                if !grid.iter().any(|point| (point - value.value).abs() <= 1e-9 * value.value.abs()) {
-                    let message =
-                        format!("history: the grid has no {key} of {}", format_si(value.value, Dimension::Length));
+                if !grid
+                    .iter()
+                    .any(|point| (point - value.value).abs() <= 1e-9 * value.value.abs())
+                {
+                    let message = format!(
+                        "history: the grid has no {key} of {}",
+                        format_si(value.value, Dimension::Length)
+                    );
                     self.note(
                         Some(value.line),
                         message,
-                        format!("add it to {key}{}", if key == "height" { "s" } else { "es" }),
+                        format!(
+                            "add it to {key}{}",
+                            if key == "height" { "s" } else { "es" }
+                        ),
                     );
                 }
             }
@@ -83,7 +106,10 @@ impl Resolver<'_> {
             let names = &names[..names.len().min(10)];
             self.note(
                 Some(motion.line),
-                format!("history: no motion has the name \"{}\"", shorten(&motion.value)),
+                format!(
+                    "history: no motion has the name \"{}\"",
+                    shorten(&motion.value)
+                ),
                 format!("motions: {}", names.join(", ")),
             );
         }

@@ -5,7 +5,9 @@ use freestand::synthesis::PAIR_MAGNITUDES;
 
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::options::{GroundOptions, PointSourceOptions};
-use crate::simulated::{DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source};
+use crate::simulated::{
+    DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source,
+};
 use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround};
 use crate::target::{Target, key_of_other_code};
 use freestand_input::problem::Problem;
@@ -21,18 +23,38 @@ impl Resolver<'_> {
         let before = self.problems.len();
         let pairs = or(&source.pairs, false);
         let input = read_source(&source.words)
-            .map_err(|problems| problems.into_iter().for_each(|problem| self.source_fault(source, problem)))
+            .map_err(|problems| {
+                problems
+                    .into_iter()
+                    .for_each(|problem| self.source_fault(source, problem))
+            })
             .ok();
         let hazard = if pairs { self.hazard(written) } else { None };
-        let site = if pairs { None } else { self.site_of_one(written) };
-        let each = input.map_or(1, |input| if pairs && input.magnitude.is_none() { PAIR_MAGNITUDES.len() } else { 1 });
+        let site = if pairs {
+            None
+        } else {
+            self.site_of_one(written)
+        };
+        let each = input.map_or(1, |input| {
+            if pairs && input.magnitude.is_none() {
+                PAIR_MAGNITUDES.len()
+            } else {
+                1
+            }
+        });
         let count = self.count_of_each(written, each as u64);
-        let earthquakes = input.and_then(|input| self.earthquakes((written, source), &input, hazard.as_ref(), pairs));
+        let earthquakes = input
+            .and_then(|input| self.earthquakes((written, source), &input, hazard.as_ref(), pairs));
         // Distances found without the keys that were refused would belong to another study.
         if written.is_incomplete || self.problems.len() > before {
             return None;
         }
-        let SourceInput { preset, changes, options, .. } = input?;
+        let SourceInput {
+            preset,
+            changes,
+            options,
+            ..
+        } = input?;
         let site = hazard.as_ref().map_or(site, Target::site_class);
         let seed = overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED));
         let request = SimulatedRequest {
@@ -44,11 +66,21 @@ impl Resolver<'_> {
             seed,
             options,
         };
-        let earthquakes = find_earthquakes(&request).map_err(|problem| self.source_fault(source, problem)).ok()?;
-        self.warnings.extend(hazard.iter().flat_map(|target| target.warnings.iter().cloned()));
+        let earthquakes = find_earthquakes(&request)
+            .map_err(|problem| self.source_fault(source, problem))
+            .ok()?;
+        self.warnings.extend(
+            hazard
+                .iter()
+                .flat_map(|target| target.warnings.iter().cloned()),
+        );
         self.warnings.extend(request.limits(&earthquakes));
         self.warnings.extend(request.assumptions());
-        Some(SimulatedGround { request, earthquakes, hazard })
+        Some(SimulatedGround {
+            request,
+            earthquakes,
+            hazard,
+        })
     }
 
     fn source_fault(&mut self, source: &PointSourceOptions, problem: Problem) {
@@ -69,15 +101,24 @@ impl Resolver<'_> {
                 self.note(Some(line), "distance and pairs exclude each other", hint);
             }
             let kpz_g = hazard?.kpz_g()?;
-            return Some(Earthquakes::Pairs { kpz_g, magnitudes: input.magnitude.into_iter().collect() });
+            return Some(Earthquakes::Pairs {
+                kpz_g,
+                magnitudes: input.magnitude.into_iter().collect(),
+            });
         }
-        for (key, missing) in [("magnitude", input.magnitude.is_none()), ("distance", input.distance_m.is_none())] {
+        for (key, missing) in [
+            ("magnitude", input.magnitude.is_none()),
+            ("distance", input.distance_m.is_none()),
+        ] {
             if missing && !written.is_incomplete {
                 let hint = "write point_source = { magnitude = 6.0, distance = \"30 km\" }, or { pairs = true }";
                 self.note(Some(source.line), format!("point_source needs {key}"), hint);
             }
         }
-        Some(Earthquakes::One { magnitude: input.magnitude?, distance_m: input.distance_m? })
+        Some(Earthquakes::One {
+            magnitude: input.magnitude?,
+            distance_m: input.distance_m?,
+        })
     }
 
     /// The code spectrum, whose rock spectrum the earthquakes are to fit.
@@ -87,8 +128,10 @@ impl Resolver<'_> {
             at_site.target.set("site", DEFAULT_SITE.name());
         }
         if let Some(key) = key_of_other_code(&written.target) {
-            let hint = format!("leave {key} out: other spectra are for synthetic or matched motions");
-            let message = format!("{key}: pairs = true searches for earthquakes that fit AS 1170.4 only");
+            let hint =
+                format!("leave {key} out: other spectra are for synthetic or matched motions");
+            let message =
+                format!("{key}: pairs = true searches for earthquakes that fit AS 1170.4 only");
             self.note(written.target.line_of(&[key]), message, hint);
             return None;
         }
@@ -104,12 +147,19 @@ impl Resolver<'_> {
                 site = SiteClass::parse(text).ok();
                 if site.is_none() {
                     let message = format!("site \"{}\" is not a class of AS 1170.4", shorten(text));
-                    self.note(line, message, "use Ae, Be, Ce, De or Ee; without site, Be (rock) is used");
+                    self.note(
+                        line,
+                        message,
+                        "use Ae, Be, Ce, De or Ee; without site, Be (rock) is used",
+                    );
                 }
             } else {
-                let hint =
-                    format!("leave {key} out, or search for earthquakes with pairs = true instead of a distance");
-                let message = format!("{key} needs pairs = true: a given magnitude and distance need no code");
+                let hint = format!(
+                    "leave {key} out, or search for earthquakes with pairs = true instead of a distance"
+                );
+                let message = format!(
+                    "{key} needs pairs = true: a given magnitude and distance need no code"
+                );
                 self.note(line, message, hint);
             }
         }
@@ -122,9 +172,18 @@ impl Resolver<'_> {
         let most = MAX_MOTIONS / earthquakes;
         if !(1..=most).contains(&count) {
             let line = written.count.as_ref().map(|count| count.line);
-            let what = if earthquakes == 1 { "" } else { ", the motions of each of four earthquakes," };
-            let message = format!("count{what} must be a whole number from 1 to {most}, not {count}");
-            self.note(line, message, format!("give count as a whole number from 1 to {most}"));
+            let what = if earthquakes == 1 {
+                ""
+            } else {
+                ", the motions of each of four earthquakes,"
+            };
+            let message =
+                format!("count{what} must be a whole number from 1 to {most}, not {count}");
+            self.note(
+                line,
+                message,
+                format!("give count as a whole number from 1 to {most}"),
+            );
         }
         count.clamp(1, most)
     }

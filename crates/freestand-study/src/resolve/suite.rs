@@ -18,8 +18,8 @@ use crate::options::{ComponentsOption, GroundOptions};
 use crate::recorded::{Folder, MotionFiles, ReadMotion, Second, read_folder};
 use crate::study::{BuildingInput, Level, RecordedMotion};
 use crate::suite::{
-    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, SCALES, Spectra, Suite, select,
-    some_left_out,
+    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, SCALES, Spectra,
+    Suite, select, some_left_out,
 };
 use crate::target::Target;
 
@@ -43,7 +43,12 @@ impl Resolver<'_> {
         let before = self.problems.len();
         self.suite_conflicts(written, folder);
         let is_count = |count| (2..=MAX_MOTIONS).contains(&count);
-        self.require(&written.suite_count, is_count, "suite_count", "a whole number from 2 to 1000");
+        self.require(
+            &written.suite_count,
+            is_count,
+            "suite_count",
+            "a whole number from 2 to 1000",
+        );
         let scale = self.suite_scale(written);
         if !written.is_incomplete && written.target.entries().next().is_none() {
             let hint = "say which spectrum the records are to fit, such as code = \"eurocode8\" with its keys";
@@ -65,9 +70,14 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        let count = written.suite_count.as_ref().and_then(|count| usize::try_from(count.value).ok());
+        let count = written
+            .suite_count
+            .as_ref()
+            .and_then(|count| usize::try_from(count.value).ok());
         let selected = Request::new(path, target, scale, range)
-            .map_err(|error| Problem::value(error.to_string(), "check the spectrum and the building"))
+            .map_err(|error| {
+                Problem::value(error.to_string(), "check the spectrum and the building")
+            })
             .and_then(|request| chosen(request, count, found, &folder.value))
             .and_then(|(suite, members)| {
                 self.warnings.extend(suite.warnings());
@@ -78,7 +88,11 @@ impl Resolver<'_> {
             .map_err(|problem| {
                 // Only a number that is too large is the fault of its own line.
                 let count_line = written.suite_count.as_ref().map(|count| count.line);
-                let line = if problem.keys.contains(&"suite_count") { count_line } else { None };
+                let line = if problem.keys.contains(&"suite_count") {
+                    count_line
+                } else {
+                    None
+                };
                 self.fault(line.or(Some(folder.line)), "suite", problem);
             })
             .ok()
@@ -89,19 +103,41 @@ impl Resolver<'_> {
         let other = |why| (why, "keep one of them");
         let sets = "the target sets the amplitudes";
         for (key, line, (why, hint)) in [
-            ("motions", written.motions.as_ref().map(|w| w.line), other("the records come from the folder")),
-            ("match", written.match_by.as_ref().map(|w| w.line), other("the records are scaled and not matched")),
-            ("point_source", written.point_source.as_ref().map(|w| w.line), other("the records replace it")),
+            (
+                "motions",
+                written.motions.as_ref().map(|w| w.line),
+                other("the records come from the folder"),
+            ),
+            (
+                "match",
+                written.match_by.as_ref().map(|w| w.line),
+                other("the records are scaled and not matched"),
+            ),
+            (
+                "point_source",
+                written.point_source.as_ref().map(|w| w.line),
+                other("the records replace it"),
+            ),
             (
                 "count",
                 written.count.as_ref().map(|w| w.line),
-                ("a suite has its own number", "give the number of records as suite_count"),
+                (
+                    "a suite has its own number",
+                    "give the number of records as suite_count",
+                ),
             ),
-            ("seed", written.seed.as_ref().map(|w| w.line), other("a record has no random numbers")),
+            (
+                "seed",
+                written.seed.as_ref().map(|w| w.line),
+                other("a record has no random numbers"),
+            ),
             (
                 "across",
                 written.across.as_ref().map(|w| w.line),
-                ("two components of one record are found by their names", "leave across out"),
+                (
+                    "two components of one record are found by their names",
+                    "leave across out",
+                ),
             ),
             ("scale", written.reading.line_of(&["scale"]), other(sets)),
             ("scale_to", written.reading.line_of(&SCALES_TO), other(sets)),
@@ -111,16 +147,30 @@ impl Resolver<'_> {
                 self.note(Some(line.max(folder.line)), message, hint);
             }
         }
-        let component = written.reading.line_of(&["component"]).map(|line| Written { value: (), line });
-        self.exclusive(("component", &component), ("components", &written.components));
+        let component = written
+            .reading
+            .line_of(&["component"])
+            .map(|line| Written { value: (), line });
+        self.exclusive(
+            ("component", &component),
+            ("components", &written.components),
+        );
     }
 
     fn suite_scale(&mut self, written: &GroundOptions) -> SuiteScale {
-        let Some(Written { value, line }) = &written.suite_scale else { return DEFAULT_SCALE };
-        let named = SCALES.into_iter().find(|scale| scale.name().eq_ignore_ascii_case(value.trim()));
+        let Some(Written { value, line }) = &written.suite_scale else {
+            return DEFAULT_SCALE;
+        };
+        let named = SCALES
+            .into_iter()
+            .find(|scale| scale.name().eq_ignore_ascii_case(value.trim()));
         if named.is_none() {
             let message = format!("suite_scale \"{}\" is not known", shorten(value));
-            self.note(Some(*line), message, "use each (a factor for each record) or one (the same for all)");
+            self.note(
+                Some(*line),
+                message,
+                "use each (a factor for each record) or one (the same for all)",
+            );
         }
         named.unwrap_or(DEFAULT_SCALE)
     }
@@ -128,20 +178,34 @@ impl Resolver<'_> {
     /// How the files of the folder are read.
     fn suite_files(&self, written: &GroundOptions) -> Option<MotionFiles> {
         let second = match &written.components {
-            Some(Written { value: ComponentsOption::Both, .. }) => Second::SameFile(None),
-            Some(Written { value: ComponentsOption::Named(first, second), .. }) => {
-                Second::SameFile(Some((first.clone(), second.clone())))
-            }
+            Some(Written {
+                value: ComponentsOption::Both,
+                ..
+            }) => Second::SameFile(None),
+            Some(Written {
+                value: ComponentsOption::Named(first, second),
+                ..
+            }) => Second::SameFile(Some((first.clone(), second.clone()))),
             None => Second::None,
         };
-        Some(MotionFiles { second, ..self.reading.clone()? })
+        Some(MotionFiles {
+            second,
+            ..self.reading.clone()?
+        })
     }
 
     /// What the readers of the chosen records noted, and periods for which a record is too coarse.
     fn motion_warnings(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
         self.take_notes(members.iter().map(|(read, _)| read));
-        let coarsest_s = members.iter().map(|(read, _)| read.motion.motion.dt_s()).fold(0.0, f64::max);
-        self.warnings.extend(short_period_warning("the suite", &suite.periods_s, coarsest_s));
+        let coarsest_s = members
+            .iter()
+            .map(|(read, _)| read.motion.motion.dt_s())
+            .fold(0.0, f64::max);
+        self.warnings.extend(short_period_warning(
+            "the suite",
+            &suite.periods_s,
+            coarsest_s,
+        ));
     }
 }
 
@@ -150,7 +214,12 @@ fn period_range(building: &BuildingInput, levels: &[Level]) -> PeriodRange {
     let is_above = |level: &Level| level.level_ratio.is_none_or(|ratio| ratio > 0.0);
     let along_s = building.along.period_s();
     let across_s = building.across.as_ref().map_or(along_s, Building::period_s);
-    PeriodRange::new(levels.iter().any(is_above).then(|| (along_s.min(across_s), along_s.max(across_s))))
+    PeriodRange::new(
+        levels
+            .iter()
+            .any(is_above)
+            .then(|| (along_s.min(across_s), along_s.max(across_s))),
+    )
 }
 
 /// Refuses a target that does not cover the periods of a suite.
@@ -160,7 +229,8 @@ fn covers(target: &Target, range: &PeriodRange) -> Result<(), Problem> {
     if first_s <= range.from_s && last_s >= range.to_s {
         return Ok(());
     }
-    let [first, last, from, to] = [first_s, last_s, range.from_s, range.to_s].map(|period_s| number(period_s, 4));
+    let [first, last, from, to] =
+        [first_s, last_s, range.from_s, range.to_s].map(|period_s| number(period_s, 4));
     let message = format!(
         "the spectrum covers {first} s to {last} s, but records are selected from {from} s to {to} s ({})",
         range.from
@@ -177,19 +247,29 @@ fn chosen(
     found: Folder,
     folder: &str,
 ) -> Result<(Suite, Vec<(ReadMotion, f64)>), Problem> {
-    let Folder { motions, mut left_out, skipped } = found;
-    let spectra: Vec<Result<Spectra, String>> =
-        motions.par_iter().map(|read| request.spectra(&read.motion.as_used())).collect();
+    let Folder {
+        motions,
+        mut left_out,
+        skipped,
+    } = found;
+    let spectra: Vec<Result<Spectra, String>> = motions
+        .par_iter()
+        .map(|read| request.spectra(&read.motion.as_used()))
+        .collect();
     let (mut kept, mut records) = (Vec::new(), Vec::new());
     for (read, spectra) in motions.into_iter().zip(spectra) {
         match spectra {
             Ok(spectra) => {
-                records.push(Record { name: read.motion.name.clone(), spectra });
+                records.push(Record {
+                    name: read.motion.name.clone(),
+                    spectra,
+                });
                 kept.push(Some(read));
             }
             Err(reason) => {
                 let name = read.motion.path.file_name();
-                let file = name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+                let file =
+                    name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
                 left_out.push(LeftOut { file, reason });
             }
         }
@@ -199,7 +279,9 @@ fn chosen(
     let because = because(usable, &left_out, &skipped);
     if let Some(count) = count.filter(|&count| count > usable && usable > 1) {
         let can = counted(usable, "record");
-        let message = format!("`suite_count` asks for {count} records, but {can} of {folder} can be used{because}");
+        let message = format!(
+            "`suite_count` asks for {count} records, but {can} of {folder} can be used{because}"
+        );
         let hint = format!("give at most {usable}, or leave `suite_count` out");
         return Err(Problem::value(message, hint).of(&["suite_count"]));
     }
@@ -207,14 +289,24 @@ fn chosen(
                 no factor outside 0.25 to 4";
     let refused = |message: String| Problem::value(message + &because, hint);
     match usable {
-        0 => return Err(refused(format!("no record of the folder {folder} can be used"))),
-        1 => return Err(refused(format!("a suite needs two records, but only one of {folder} can be used"))),
+        0 => {
+            return Err(refused(format!(
+                "no record of the folder {folder} can be used"
+            )));
+        }
+        1 => {
+            return Err(refused(format!(
+                "a suite needs two records, but only one of {folder} can be used"
+            )));
+        }
         _ => {}
     }
     let (mut suite, members) = select(request, &records, count.unwrap_or(usable.min(DEFAULT_MOST)))
         .map_err(|error| refused(format!("no suite can be selected from {folder}: {error}")))?;
     (suite.left_out, suite.skipped) = (left_out, skipped);
-    let taken = members.iter().filter_map(|&(index, factor)| Some((kept.get_mut(index)?.take()?, factor)));
+    let taken = members
+        .iter()
+        .filter_map(|&(index, factor)| Some((kept.get_mut(index)?.take()?, factor)));
     Ok((suite, taken.collect()))
 }
 
@@ -225,7 +317,10 @@ fn because(usable: usize, left_out: &[LeftOut], skipped: &[String]) -> String {
         reasons.push(some_left_out(left_out));
     }
     if !skipped.is_empty() {
-        reasons.push(format!("not records of horizontal motion: {}", some(skipped, NAMED)));
+        reasons.push(format!(
+            "not records of horizontal motion: {}",
+            some(skipped, NAMED)
+        ));
     }
     match (reasons.as_slice(), usable) {
         ([], 0) => " (it has no files)".to_owned(),
@@ -240,17 +335,27 @@ fn scaled(suite: Suite, members: Vec<(ReadMotion, f64)>) -> Result<Vec<RecordedM
     let one = |(read, factor): (ReadMotion, f64)| {
         let mut record = read.motion;
         let times = |motion: &Motion| {
-            let refused = |error: MotionError| Problem::value(error.to_string(), "leave the record out of the folder");
-            motion.scaled(factor).map_err(|error| refused(error).in_file(&record.path))
+            let refused = |error: MotionError| {
+                Problem::value(error.to_string(), "leave the record out of the folder")
+            };
+            motion
+                .scaled(factor)
+                .map_err(|error| refused(error).in_file(&record.path))
         };
         let motion = times(&record.motion)?;
-        let across = record.across.as_ref().map(|second| times(&second.motion)).transpose()?;
+        let across = record
+            .across
+            .as_ref()
+            .map(|second| times(&second.motion))
+            .transpose()?;
         record.motion = motion;
         if let (Some(second), Some(motion)) = (&mut record.across, across) {
             second.motion = motion;
         }
         record.scale_ratio *= factor;
-        record.processing.push(format!("multiplied by {} for the suite", number(factor, 6)));
+        record
+            .processing
+            .push(format!("multiplied by {} for the suite", number(factor, 6)));
         record.suite = Some(Arc::clone(&suite));
         Ok(record)
     };

@@ -28,7 +28,9 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     // What nobody stated is said; the built-in study states it.
     assert_eq!(nothing.warnings.len(), 1);
     nothing.warnings.clear();
-    let Ground::Synthetic(ground) = &mut nothing.ground else { panic!() };
+    let Ground::Synthetic(ground) = &mut nothing.ground else {
+        panic!()
+    };
     assert!(ground.target.place_is_assumed);
     (ground.target.place_is_assumed, ground.target.warnings) = (false, Vec::new());
     assert_eq!(nothing, dumped);
@@ -36,7 +38,13 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     assert_eq!(dumped.warnings, [] as [String; 0]);
     assert!((dumped.building.unwrap().along.period_s() - 1.9166).abs() < 1e-3);
     // Height by height, thickness by thickness within each.
-    assert_eq!((dumped.objects.blocks[1].height_m(), dumped.objects.blocks[1].thickness_m()), (0.5, 0.3));
+    assert_eq!(
+        (
+            dumped.objects.blocks[1].height_m(),
+            dumped.objects.blocks[1].thickness_m()
+        ),
+        (0.5, 0.3)
+    );
 }
 
 /// What a study leaves to the built-in study, and what `place` and `storeys` add to it.
@@ -48,39 +56,92 @@ fn what_nobody_stated_is_known() {
     };
     for (text, expected) in [
         ("[assessment]\n", (true, true)),
-        ("[building]\nname = \"Our museum in Wellington\"\n", (true, true)),
+        (
+            "[building]\nname = \"Our museum in Wellington\"\n",
+            (true, true),
+        ),
         ("[building]\nperiod = \"0.5 s\"\n", (true, true)),
         ("[building]\nstoreys = 3\n", (true, false)),
         ("[building]\nheight = \"12 m\"\n", (true, false)),
-        ("[ground]\nsite = \"Ce\"\nreturn_period_years = 1000\n[building]\nstoreys = 3\n", (true, false)),
+        (
+            "[ground]\nsite = \"Ce\"\nreturn_period_years = 1000\n[building]\nstoreys = 3\n",
+            (true, false),
+        ),
         ("[ground]\nplace = \"Wellington\"\n", (false, true)),
         ("[ground]\ncity = \"Perth\"\n", (false, true)),
         ("[ground]\nhazard_factor = 0.1\n", (false, true)),
-        ("[ground]\npoint_source = { magnitude = 6.0, distance = \"30 km\" }\n", (false, true)),
-        ("[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n", (false, false)),
+        (
+            "[ground]\npoint_source = { magnitude = 6.0, distance = \"30 km\" }\n",
+            (false, true),
+        ),
+        (
+            "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n",
+            (false, false),
+        ),
     ] {
         assert_eq!(unstated(text), expected, "{text}");
     }
     let empty = resolve("# nothing yet\n", Some(Path::new("s.toml")), Path::new("")).unwrap_err();
-    assert!(empty.problems[0].message.contains("is empty") && empty.problems[0].hint.is_some(), "{empty}");
+    assert!(
+        empty.problems[0].message.contains("is empty") && empty.problems[0].hint.is_some(),
+        "{empty}"
+    );
 
     let overrides = |storeys, place: &str| {
-        let hazard = [("place", place.to_owned())].into_iter().filter(|(_, place)| !place.is_empty()).collect();
-        Overrides { storeys, hazard, ..Overrides::default() }
+        let hazard = [("place", place.to_owned())]
+            .into_iter()
+            .filter(|(_, place)| !place.is_empty())
+            .collect();
+        Overrides {
+            storeys,
+            hazard,
+            ..Overrides::default()
+        }
     };
-    let of = |study: Study| (study.place_is_assumed, study.building_is_assumed, study.building.unwrap().storeys);
+    let of = |study: Study| {
+        (
+            study.place_is_assumed,
+            study.building_is_assumed,
+            study.building.unwrap().storeys,
+        )
+    };
     assert_eq!(of(builtin(&overrides(None, "")).unwrap()), (true, true, 30));
-    assert_eq!(of(builtin(&overrides(None, "Wellington")).unwrap()), (false, true, 30));
-    assert_eq!(of(builtin(&overrides(Some(7), "Wellington")).unwrap()), (false, false, 7));
+    assert_eq!(
+        of(builtin(&overrides(None, "Wellington")).unwrap()),
+        (false, true, 30)
+    );
+    assert_eq!(
+        of(builtin(&overrides(Some(7), "Wellington")).unwrap()),
+        (false, false, 7)
+    );
     // A building that is stated is the one that shakes.
     let stated = "[building]\nstoreys = 3\n";
-    assert_eq!(of(resolve_with(stated, None, Path::new(""), &overrides(Some(7), "")).unwrap()).2, 3);
+    assert_eq!(
+        of(resolve_with(stated, None, Path::new(""), &overrides(Some(7), "")).unwrap()).2,
+        3
+    );
     let named = "[building]\nname = \"Annex\"\nframe = \"concrete-moment\"\n";
-    let named = resolve_with(named, None, Path::new(""), &overrides(Some(7), "Wellington")).unwrap();
-    assert_eq!((named.building_name.as_deref(), named.building.unwrap().storeys), (Some("Annex"), 7));
+    let named = resolve_with(
+        named,
+        None,
+        Path::new(""),
+        &overrides(Some(7), "Wellington"),
+    )
+    .unwrap();
+    assert_eq!(
+        (
+            named.building_name.as_deref(),
+            named.building.unwrap().storeys
+        ),
+        (Some("Annex"), 7)
+    );
     // Two ways to the same building.
-    let [one, other] = [builtin, nothing_stated].map(|made| made(&overrides(Some(7), "Wellington")).unwrap());
-    assert_eq!((one.building, one.building_name), (other.building, other.building_name));
+    let [one, other] =
+        [builtin, nothing_stated].map(|made| made(&overrides(Some(7), "Wellington")).unwrap());
+    assert_eq!(
+        (one.building, one.building_name),
+        (other.building, other.building_name)
+    );
     assert!(one.toml.contains("storeys = 7") && !one.toml.contains("name = \"tower\""));
 }
 
@@ -123,7 +184,10 @@ shear_flexure = -1\nmodes = 51\n\
         "s.toml:26: history: no level has the name \"attic\"",
     ];
     for line in expected {
-        assert!(got.iter().any(|problem| problem == line), "{line}\n{got:#?}");
+        assert!(
+            got.iter().any(|problem| problem == line),
+            "{line}\n{got:#?}"
+        );
     }
 }
 
@@ -133,7 +197,10 @@ fn contradictions_and_products_are_refused() {
         problems("[ground]\ncity = \"Perth\"\nhazard_factor = 0.09\n"),
         ["s.toml:3: city and hazard_factor exclude each other"]
     );
-    assert_eq!(problems("[ground]\nscale = 2\n"), ["s.toml:2: scale needs motions"]);
+    assert_eq!(
+        problems("[ground]\nscale = 2\n"),
+        ["s.toml:2: scale needs motions"]
+    );
     assert_eq!(
         problems("[objects]\nrestitution = \"housner\"\nrestitution_factor = 0.9\n"),
         ["s.toml:3: restitution and restitution_factor exclude each other"]
@@ -145,26 +212,60 @@ fn contradictions_and_products_are_refused() {
             .contains("1000000 objects")
     );
     assert!(
-        problems("[ground]\nreturn_period_years = 475\n")[0]
-            .starts_with("s.toml:2: return_period_years: the code has no factor for a return period of 475 years")
+        problems("[ground]\nreturn_period_years = 475\n")[0].starts_with(
+            "s.toml:2: return_period_years: the code has no factor for a return period of 475 years"
+        )
     );
-    assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: hazard_factor must be positive"));
+    assert!(
+        problems("[ground]\nhazard_factor = -0.1\n")[0]
+            .starts_with("s.toml:2: hazard_factor must be positive")
+    );
     // One that is wrong does not hide another.
-    assert_eq!(problems("[ground]\nsite = \"Q\"\nreturn_period_years = 501\nhazard_factor = 0\n").len(), 3);
-    assert_eq!(problems("[objects]\nheights = \"-1 m\"\nrestitution = 1.2\n").len(), 2);
+    assert_eq!(
+        problems("[ground]\nsite = \"Q\"\nreturn_period_years = 501\nhazard_factor = 0\n").len(),
+        3
+    );
+    assert_eq!(
+        problems("[objects]\nheights = \"-1 m\"\nrestitution = 1.2\n").len(),
+        2
+    );
 }
 
 #[test]
 fn what_the_reader_must_know_is_a_warning() {
     let hobart = study("[ground]\ncity = \"hobart\"\n");
-    assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"), "{:?}", hobart.warnings);
-    let Ground::Synthetic(ground) = hobart.ground else { panic!() };
-    assert_eq!((ground.target.place_name().as_deref(), ground.target.kpz_g()), (Some("Hobart"), Some(0.08)));
+    assert!(
+        hobart.warnings[0].contains("minimum kpZ of 0.08"),
+        "{:?}",
+        hobart.warnings
+    );
+    let Ground::Synthetic(ground) = hobart.ground else {
+        panic!()
+    };
+    assert_eq!(
+        (ground.target.place_name().as_deref(), ground.target.kpz_g()),
+        (Some("Hobart"), Some(0.08))
+    );
     let stated = "[ground]\ncity = \"Sydney\"\n[building]\nstoreys = 30\n";
     let squat = study(&format!("{stated}[objects]\nheights = \"0.3 m\"\n"));
-    assert!(squat.warnings[0].starts_with("2 of 5 objects are squat"), "{:?}", squat.warnings);
-    assert_eq!(study(&format!("{stated}[objects]\nstiffness = \"4380 N/m\"\n")).warnings.len(), 2);
-    assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 4, "no place, no building");
+    assert!(
+        squat.warnings[0].starts_with("2 of 5 objects are squat"),
+        "{:?}",
+        squat.warnings
+    );
+    assert_eq!(
+        study(&format!("{stated}[objects]\nstiffness = \"4380 N/m\"\n"))
+            .warnings
+            .len(),
+        2
+    );
+    assert_eq!(
+        study("[objects]\nstiffness = \"4380 N/m\"\n")
+            .warnings
+            .len(),
+        4,
+        "no place, no building"
+    );
 }
 
 #[test]
@@ -174,15 +275,21 @@ fn every_code_and_a_table_by_the_keys_of_ground() {
         _ => panic!(),
     };
     // Keys that state their unit take bare numbers: 2.5 · 1.2 · 0.2 g, and SDS of 0.8 g.
-    let europe = ground("code = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration_g = 0.2\n");
+    let europe = ground(
+        "code = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration_g = 0.2\n",
+    );
     assert!((europe.spectrum.sa_g(0.3) - 0.6).abs() < 1e-14);
-    let america = ground("code = \"asce7\"\nedition = 2016\nsds_g = 0.8\nsd1 = \"0.4 g\"\nlong_period_s = 6\n");
+    let america = ground(
+        "code = \"asce7\"\nedition = 2016\nsds_g = 0.8\nsd1 = \"0.4 g\"\nlong_period_s = 6\n",
+    );
     assert!((america.spectrum.sa_g(0.3) - 0.8).abs() < 1e-14);
     let annex = "code = \"ec8\"\nspectrum_type = 1\nground_acceleration = \"0.2 g\"\nsoil_factor = 1.5\n\
                  corner_periods = [\"0.1 s\", \"400 ms\", \"2 s\"]\n";
     assert!((ground(annex).spectrum.sa_g(0.3) - 0.75).abs() < 1e-14);
     assert_eq!(
-        problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = 0.4\nsds = \"1 g\"\n"),
+        problems(
+            "[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = 0.4\nsds = \"1 g\"\n"
+        ),
         ["s.toml:5: sds is not part of NZS 1170.5"]
     );
     // What is missing is the fault of the code's line; what could not be read is told once.
@@ -190,13 +297,20 @@ fn every_code_and_a_table_by_the_keys_of_ground() {
         problems("[ground]\n\ncode = \"nzs1170.5\"\nsite = \"C\"\n"),
         ["s.toml:3: NZS 1170.5 needs hazard_factor"]
     );
-    assert_eq!(problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = true\n").len(), 1);
+    assert_eq!(
+        problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = true\n").len(),
+        1
+    );
 }
 
 #[test]
 fn a_table_lies_beside_the_study() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("uhs.csv"), "T [s],PSA [g]\n0.1,0.3\n2,0.05\n").unwrap();
+    std::fs::write(
+        folder.path().join("uhs.csv"),
+        "T [s],PSA [g]\n0.1,0.3\n2,0.05\n",
+    )
+    .unwrap();
     let file = folder.path().join("s.toml");
     let with = |more: &str| {
         std::fs::write(&file, format!("[ground]\nspectrum = \"uhs.csv\"\n{more}")).unwrap();
@@ -204,12 +318,22 @@ fn a_table_lies_beside_the_study() {
     };
     let problem = with("").unwrap_err().problems.remove(0);
     assert_eq!(problem.line, Some(2));
-    assert!(problem.message.contains("covers 0.1 s to 2 s") && problem.hint.unwrap().contains("beyond = \"hold\""));
+    assert!(
+        problem.message.contains("covers 0.1 s to 2 s")
+            && problem.hint.unwrap().contains("beyond = \"hold\"")
+    );
     let study = with("beyond = \"hold\"\n").unwrap();
     assert_eq!(motion_paths(&study), [folder.path().join("uhs.csv")]);
-    std::fs::write(folder.path().join("uhs.csv"), "T [s],PSA [g]\n0.1,0.3\n2,-1\n").unwrap();
+    std::fs::write(
+        folder.path().join("uhs.csv"),
+        "T [s],PSA [g]\n0.1,0.3\n2,-1\n",
+    )
+    .unwrap();
     let problem = with("").unwrap_err().problems.remove(0);
-    assert_eq!((problem.line, problem.path), (Some(3), Some(folder.path().join("uhs.csv"))));
+    assert_eq!(
+        (problem.line, problem.path),
+        (Some(3), Some(folder.path().join("uhs.csv")))
+    );
     std::fs::remove_file(folder.path().join("uhs.csv")).unwrap();
     assert_eq!(with("").unwrap_err().problems[0].line, Some(2));
 }
@@ -219,18 +343,37 @@ fn recorded_motions_are_named_and_fingerprinted() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("b")).unwrap();
     for (name, end) in [("quake one.csv", ""), ("b/quake one.csv", "0.02,0.1\n")] {
-        std::fs::write(folder.path().join(name), format!("time [s],a [g]\n0,0\n0.01,0.5\n{end}")).unwrap();
+        std::fs::write(
+            folder.path().join(name),
+            format!("time [s],a [g]\n0,0\n0.01,0.5\n{end}"),
+        )
+        .unwrap();
     }
     let path = folder.path().join("study.toml");
-    std::fs::write(&path, "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"b/quake one.csv\",\n]\nscale = -2\n")
-        .unwrap();
+    std::fs::write(
+        &path,
+        "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"b/quake one.csv\",\n]\nscale = -2\n",
+    )
+    .unwrap();
     let study = load(&path, &Overrides::default()).unwrap();
-    let Ground::Recorded(motions) = study.ground else { panic!() };
-    assert_eq!(motions.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["quake-one", "quake-one-2"]);
+    let Ground::Recorded(motions) = study.ground else {
+        panic!()
+    };
+    assert_eq!(
+        motions.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(),
+        ["quake-one", "quake-one-2"]
+    );
     assert_eq!(motions[0].motion.accel_m_s2()[1], -freestand::G0_M_S2);
-    assert_eq!((motions[0].sha256.len(), motions[0].scale_ratio), (64, -2.0));
+    assert_eq!(
+        (motions[0].sha256.len(), motions[0].scale_ratio),
+        (64, -2.0)
+    );
 
-    std::fs::write(&path, "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"gone.csv\",\n]\ncount = 3\n").unwrap();
+    std::fs::write(
+        &path,
+        "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"gone.csv\",\n]\ncount = 3\n",
+    )
+    .unwrap();
     let error = load(&path, &Overrides::default()).unwrap_err();
     let lines: Vec<Option<usize>> = error.problems.iter().map(|problem| problem.line).collect();
     assert_eq!(lines, [Some(4), Some(6)], "{error}");
@@ -244,7 +387,12 @@ fn recorded_motions_are_named_and_fingerprinted() {
         vertical: Default::default(),
         processing: Processing::default(),
     };
-    let study = builtin(&Overrides { seed: Some(7), motions: Some(files), ..Overrides::default() }).unwrap();
+    let study = builtin(&Overrides {
+        seed: Some(7),
+        motions: Some(files),
+        ..Overrides::default()
+    })
+    .unwrap();
     assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));
 }
 
@@ -259,12 +407,22 @@ fn a_raw_record_has_its_station_and_its_mean_in_the_study() {
         <InstrumentSensitivity><Value>1000</Value><InputUnits><Name>M/S**2</Name></InputUnits>\
         <OutputUnits><Name>COUNTS</Name></OutputUnits></InstrumentSensitivity></Response></Channel></Station></Network></FDSNStationXML>";
     std::fs::write(folder.join("xml/s.xml"), xml).unwrap();
-    let study =
-        |keys: &str| resolve(&format!("[ground]\nmotions = [\"a.mseed\"]\n{keys}"), Some(Path::new("s.toml")), folder);
-    for (keys, peak_m_s2) in
-        [("", 1.625), ("processing = { keep_mean = false }\n", 1.625), ("processing = { keep_mean = true }\n", 2.0)]
-    {
-        let Ground::Recorded(motions) = study(&format!("station_xml = \"xml/s.xml\"\n{keys}")).unwrap().ground else {
+    let study = |keys: &str| {
+        resolve(
+            &format!("[ground]\nmotions = [\"a.mseed\"]\n{keys}"),
+            Some(Path::new("s.toml")),
+            folder,
+        )
+    };
+    for (keys, peak_m_s2) in [
+        ("", 1.625),
+        ("processing = { keep_mean = false }\n", 1.625),
+        ("processing = { keep_mean = true }\n", 2.0),
+    ] {
+        let Ground::Recorded(motions) = study(&format!("station_xml = \"xml/s.xml\"\n{keys}"))
+            .unwrap()
+            .ground
+        else {
             panic!()
         };
         // Exact: halves and eighths.
@@ -272,7 +430,10 @@ fn a_raw_record_has_its_station_and_its_mean_in_the_study() {
     }
     let message = study("station_xml = \"s.xml\"\n").unwrap_err().to_string();
     assert!(message.contains("s.xml: cannot open"), "{message}");
-    assert_eq!(problems("[ground]\nstation_xml = \"a\"\n"), ["s.toml:2: station_xml needs motions"]);
+    assert_eq!(
+        problems("[ground]\nstation_xml = \"a\"\n"),
+        ["s.toml:2: station_xml needs motions"]
+    );
 }
 
 #[test]
@@ -285,7 +446,12 @@ fn the_motion_of_the_history_is_one_of_the_study() {
     };
     assert_eq!(study("synthetic-03"), [] as [String; 0]);
     for name in ["nope", "synthetic-04", "synthetic-3"] {
-        assert_eq!(study(name), [format!("s.toml:4: history: no motion has the name \"{name}\"")]);
+        assert_eq!(
+            study(name),
+            [format!(
+                "s.toml:4: history: no motion has the name \"{name}\""
+            )]
+        );
     }
 }
 
@@ -294,21 +460,38 @@ fn the_motion_of_the_history_is_one_of_the_study() {
 #[test]
 fn a_study_scales_to_a_spectrum_beside_it() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("a.csv"), "time [s],a [g]\n0,0\n0.01,0.5\n0.02,0\n").unwrap();
+    std::fs::write(
+        folder.path().join("a.csv"),
+        "time [s],a [g]\n0,0\n0.01,0.5\n0.02,0\n",
+    )
+    .unwrap();
     std::fs::create_dir(folder.path().join("targets")).unwrap();
     let target = "T [s];PSA [g]\n0;1,5\n2;99\n";
     std::fs::write(folder.path().join("targets/t.csv"), target).unwrap();
     let text = "[ground]\nmotions = \"a.csv\"\nprocessing = { scale_to_spectrum = \"targets/t.csv, 0 s to 1 s\" }\n";
     let study = resolve(text, Some(Path::new("s.toml")), folder.path()).unwrap();
     let provenance = crate::report::provenance(&study);
-    let Ground::Recorded(motions) = study.ground else { panic!() };
+    let Ground::Recorded(motions) = study.ground else {
+        panic!()
+    };
     // At 0 s the spectrum is the peak: 1.5 g over 0.5 g, by way of a logarithm.
     assert!((motions[0].scale_ratio - 3.0).abs() < 1e-14);
-    let end = " to the spectrum of t.csv (1 period of 0 s, 5 % damping; misfit below 0.01 % rms in ln)";
-    assert!(motions[0].processing[0].ends_with(end), "{:?}", motions[0].processing);
+    let end =
+        " to the spectrum of t.csv (1 period of 0 s, 5 % damping; misfit below 0.01 % rms in ln)";
+    assert!(
+        motions[0].processing[0].ends_with(end),
+        "{:?}",
+        motions[0].processing
+    );
     let file = motions[0].scale_target.as_ref().unwrap();
     assert_eq!(file.path, folder.path().join("targets/t.csv"));
-    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), freestand_input::file::sha256_hex(target.as_bytes())));
+    assert_eq!(
+        provenance.inputs[1],
+        (
+            "t.csv".to_owned(),
+            freestand_input::file::sha256_hex(target.as_bytes())
+        )
+    );
 }
 
 /// What scales the counts of a record is an input like the record itself, named or found beside it.
@@ -316,15 +499,20 @@ fn a_study_scales_to_a_spectrum_beside_it() {
 fn a_study_has_the_station_xml_among_its_inputs() {
     let folder = tempfile::tempdir().unwrap();
     let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
-    let copy = |from: &str, to: &str| std::fs::copy(seeds.join(from), folder.path().join(to)).unwrap();
+    let copy =
+        |from: &str, to: &str| std::fs::copy(seeds.join(from), folder.path().join(to)).unwrap();
     copy("mseed/int32.mseed", "a.mseed");
     copy("station_xml/one.xml", "a.xml");
-    let sha256 = freestand_input::file::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
+    let sha256 =
+        freestand_input::file::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
     for key in ["", "station_xml = \"a.xml\"\n"] {
         let text = format!("[ground]\nmotions = [\"a.mseed\"]\n{key}");
         let study = resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap();
         let inputs = crate::report::provenance(&study).inputs;
-        assert_eq!((inputs.len(), &inputs[1]), (2, &("a.xml".to_owned(), sha256.clone())));
+        assert_eq!(
+            (inputs.len(), &inputs[1]),
+            (2, &("a.xml".to_owned(), sha256.clone()))
+        );
         assert_eq!(motion_paths(&study)[1], folder.path().join("a.xml"));
     }
 }
@@ -338,15 +526,36 @@ fn files_are_not_read_without_what_was_refused() {
     std::fs::write(folder.path().join("other.txt"), "0\n2\n1\n").unwrap();
     let found = |keys: &str| {
         let text = format!("[ground]\nmotions = [\"bare.txt\", \"other.txt\"]\n{keys}");
-        let error = resolve(&text, Some(Path::new("s.toml")), folder.path()).map(|_| ()).unwrap_err();
-        error.problems.iter().map(ToString::to_string).collect::<Vec<_>>()
+        let error = resolve(&text, Some(Path::new("s.toml")), folder.path())
+            .map(|_| ())
+            .unwrap_err();
+        error
+            .problems
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
     };
     for (keys, expected) in [
-        ("unit = \"g\"\ndt = 0.01\n", "s.toml:4: dt: \"0.01\" needs a unit"),
-        ("unit = 3\ndt = \"10 ms\"\n", "s.toml:3: unit must be text, not 3"),
-        ("unit = \"furlong\"\ndt = \"10 ms\"\n", "s.toml:3: unit: \"furlong\" is not a unit of an acceleration"),
-        ("unit = \"g\"\nstep = \"10 ms\"\n", "s.toml:4: unknown key step in [ground]"),
-        ("unit = \"g\"\ndt = \"1000 s\"\n", "s.toml:4: dt: the time step must be from 1e-6 s to 100 s, not 1000.0 s"),
+        (
+            "unit = \"g\"\ndt = 0.01\n",
+            "s.toml:4: dt: \"0.01\" needs a unit",
+        ),
+        (
+            "unit = 3\ndt = \"10 ms\"\n",
+            "s.toml:3: unit must be text, not 3",
+        ),
+        (
+            "unit = \"furlong\"\ndt = \"10 ms\"\n",
+            "s.toml:3: unit: \"furlong\" is not a unit of an acceleration",
+        ),
+        (
+            "unit = \"g\"\nstep = \"10 ms\"\n",
+            "s.toml:4: unknown key step in [ground]",
+        ),
+        (
+            "unit = \"g\"\ndt = \"1000 s\"\n",
+            "s.toml:4: dt: the time step must be from 1e-6 s to 100 s, not 1000.0 s",
+        ),
         (
             "unit = \"g\"\ndt = \"0.01 s\"\n[objects]\nheights = 5\n[outputs]\n\
              history = { level = \"roof\", height = \"5 m\", thickness = \"200 mm\" }\n",
@@ -359,7 +568,11 @@ fn files_are_not_read_without_what_was_refused() {
 
 #[test]
 fn a_seed_of_the_command_line_wins() {
-    let study = builtin(&Overrides { seed: Some(7), ..Overrides::default() }).unwrap();
+    let study = builtin(&Overrides {
+        seed: Some(7),
+        ..Overrides::default()
+    })
+    .unwrap();
     assert!(matches!(study.ground, Ground::Synthetic(ground) if ground.seed == 7));
 }
 
@@ -368,12 +581,27 @@ fn what_is_not_a_study_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let none = Overrides::default();
     assert!(load(&folder.path().join("no.toml"), &none).is_err());
-    assert!(load(folder.path(), &none).unwrap_err().to_string().contains("is a folder"));
+    assert!(
+        load(folder.path(), &none)
+            .unwrap_err()
+            .to_string()
+            .contains("is a folder")
+    );
     let binary = folder.path().join("b.toml");
     std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
-    assert!(load(&binary, &none).unwrap_err().to_string().contains("is not text"));
+    assert!(
+        load(&binary, &none)
+            .unwrap_err()
+            .to_string()
+            .contains("is not text")
+    );
     #[cfg(unix)]
-    assert!(load(Path::new("/dev/zero"), &none).unwrap_err().to_string().contains("is a device"));
+    assert!(
+        load(Path::new("/dev/zero"), &none)
+            .unwrap_err()
+            .to_string()
+            .contains("is a device")
+    );
 }
 
 #[test]
@@ -385,7 +613,11 @@ fn records_are_processed_as_the_study_says() {
             format!("{},{},{}\n", f64::from(k) / 100.0, 0.1 * wave, 0.2 * wave)
         })
         .collect();
-    std::fs::write(folder.path().join("two.csv"), format!("time [s],N [g],E [g]\n{rows}")).unwrap();
+    std::fs::write(
+        folder.path().join("two.csv"),
+        format!("time [s],N [g],E [g]\n{rows}"),
+    )
+    .unwrap();
     let resolved = |keys: &str| {
         let text = format!("[ground]\nmotions = \"two.csv\"\n{keys}");
         resolve(&text, Some(Path::new("s.toml")), folder.path())
@@ -395,7 +627,9 @@ fn records_are_processed_as_the_study_says() {
          high_cut = \"20 Hz\"\nfilter_order = 2\nresample = \"5 ms\"\nscale_to = \"0.3 g\"\n",
     )
     .unwrap();
-    let Ground::Recorded(motions) = study.ground else { panic!() };
+    let Ground::Recorded(motions) = study.ground else {
+        panic!()
+    };
     let motion = &motions[0];
     assert_eq!(motion.processing.len(), 6, "{:?}", motion.processing);
     assert_eq!(motion.description, "CSV, components N and E");
@@ -403,9 +637,19 @@ fn records_are_processed_as_the_study_says() {
     assert!((motion.motion.peak_m_s2() / (0.3 * freestand::G0_M_S2) - 1.0).abs() < 1e-15);
     assert_eq!(motion.motion.dt_s(), 0.005);
     assert!(motion.scale_ratio > 1.0);
-    let found = |keys: &str| resolved(keys).unwrap_err().problems.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let found = |keys: &str| {
+        resolved(keys)
+            .unwrap_err()
+            .problems
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+    };
     for (keys, expected) in [
-        ("processing = { low_cut = \"-1 Hz\" }\n", "s.toml:3: low_cut must be positive, not \"-1 Hz\""),
+        (
+            "processing = { low_cut = \"-1 Hz\" }\n",
+            "s.toml:3: low_cut must be positive, not \"-1 Hz\"",
+        ),
         (
             "processing = { low_cut = \"5 Hz\", high_cut = \"1 Hz\" }\n",
             "s.toml:3: low_cut: 5 Hz is not below the high cut of 1 Hz",
@@ -414,47 +658,84 @@ fn records_are_processed_as_the_study_says() {
             "[ground.processing]\nlow_cut = \"5 Hz\"\nfilter_order = 0\n",
             "s.toml:5: filter_order must be 1 to 10, not 0",
         ),
-        ("processing = { filter_order = 4 }\n", "s.toml:3: filter_order needs low_cut or high_cut"),
-        ("processing = { taper = \"60 %\" }\n", "s.toml:3: taper must be above 0 and at most 50 %, not \"60 %\""),
+        (
+            "processing = { filter_order = 4 }\n",
+            "s.toml:3: filter_order needs low_cut or high_cut",
+        ),
+        (
+            "processing = { taper = \"60 %\" }\n",
+            "s.toml:3: taper must be above 0 and at most 50 %, not \"60 %\"",
+        ),
         (
             "processing = { resample = \"0.0001 ms\" }\n",
             "s.toml:3: resample: the time step must be from 1e-6 s to 100 s, not 1e-7 s",
         ),
-        ("scale = 2\nprocessing = { scale_to = \"1 g\" }\n", "s.toml:4: scale and scale_to exclude each other"),
-        ("component = 1\nprocessing = { azimuth = \"3 deg\" }\n", "s.toml:4: component and azimuth exclude each other"),
-        ("processing = { baselin = \"mean\" }\n", "s.toml:3: unknown key baselin in [processing]"),
-        ("processing = { baseline = \"straight\" }\n", "s.toml:3: baseline: \"straight\" is not a baseline"),
-        ("processing = \"mean\"\n", "s.toml:3: processing must be a table, not \"mean\""),
+        (
+            "scale = 2\nprocessing = { scale_to = \"1 g\" }\n",
+            "s.toml:4: scale and scale_to exclude each other",
+        ),
+        (
+            "component = 1\nprocessing = { azimuth = \"3 deg\" }\n",
+            "s.toml:4: component and azimuth exclude each other",
+        ),
+        (
+            "processing = { baselin = \"mean\" }\n",
+            "s.toml:3: unknown key baselin in [processing]",
+        ),
+        (
+            "processing = { baseline = \"straight\" }\n",
+            "s.toml:3: baseline: \"straight\" is not a baseline",
+        ),
+        (
+            "processing = \"mean\"\n",
+            "s.toml:3: processing must be a table, not \"mean\"",
+        ),
     ] {
         assert_eq!(found(keys), [expected], "{keys}");
     }
     // A fault of this record under this processing is one of the file.
     let nyquist = found("component = 1\nprocessing = { high_cut = \"60 Hz\" }\n");
-    assert!(nyquist.len() == 1 && nyquist[0].contains("two.csv: filter: a corner frequency"), "{nyquist:?}");
+    assert!(
+        nyquist.len() == 1 && nyquist[0].contains("two.csv: filter: a corner frequency"),
+        "{nyquist:?}"
+    );
     // So is one of a target; the path is relative to the study, and a missing file is reported at
     // the study's line.
     std::fs::write(folder.path().join("bad.csv"), "T [s],Sa [g]\n1,0\n").unwrap();
     let bad = found("component = 1\nprocessing = { scale_to_spectrum = \"bad.csv\" }\n");
     assert!(
-        bad.len() == 1 && bad[0].ends_with("bad.csv:2: the acceleration of a target must be above 0, not 0 m/s2"),
+        bad.len() == 1
+            && bad[0]
+                .ends_with("bad.csv:2: the acceleration of a target must be above 0, not 0 m/s2"),
         "{bad:?}"
     );
     for (keys, says) in [
-        ("processing = { scale_to_spectrum = \"none.csv\" }\n", "s.toml:3: scale_to_spectrum: "),
+        (
+            "processing = { scale_to_spectrum = \"none.csv\" }\n",
+            "s.toml:3: scale_to_spectrum: ",
+        ),
         (
             "processing = { scale_to_spectrum = \"bad.csv, 5 s\" }\n",
             "s.toml:3: scale_to_spectrum: \"5 s\" is neither a range of periods nor a damping",
         ),
     ] {
         let problems = found(keys);
-        assert!(problems.len() == 1 && problems[0].starts_with(says), "{problems:?}");
+        assert!(
+            problems.len() == 1 && problems[0].starts_with(says),
+            "{problems:?}"
+        );
     }
     std::fs::write(folder.path().join("good.csv"), "T [s],Sa [g]\n1,0.1\n").unwrap();
-    for (scale, other) in [("scale = 2\n", ""), ("", "scale_to = \"1 g\", "), ("", "scale_to_sa = \"1 g at 1 s\", ")] {
+    for (scale, other) in [
+        ("scale = 2\n", ""),
+        ("", "scale_to = \"1 g\", "),
+        ("", "scale_to_sa = \"1 g at 1 s\", "),
+    ] {
         let text = format!("{scale}processing = {{ {other}scale_to_spectrum = \"good.csv\" }}\n");
         let problems = found(&text);
         assert!(
-            problems.len() == 1 && problems[0].ends_with("and scale_to_spectrum exclude each other"),
+            problems.len() == 1
+                && problems[0].ends_with("and scale_to_spectrum exclude each other"),
             "{problems:?}"
         );
     }
@@ -462,14 +743,20 @@ fn records_are_processed_as_the_study_says() {
     assert_eq!(synthetic, ["s.toml:2: processing needs motions"]);
 }
 
-const TOWER: &str = "storey,height [m],mass [t],stiffness [kN/mm]\n1,4,100,300\n2,3,100,200\n3,3,60,200\n";
-const MODES: &str = "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,,-1.2,1\n";
+const TOWER: &str =
+    "storey,height [m],mass [t],stiffness [kN/mm]\n1,4,100,300\n2,3,100,200\n3,3,60,200\n";
+const MODES: &str =
+    "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,,-1.2,1\n";
 
 fn in_folder(building: &str) -> Result<Study, Problems> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tower.csv"), TOWER).unwrap();
     std::fs::write(folder.path().join("modes.csv"), MODES).unwrap();
-    std::fs::write(folder.path().join("broken.csv"), TOWER.replace("60,200", "0,200")).unwrap();
+    std::fs::write(
+        folder.path().join("broken.csv"),
+        TOWER.replace("60,200", "0,200"),
+    )
+    .unwrap();
     resolve(building, Some(Path::new("s.toml")), folder.path())
 }
 
@@ -477,20 +764,34 @@ fn in_folder(building: &str) -> Result<Study, Problems> {
 #[test]
 fn damping_beside_a_table_that_has_its_own_is_refused() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("own.csv"), MODES.replace("-0.3,,", "-0.3,4,")).unwrap();
+    std::fs::write(
+        folder.path().join("own.csv"),
+        MODES.replace("-0.3,,", "-0.3,4,"),
+    )
+    .unwrap();
     std::fs::write(folder.path().join("some.csv"), MODES).unwrap();
-    let said = |building: &str| match resolve(&format!("[building]\n{building}"), None, folder.path()) {
-        Ok(study) => Ok(study.building.unwrap()),
-        Err(error) => Err(error.problems.iter().map(ToString::to_string).collect::<Vec<_>>()),
+    let said =
+        |building: &str| match resolve(&format!("[building]\n{building}"), None, folder.path()) {
+            Ok(study) => Ok(study.building.unwrap()),
+            Err(error) => Err(error
+                .problems
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()),
+        };
+    let unused = |key: &str, line: usize| {
+        format!("line {line}: {key} is not used: the table states the damping of every mode")
     };
-    let unused =
-        |key: &str, line: usize| format!("line {line}: {key} is not used: the table states the damping of every mode");
-    let both = said("mode_table = \"own.csv\"\ndamping = 0.05\nrayleigh_modes = [1, 2]\n").unwrap_err();
+    let both =
+        said("mode_table = \"own.csv\"\ndamping = 0.05\nrayleigh_modes = [1, 2]\n").unwrap_err();
     assert_eq!(both, [unused("damping", 3), unused("rayleigh_modes", 4)]);
-    let across = said("mode_table = \"some.csv\"\nacross = { mode_table = \"own.csv\", damping = 0.03 }\n");
+    let across =
+        said("mode_table = \"some.csv\"\nacross = { mode_table = \"own.csv\", damping = 0.03 }\n");
     assert_eq!(across.unwrap_err(), [unused("across damping", 3)]);
     assert!(said("mode_table = \"own.csv\"\n").is_ok());
-    let inherited = said("mode_table = \"some.csv\"\ndamping = 0.03\nacross = { mode_table = \"own.csv\" }\n").unwrap();
+    let inherited =
+        said("mode_table = \"some.csv\"\ndamping = 0.03\nacross = { mode_table = \"own.csv\" }\n")
+            .unwrap();
     assert_eq!(inherited.along.modes()[1].damping_ratio(), 0.03);
     assert_eq!(inherited.across.unwrap().modes()[1].damping_ratio(), 0.04);
 }
@@ -499,8 +800,14 @@ fn damping_beside_a_table_that_has_its_own_is_refused() {
 #[test]
 fn one_table_of_both_axes_is_a_table_of_each_that_names_it() {
     let of = |building: &str| in_folder(building).unwrap().building.unwrap().tables.len();
-    assert_eq!(of("[building]\nmode_table = \"modes.csv\"\nacross = { mode_table = \"modes.csv\" }\n"), 2);
-    assert_eq!(of("[building]\nmode_table = \"modes.csv\"\nacross = { damping = 0.02 }\n"), 1);
+    assert_eq!(
+        of("[building]\nmode_table = \"modes.csv\"\nacross = { mode_table = \"modes.csv\" }\n"),
+        2
+    );
+    assert_eq!(
+        of("[building]\nmode_table = \"modes.csv\"\nacross = { damping = 0.02 }\n"),
+        1
+    );
 }
 
 #[test]
@@ -508,7 +815,14 @@ fn buildings_come_from_tables_on_either_axis() {
     let text = "[building]\nstorey_table = \"tower.csv\"\ndamping = 0.03\nrayleigh_modes = [1, 2]\n\
                 across = { mode_table = \"modes.csv\" }\n";
     let building = in_folder(text).unwrap().building.unwrap();
-    assert_eq!((building.storeys, building.height_m, building.storey_height_m), (3, 10.0, None));
+    assert_eq!(
+        (
+            building.storeys,
+            building.height_m,
+            building.storey_height_m
+        ),
+        (3, 10.0, None)
+    );
     assert_eq!(building.along.modes().len(), 3);
     let [first, second, third] = [0, 1, 2].map(|i| building.along.modes()[i].damping_ratio());
     assert!((first - 0.03).abs() < 1e-15 && (second - 0.03).abs() < 1e-15 && third > 0.031);
@@ -516,13 +830,24 @@ fn buildings_come_from_tables_on_either_axis() {
     // Two modes and Rayleigh damping at both, but for the mode that says its own.
     assert_eq!(across.modes()[0].damping_ratio(), 0.02);
     assert!((across.modes()[1].damping_ratio() - 0.03).abs() < 1e-15);
-    let tables: Vec<(bool, &str)> = building.tables.iter().map(|(across, table)| (*across, table.key)).collect();
+    let tables: Vec<(bool, &str)> = building
+        .tables
+        .iter()
+        .map(|(across, table)| (*across, table.key))
+        .collect();
     assert_eq!(tables, [(false, "storey_table"), (true, "mode_table")]);
 
     let text = "[building]\nperiod = \"2 s\"\nshear_flexure = 3\nmodes = 4\nacross = { period = \"1 s\" }\n";
     let building = in_folder(text).unwrap().building.unwrap();
     let across = building.across.unwrap();
-    assert_eq!((across.period_s(), across.shear_flexure_ratio(), across.modes().len()), (1.0, Some(3.0), 4));
+    assert_eq!(
+        (
+            across.period_s(),
+            across.shear_flexure_ratio(),
+            across.modes().len()
+        ),
+        (1.0, Some(3.0), 4)
+    );
     // A beam beside a table takes the table's height.
     let text = "[building]\nstorey_table = \"tower.csv\"\nacross = { frame = \"other\" }\n";
     let building = in_folder(text).unwrap().building.unwrap();
@@ -533,32 +858,69 @@ fn buildings_come_from_tables_on_either_axis() {
 #[test]
 fn wrong_tables_of_buildings_are_refused_where_they_are_wrong() {
     let said = |building: &str| -> Vec<String> {
-        in_folder(&format!("[building]\n{building}\n")).unwrap_err().problems.iter().map(ToString::to_string).collect()
+        in_folder(&format!("[building]\n{building}\n"))
+            .unwrap_err()
+            .problems
+            .iter()
+            .map(ToString::to_string)
+            .collect()
     };
     let ends = |building: &str, expected: &str| {
         let got = said(building);
-        assert!(got.len() == 1 && got[0].ends_with(expected), "{building}: {got:?}");
+        assert!(
+            got.len() == 1 && got[0].ends_with(expected),
+            "{building}: {got:?}"
+        );
     };
-    ends("storey_table = \"broken.csv\"", "broken.csv:4: the mass of storey 3 must be positive and finite, not 0");
-    ends("storey_table = \"tower.csv\"\nstoreys = 3", "s.toml:3: storey_table and storeys exclude each other");
-    ends("mode_table = \"modes.csv\"\nmodes = 2", "s.toml:3: modes and mode_table exclude each other");
+    ends(
+        "storey_table = \"broken.csv\"",
+        "broken.csv:4: the mass of storey 3 must be positive and finite, not 0",
+    );
+    ends(
+        "storey_table = \"tower.csv\"\nstoreys = 3",
+        "s.toml:3: storey_table and storeys exclude each other",
+    );
+    ends(
+        "mode_table = \"modes.csv\"\nmodes = 2",
+        "s.toml:3: modes and mode_table exclude each other",
+    );
     ends(
         "mode_table = \"modes.csv\"\nstorey_table = \"tower.csv\"",
         "s.toml:3: storey_table and mode_table exclude each other",
     );
-    ends("storey_table = \"tower.csv\"\nmodes = 4", "/tower.csv: the number of modes must be 1 to 3, not 4");
-    assert!(said("storey_table = \"tower.csv\"\nmodes = 4")[0].starts_with("s.toml:2: storey_table: "));
-    ends("rayleigh_modes = [1]", "s.toml:2: rayleigh_modes must be two mode numbers, not \"1\"");
-    ends("rayleigh_modes = [1, 11]", "among the first 10, not 1 and 11");
+    ends(
+        "storey_table = \"tower.csv\"\nmodes = 4",
+        "/tower.csv: the number of modes must be 1 to 3, not 4",
+    );
+    assert!(
+        said("storey_table = \"tower.csv\"\nmodes = 4")[0].starts_with("s.toml:2: storey_table: ")
+    );
+    ends(
+        "rayleigh_modes = [1]",
+        "s.toml:2: rayleigh_modes must be two mode numbers, not \"1\"",
+    );
+    ends(
+        "rayleigh_modes = [1, 11]",
+        "among the first 10, not 1 and 11",
+    );
     ends(
         "storeys = 2\nacross = { storey_table = \"tower.csv\" }",
         "s.toml:3: the building is 10 m high across, but 6.4 m high along its first axis",
     );
-    ends("storey_height = 3.2", "s.toml:2: storey_height: \"3.2\" needs a unit");
-    ends("across = { period = 3 }", "s.toml:2: across period: \"3\" needs a unit");
+    ends(
+        "storey_height = 3.2",
+        "s.toml:2: storey_height: \"3.2\" needs a unit",
+    );
+    ends(
+        "across = { period = 3 }",
+        "s.toml:2: across period: \"3\" needs a unit",
+    );
     let none = said("storey_table = \"none.csv\"");
     assert!(none[0].starts_with("s.toml:2: storey_table: "), "{none:?}");
-    assert!(none[0].contains("/none.csv: cannot open the file"), "{none:?}");
+    assert!(
+        none[0].contains("/none.csv: cannot open the file"),
+        "{none:?}"
+    );
     let both = said("period = \"0 s\"\nacross = { damping = 2 }");
     assert_eq!(both.len(), 2, "{both:?}");
 }
@@ -568,15 +930,27 @@ fn worlds_that_cannot_be_drawn_are_refused_at_their_line() {
     for (keys, expected) in [
         ("spectral_spread = -0.1", "spectral_spread"),
         ("period_spread = 9", "period_spread"),
-        ("component_correlation = 1.1", "component_correlation must be a correlation from 0 to 1"),
-        ("component_ratio = 0", "component_ratio must be above 0, at most 1"),
+        (
+            "component_correlation = 1.1",
+            "component_correlation must be a correlation from 0 to 1",
+        ),
+        (
+            "component_ratio = 0",
+            "component_ratio must be above 0, at most 1",
+        ),
         ("components = 3", "components must be 1 or 2"),
-        ("confidence = 0.5", "confidence must be above 0.5 and below 1"),
+        (
+            "confidence = 0.5",
+            "confidence must be above 0.5 and below 1",
+        ),
         ("first = 40\nmost = 20", "first = 40 is more than most = 20"),
         ("first = 0", "first must be a whole number from 1 to"),
     ] {
         let found = problems(&format!("[worlds]\n{keys}\n"));
-        assert!(found.len() == 1 && found[0].starts_with(&format!("s.toml:2: {expected}")), "{keys}: {found:?}");
+        assert!(
+            found.len() == 1 && found[0].starts_with(&format!("s.toml:2: {expected}")),
+            "{keys}: {found:?}"
+        );
     }
 }
 
@@ -585,24 +959,43 @@ fn worlds_that_cannot_be_drawn_are_refused_at_their_line() {
 fn a_measured_period_is_drawn_with_less_spread() {
     let spread = |text: &str| study(text).assessment.worlds.period_spread;
     let measured = "[building]\nperiod_measured = true\n";
-    let found = [spread("[worlds]\n"), spread(measured), spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n"))];
+    let found = [
+        spread("[worlds]\n"),
+        spread(measured),
+        spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n")),
+    ];
     assert_eq!(found, [0.2, 0.05, 0.1]);
 }
 
 #[test]
 fn a_place_in_place_of_the_hazard_of_a_study() {
-    let hazard =
-        |pairs: &[(&'static str, &str)]| Overrides { hazard: pairs.iter().copied().collect(), ..Overrides::default() };
+    let hazard = |pairs: &[(&'static str, &str)]| Overrides {
+        hazard: pairs.iter().copied().collect(),
+        ..Overrides::default()
+    };
     let target = |study: &Study| match &study.ground {
         Ground::Synthetic(ground) => ground.target.parameters(),
         _ => panic!(),
     };
     let cases: [(&[(&str, &str)], &str); 4] = [
-        (&[("place", "Wellington")], "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away"),
-        (&[("place", "Perth")], "site De, Z = 0.09 (Perth), 500 years, kpZ = 0.09 g"),
-        (&[("site", "Be")], "site Be, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g"),
         (
-            &[("place", "Napier"), ("site", "D"), ("return_period_years", "1000")],
+            &[("place", "Wellington")],
+            "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away",
+        ),
+        (
+            &[("place", "Perth")],
+            "site De, Z = 0.09 (Perth), 500 years, kpZ = 0.09 g",
+        ),
+        (
+            &[("site", "Be")],
+            "site Be, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g",
+        ),
+        (
+            &[
+                ("place", "Napier"),
+                ("site", "D"),
+                ("return_period_years", "1000"),
+            ],
             "site D, Z = 0.38 (Napier), 1000 years, Z R = 0.494 g",
         ),
     ];
@@ -611,42 +1004,79 @@ fn a_place_in_place_of_the_hazard_of_a_study() {
         assert_eq!(target(&study), line);
         // The study that the run leaves behind gives the same ground and the same building.
         let again = resolve(&study.toml, None, "".as_ref()).unwrap();
-        assert_eq!((&again.ground, &again.building), (&study.ground, &study.building), "{}", study.toml);
+        assert_eq!(
+            (&again.ground, &again.building),
+            (&study.ground, &study.building),
+            "{}",
+            study.toml
+        );
     }
     // The formula of New Zealand is Australia's; that of the United States is not.
-    let period = |place: &str| builtin(&hazard(&[("place", place)])).unwrap().building.unwrap().along.period_s();
+    let period = |place: &str| {
+        builtin(&hazard(&[("place", place)]))
+            .unwrap()
+            .building
+            .unwrap()
+            .along
+            .period_s()
+    };
     assert_eq!(period("Wellington"), period("Melbourne"));
     // 0.0488 · 96^0.75, to its last digit.
     assert!((period("Reno") - 1.4967).abs() < 5e-5, "{}", period("Reno"));
     let got = builtin(&hazard(&[("place", "Renno")])).unwrap_err();
     // A flag is on no line of the study.
     let problem = &got.problems[0];
-    assert!(problem.message.contains("`place` \"Renno\" is not in the table of places") && problem.line.is_none());
+    assert!(
+        problem
+            .message
+            .contains("`place` \"Renno\" is not in the table of places")
+            && problem.line.is_none()
+    );
     let text = "[ground]\nmotions = [\"a.csv\"]\n";
     let got = resolve_with(text, None, "".as_ref(), &hazard(&[("place", "Reno")])).unwrap_err();
-    assert!(got.problems.iter().any(|one| one.message.contains("the ground motions are records")), "{got}");
+    assert!(
+        got.problems
+            .iter()
+            .any(|one| one.message.contains("the ground motions are records")),
+        "{got}"
+    );
 }
 
 #[test]
 fn periods_by_the_code_and_the_height() {
     let building = |text: &str| study(text).building.unwrap();
-    let tower = building("[building]\nstoreys = 12\nheight = \"40 m\"\nframe = \"concrete-moment\"\n");
+    let tower =
+        building("[building]\nstoreys = 12\nheight = \"40 m\"\nframe = \"concrete-moment\"\n");
     assert_eq!((tower.storeys, tower.height_m), (12, 40.0));
     assert_eq!(
         tower.period_note,
         "AS 1170.4, 6.2.3: T = 1.25 × 0.075 H^0.75 with H = 40 m (frame \"concrete-moment\")"
     );
     // 131 ft 3 in is 40.005 m: 12.5 storeys of 3.2 m.
-    assert_eq!(building("[building]\nheight = \"131' 3\\\"\"\n").storeys, 13);
-    let athens = building("[ground]\nplace = \"Athens\"\n[building]\nstoreys = 5\nstorey_height = \"3.2 m\"\n");
+    assert_eq!(
+        building("[building]\nheight = \"131' 3\\\"\"\n").storeys,
+        13
+    );
+    let athens = building(
+        "[ground]\nplace = \"Athens\"\n[building]\nstoreys = 5\nstorey_height = \"3.2 m\"\n",
+    );
     // 0.05 · 16^0.75 = 0.4, to the rounding of the power.
     assert!((athens.along.period_s() - 0.4).abs() < 1e-14 && athens.warnings.is_empty());
     let high = building("[ground]\nplace = \"Athens\"\n");
-    assert!(high.warnings[0].contains("buildings up to 40 m"), "{:?}", high.warnings);
+    assert!(
+        high.warnings[0].contains("buildings up to 40 m"),
+        "{:?}",
+        high.warnings
+    );
     let stated = building("[ground]\nplace = \"Athens\"\n[building]\nperiod = \"2 s\"\n");
     assert!(stated.warnings.is_empty() && stated.period_code.is_none());
-    let other = building("[building]\nperiod_code = \"asce7\"\nheight = \"30 m\"\nframe = \"steel-moment\"\n");
+    let other = building(
+        "[building]\nperiod_code = \"asce7\"\nheight = \"30 m\"\nframe = \"steel-moment\"\n",
+    );
     assert!((other.along.period_s() - 1.100).abs() < 5e-4);
     assert!(problems("[building]\nperiod_code = \"ibc\"\n")[0].contains("is not known"));
-    assert!(problems("[building]\nstoreys = 3\nstorey_height = \"3 m\"\nheight = \"9 m\"\n")[0].contains("exclude"));
+    assert!(
+        problems("[building]\nstoreys = 3\nstorey_height = \"3 m\"\nheight = \"9 m\"\n")[0]
+            .contains("exclude")
+    );
 }

@@ -11,7 +11,9 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::motion::Motion;
-use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingError, RockingOptions, Until, rock_observed};
+use freestand::rocking::{
+    Base, HistoryRecorder, Outcome, RockingError, RockingOptions, Until, rock_observed,
+};
 use freestand::spectra::{UpliftCell, uplift_spectrum};
 use rayon::prelude::*;
 
@@ -75,7 +77,9 @@ pub fn no_progress(_: Step) -> ControlFlow<()> {
 /// Periods at which spectra are shown \[s\]: 0.02 to 10 s, 20 a decade.
 pub fn spectrum_periods_s() -> Vec<f64> {
     let (first, last, count) = (0.02f64, 10.0f64, 109);
-    (0..count).map(|i| first * (last / first).powf(f64::from(i) / f64::from(count - 1))).collect()
+    (0..count)
+        .map(|i| first * (last / first).powf(f64::from(i) / f64::from(count - 1)))
+        .collect()
 }
 
 /// Runs `study` on the current thread pool; the result does not depend on the number of threads.
@@ -88,10 +92,14 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let directions = study.directions_deg.len();
     let total = study.levels.len() * study.objects.blocks.len() * names.len() * directions;
     let tell = |stage, done| {
-        progress(Step { stage: Some(stage), done, total })
-            .is_continue()
-            .then_some(())
-            .ok_or_else(|| Problems::from(Problem::stopped()))
+        progress(Step {
+            stage: Some(stage),
+            done,
+            total,
+        })
+        .is_continue()
+        .then_some(())
+        .ok_or_else(|| Problems::from(Problem::stopped()))
     };
     let ground = ground_motions(&study.ground, || tell(Stage::GroundMotions, 0))?;
     let floors = floors(study, &ground, || tell(Stage::FloorMotions, 0))?;
@@ -99,18 +107,28 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let profile = floor_profile(study, &ground, || tell(Stage::FloorMotions, 0))?;
 
     let finished = std::sync::atomic::AtomicUsize::new(0);
-    let pairs: Vec<(usize, usize)> =
-        (0..study.levels.len()).flat_map(|level| (0..names.len()).map(move |motion| (level, motion))).collect();
+    let pairs: Vec<(usize, usize)> = (0..study.levels.len())
+        .flat_map(|level| (0..names.len()).map(move |motion| (level, motion)))
+        .collect();
     let responses: Vec<Vec<ObjectResponse>> = pairs
         .par_iter()
         .map(|&(level, motion)| {
             let mut governing: Vec<ObjectResponse> = Vec::new();
             for &direction_deg in &study.directions_deg {
-                let row =
-                    object_responses(study, &floors[level][motion], verticals[level][motion].as_deref(), direction_deg);
-                let done = finished.fetch_add(row.len(), std::sync::atomic::Ordering::Relaxed) + row.len();
+                let row = object_responses(
+                    study,
+                    &floors[level][motion],
+                    verticals[level][motion].as_deref(),
+                    direction_deg,
+                );
+                let done =
+                    finished.fetch_add(row.len(), std::sync::atomic::Ordering::Relaxed) + row.len();
                 tell(Stage::RockingHistories, done)?;
-                governing = if governing.is_empty() { row } else { larger(governing, row) };
+                governing = if governing.is_empty() {
+                    row
+                } else {
+                    larger(governing, row)
+                };
             }
             Ok(governing)
         })
@@ -125,18 +143,34 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let mut warnings = study.warnings.clone();
     warnings.extend(result_warnings(study, &ground, &levels));
     let history = example_history(study, &names, &levels).unwrap_or_else(|error| {
-        warnings.push(format!("the requested rocking history cannot be drawn: {error}"));
+        warnings.push(format!(
+            "the requested rocking history cannot be drawn: {error}"
+        ));
         None
     });
-    let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
-    Ok(StudyResult { motions: names, ground, modes, profile, levels, history, sensitivity: None, warnings })
+    let modes = study
+        .building
+        .as_ref()
+        .map_or_else(Vec::new, |building| building.along.modes().to_vec());
+    Ok(StudyResult {
+        motions: names,
+        ground,
+        modes,
+        profile,
+        levels,
+        history,
+        sensitivity: None,
+        warnings,
+    })
 }
 
 fn options(study: &Study) -> RockingOptions {
     RockingOptions {
         restitution: study.objects.restitution,
         accuracy: study.objects.accuracy,
-        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+        until: Until::Settled {
+            at_most_s: LONGEST_TAIL_S,
+        },
         ..RockingOptions::default()
     }
 }
@@ -152,19 +186,33 @@ fn object_responses(
         Ok(motion) => motion,
         Err(error) => return vec![ObjectResponse::Failed(error.to_string()); objects.blocks.len()],
     };
-    let base = Base { horizontal: Some(&motion), vertical };
+    let base = Base {
+        horizontal: Some(&motion),
+        vertical,
+    };
     let direction_deg = floor.across.is_some().then_some(direction_deg);
     uplift_spectrum(&objects.blocks, base, &options(study))
         .into_iter()
         .map(|cell| match cell {
             Ok(uplift) => {
-                let shock = uplift.shock(objects.mass_kg, &objects.cushion.cushion, ImpactModel::Paper, G0_M_S2);
+                let shock = uplift.shock(
+                    objects.mass_kg,
+                    &objects.cushion.cushion,
+                    ImpactModel::Paper,
+                    G0_M_S2,
+                );
                 if shock.is_beyond_numbers() {
                     return ObjectResponse::Failed(BOTTOMED.to_owned());
                 }
-                ObjectResponse::Done { uplift, shock, direction_deg }
+                ObjectResponse::Done {
+                    uplift,
+                    shock,
+                    direction_deg,
+                }
             }
-            Err(error @ RockingError::FreeFlight { .. }) => ObjectResponse::FreeFlight(error.to_string()),
+            Err(error @ RockingError::FreeFlight { .. }) => {
+                ObjectResponse::FreeFlight(error.to_string())
+            }
             Err(error) => ObjectResponse::Failed(error.to_string()),
         })
         .collect()
@@ -177,9 +225,10 @@ fn object_responses(
 fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
     let rank = |response: &ObjectResponse| match response {
         ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => (2, 0.0),
-        ObjectResponse::Done { uplift, .. } => {
-            (u8::from(uplift.rocking.outcome.has_fallen()), uplift.rocking.cg_rise_m)
-        }
+        ObjectResponse::Done { uplift, .. } => (
+            u8::from(uplift.rocking.outcome.has_fallen()),
+            uplift.rocking.cg_rise_m,
+        ),
     };
     let governs = |one: &ObjectResponse, other: &ObjectResponse| {
         let (one, other) = (rank(one), rank(other));
@@ -195,7 +244,10 @@ fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<Object
         if let ObjectResponse::Done { shock, .. } = &mut governing
             && let Some(governing_g) = &mut shock.edge_acceleration_impact_velocity_g
         {
-            *governing_g = [one_g, other_g].into_iter().flatten().fold(*governing_g, f64::max);
+            *governing_g = [one_g, other_g]
+                .into_iter()
+                .flatten()
+                .fold(*governing_g, f64::max);
         }
         governing
     };
@@ -207,11 +259,22 @@ fn level_result(
     (floors, verticals): (Vec<HorizontalMotion>, Vec<Option<Arc<Motion>>>),
     responses: Vec<Vec<ObjectResponse>>,
 ) -> Result<LevelResult, Problems> {
-    let spectra = floors.par_iter().map(spectrum_of).collect::<Result<_, _>>()?;
+    let spectra = floors
+        .par_iter()
+        .map(spectrum_of)
+        .collect::<Result<_, _>>()?;
     let objects = responses.first().map_or(0, Vec::len);
-    let statistics =
-        (0..objects).map(|object| object_statistics(responses.iter().map(|motion| &motion[object]))).collect();
-    Ok(LevelResult { level: level.clone(), floors, verticals, spectra, responses, statistics })
+    let statistics = (0..objects)
+        .map(|object| object_statistics(responses.iter().map(|motion| &motion[object])))
+        .collect();
+    Ok(LevelResult {
+        level: level.clone(),
+        floors,
+        verticals,
+        spectra,
+        responses,
+        statistics,
+    })
 }
 
 /// The history that is drawn: the study's choice; otherwise, on the highest floor and for the first
@@ -221,18 +284,28 @@ fn example_history(
     names: &[String],
     levels: &[LevelResult],
 ) -> Result<Option<ExampleHistory>, Box<dyn std::error::Error>> {
-    let Some((level, motion, block)) = history_choice(study, names, levels) else { return Ok(None) };
+    let Some((level, motion, block)) = history_choice(study, names, levels) else {
+        return Ok(None);
+    };
     let direction_deg = governing_direction(study, &level.responses[motion], &block);
     let floor = level.floors[motion].in_direction(direction_deg.unwrap_or(0.0))?;
     let floor = floor.as_ref();
-    let base = Base { horizontal: Some(floor), vertical: level.verticals[motion].as_deref() };
+    let base = Base {
+        horizontal: Some(floor),
+        vertical: level.verticals[motion].as_deref(),
+    };
     let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
-    let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment))?;
+    let rocking = rock_observed(&block, base, &options(study), |segment| {
+        recorder.observe(segment)
+    })?;
     let points = recorder.finish(&rocking);
     let landing = Landing::rocking(&block, ImpactModel::Paper);
     let shock_g = |omega: f64| {
         let (mass, cushion) = (study.objects.mass_kg, &study.objects.cushion.cushion);
-        landing.impact_at_omega(mass, cushion, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
+        landing
+            .impact_at_omega(mass, cushion, omega, G0_M_S2)
+            .edge_acceleration_m_s2
+            / G0_M_S2
     };
     Ok(Some(ExampleHistory {
         level: level.level.name.clone(),
@@ -245,7 +318,11 @@ fn example_history(
         time_s: points.iter().map(|p| p.time_s).collect(),
         accel_m_s2: points.iter().map(|p| p.base_accel_m_s2).collect(),
         theta_rad: points.iter().map(|p| p.theta_rad).collect(),
-        impacts: rocking.impacts.iter().map(|i| (i.time_s, shock_g(i.omega_before_rad_s))).collect(),
+        impacts: rocking
+            .impacts
+            .iter()
+            .map(|i| (i.time_s, shock_g(i.omega_before_rad_s)))
+            .collect(),
     }))
 }
 
@@ -253,7 +330,9 @@ fn example_history(
 /// agree only up to rounding.
 fn governing_direction(study: &Study, row: &[ObjectResponse], block: &Block) -> Option<f64> {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
-    let is_it = |one: &Block| near(one.height_m(), block.height_m()) && near(one.thickness_m(), block.thickness_m());
+    let is_it = |one: &Block| {
+        near(one.height_m(), block.height_m()) && near(one.thickness_m(), block.thickness_m())
+    };
     let object = study.objects.blocks.iter().position(is_it)?;
     match row.get(object)? {
         ObjectResponse::Done { direction_deg, .. } => *direction_deg,
@@ -269,28 +348,43 @@ fn history_choice<'a>(
 ) -> Option<(&'a LevelResult, usize, Block)> {
     Some(match &study.outputs.history {
         Some(choice) => {
-            let level = levels.iter().find(|level| level.level.name == choice.level)?;
+            let level = levels
+                .iter()
+                .find(|level| level.level.name == choice.level)?;
             let motion = match &choice.motion {
                 Some(wanted) => names.iter().position(|name| name == wanted)?,
                 None => 0,
             };
-            (level, motion, Block::uniform(choice.height_m, choice.thickness_m).ok()?)
+            (
+                level,
+                motion,
+                Block::uniform(choice.height_m, choice.thickness_m).ok()?,
+            )
         }
         None => {
             // A level whose height is not known ranks below the others.
             let height = |level: &LevelResult| level.level.level_ratio.unwrap_or(-1.0);
-            let level = levels.iter().max_by(|a, b| height(a).total_cmp(&height(b)))?;
+            let level = levels
+                .iter()
+                .max_by(|a, b| height(a).total_cmp(&height(b)))?;
             let hardest = |row: &[ObjectResponse]| -> Option<UpliftCell> {
                 let shocks = row.iter().filter_map(|response| match response {
-                    ObjectResponse::Done { uplift, shock, .. } if uplift.rocking.outcome == Outcome::Rocked => {
+                    ObjectResponse::Done { uplift, shock, .. }
+                        if uplift.rocking.outcome == Outcome::Rocked =>
+                    {
                         Some((*uplift, shock.edge_acceleration_g?))
                     }
                     _ => None,
                 });
-                shocks.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(uplift, _)| uplift)
+                shocks
+                    .max_by(|a, b| a.1.total_cmp(&b.1))
+                    .map(|(uplift, _)| uplift)
             };
-            let (motion, cell) =
-                level.responses.iter().enumerate().find_map(|(motion, row)| Some((motion, hardest(row)?)))?;
+            let (motion, cell) = level
+                .responses
+                .iter()
+                .enumerate()
+                .find_map(|(motion, row)| Some((motion, hardest(row)?)))?;
             (level, motion, cell.block)
         }
     })

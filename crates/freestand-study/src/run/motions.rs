@@ -15,7 +15,8 @@ use crate::matched::synthetic_name;
 use crate::result::{FloorProfile, GroundMotion, PseudoSpectrum};
 use crate::simulated::simulator;
 use crate::study::{
-    BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround, VerticalTarget,
+    BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround,
+    VerticalTarget,
 };
 use crate::target::code_parts;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -26,9 +27,19 @@ pub fn ground_motions(
     ground: &Ground,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<Vec<GroundMotion>, Problems> {
-    let finish = |name: String, motion: HorizontalMotion, vertical, misfit| -> Result<GroundMotion, Problems> {
+    let finish = |name: String,
+                  motion: HorizontalMotion,
+                  vertical,
+                  misfit|
+     -> Result<GroundMotion, Problems> {
         let spectrum = spectrum_of(&motion)?;
-        Ok(GroundMotion { name, motion, vertical, spectrum, misfit })
+        Ok(GroundMotion {
+            name,
+            motion,
+            vertical,
+            spectrum,
+            misfit,
+        })
     };
     match ground {
         Ground::Synthetic(synthetic) => (0..synthetic.count)
@@ -36,10 +47,23 @@ pub fn ground_motions(
             .map(|i| {
                 go_on()?;
                 let options = SynthesisOptions::default();
-                let matched = synthesize(|t| synthetic.target.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
-                    .map_err(failed("a synthetic motion"))?;
-                let motion = HorizontalMotion { along: matched.motion, across: None };
-                finish(synthetic_name(i), motion, vertical_motion(synthetic, i as u32)?, Some(matched.misfit))
+                let matched = synthesize(
+                    |t| synthetic.target.spectrum.sa_g(t),
+                    synthetic.seed,
+                    i as u64,
+                    &options,
+                )
+                .map_err(failed("a synthetic motion"))?;
+                let motion = HorizontalMotion {
+                    along: matched.motion,
+                    across: None,
+                };
+                finish(
+                    synthetic_name(i),
+                    motion,
+                    vertical_motion(synthetic, i as u32)?,
+                    Some(matched.misfit),
+                )
             })
             .collect(),
         Ground::Simulated(simulated) => simulated_motions(simulated, &go_on, finish),
@@ -47,7 +71,10 @@ pub fn ground_motions(
             .par_iter()
             .map(|record| {
                 let misfit = record.matched.as_ref().map(|matched| matched.misfit);
-                let vertical = record.vertical.as_ref().map(|vertical| vertical.motion.clone());
+                let vertical = record
+                    .vertical
+                    .as_ref()
+                    .map(|vertical| vertical.motion.clone());
                 finish(record.name.clone(), record.as_used(), vertical, misfit)
             })
             .collect(),
@@ -61,29 +88,62 @@ fn vertical_motion(synthetic: &SyntheticGround, index: u32) -> Result<Option<Mot
     if synthetic.vertical == VerticalTarget::None {
         return Ok(None);
     }
-    let sa_g = |period_s| synthetic.vertical.sa_g(&synthetic.target, period_s).unwrap_or(f64::NAN);
+    let sa_g = |period_s| {
+        synthetic
+            .vertical
+            .sa_g(&synthetic.target, period_s)
+            .unwrap_or(f64::NAN)
+    };
     let stream = stream(Component::Vertical.number(), index);
     let matched = synthesize(sa_g, synthetic.seed, stream, &SynthesisOptions::default());
-    matched.map(|matched| Some(matched.motion)).map_err(failed("a vertical motion"))
+    matched
+        .map(|matched| Some(matched.motion))
+        .map_err(failed("a vertical motion"))
 }
 
 /// Vertical motions of the levels, `[level][motion]`: those of the ground, which floors above it
 /// amplify, with the zeros that the horizontal ones ring down in.
-pub(super) fn verticals(study: &Study, ground: &[GroundMotion]) -> Result<Vec<Vec<Option<Arc<Motion>>>>, Problems> {
+pub(super) fn verticals(
+    study: &Study,
+    ground: &[GroundMotion],
+) -> Result<Vec<Vec<Option<Arc<Motion>>>>, Problems> {
     let Some(building) = &study.building else {
-        return Ok(study.levels.iter().map(|level| vec![None; level.motions.len()]).collect());
+        return Ok(study
+            .levels
+            .iter()
+            .map(|level| vec![None; level.motions.len()])
+            .collect());
     };
     let of = |motion: &GroundMotion, ratio: f64| -> Result<Option<Arc<Motion>>, Problems> {
-        let Some(vertical) = &motion.vertical else { return Ok(None) };
-        let padded = vertical.with_zero_tail(building.tail_s()).and_then(|motion| motion.scaled(ratio));
-        padded.map(|motion| Some(Arc::new(motion))).map_err(failed(format!("the vertical motion of {}", motion.name)))
+        let Some(vertical) = &motion.vertical else {
+            return Ok(None);
+        };
+        let padded = vertical
+            .with_zero_tail(building.tail_s())
+            .and_then(|motion| motion.scaled(ratio));
+        padded
+            .map(|motion| Some(Arc::new(motion)))
+            .map_err(failed(format!("the vertical motion of {}", motion.name)))
     };
     let both: Vec<[Option<Arc<Motion>>; 2]> = ground
         .iter()
-        .map(|motion| Ok([of(motion, 1.0)?, of(motion, study.vertical_amplification_ratio)?]))
+        .map(|motion| {
+            Ok([
+                of(motion, 1.0)?,
+                of(motion, study.vertical_amplification_ratio)?,
+            ])
+        })
         .collect::<Result<_, Problems>>()?;
     let is_above = |level: &Level| usize::from(level.level_ratio != Some(0.0));
-    Ok(study.levels.iter().map(|level| both.iter().map(|both| both[is_above(level)].clone()).collect()).collect())
+    Ok(study
+        .levels
+        .iter()
+        .map(|level| {
+            both.iter()
+                .map(|both| both[is_above(level)].clone())
+                .collect()
+        })
+        .collect())
 }
 
 /// Earthquake by earthquake, each motion from the same streams of random numbers as in `motion
@@ -91,7 +151,13 @@ pub(super) fn verticals(study: &Study, ground: &[GroundMotion]) -> Result<Vec<Ve
 fn simulated_motions(
     simulated: &SimulatedGround,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
-    finish: impl Fn(String, HorizontalMotion, Option<Motion>, Option<Misfit>) -> Result<GroundMotion, Problems> + Sync,
+    finish: impl Fn(
+        String,
+        HorizontalMotion,
+        Option<Motion>,
+        Option<Misfit>,
+    ) -> Result<GroundMotion, Problems>
+    + Sync,
 ) -> Result<Vec<GroundMotion>, Problems> {
     let wrong = "a simulated motion";
     let mut motions = Vec::new();
@@ -101,8 +167,18 @@ fn simulated_motions(
             .into_par_iter()
             .map(|index| {
                 go_on()?;
-                let along = simulator.motion(simulated.request.seed, found.stream(index)).map_err(failed(wrong))?;
-                finish(found.motion_name(index), HorizontalMotion { along, across: None }, None, None)
+                let along = simulator
+                    .motion(simulated.request.seed, found.stream(index))
+                    .map_err(failed(wrong))?;
+                finish(
+                    found.motion_name(index),
+                    HorizontalMotion {
+                        along,
+                        across: None,
+                    },
+                    None,
+                    None,
+                )
             })
             .collect::<Result<_, Problems>>()?;
         motions.extend(made);
@@ -113,13 +189,22 @@ fn simulated_motions(
 /// The spectrum for figures, at 5 % damping.
 pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, Problems> {
     let periods_s = spectrum_periods_s();
-    let psa_m_s2 =
-        largest_psa_m_s2(motion, SPECTRUM_DAMPING_RATIO, &periods_s).map_err(failed("a response spectrum"))?;
-    Ok(PseudoSpectrum { periods_s, psa_m_s2 })
+    let psa_m_s2 = largest_psa_m_s2(motion, SPECTRUM_DAMPING_RATIO, &periods_s)
+        .map_err(failed("a response spectrum"))?;
+    Ok(PseudoSpectrum {
+        periods_s,
+        psa_m_s2,
+    })
 }
 
 fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> Problems {
-    move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
+    move |error| {
+        Problem::new(
+            ProblemKind::Computation,
+            format!("{what} cannot be computed: {error}"),
+        )
+        .into()
+    }
 }
 
 /// Floor motions, `[level][motion]`: those that are given, or those of the building, with its free
@@ -136,7 +221,11 @@ pub(super) fn floors(
             .map(|level| level.motions.iter().map(RecordedMotion::as_used).collect())
             .collect());
     };
-    let ratios: Vec<f64> = study.levels.iter().map(|level| level.level_ratio.unwrap_or(1.0)).collect();
+    let ratios: Vec<f64> = study
+        .levels
+        .iter()
+        .map(|level| level.level_ratio.unwrap_or(1.0))
+        .collect();
     let by_motion: Vec<Vec<HorizontalMotion>> = ground
         .par_iter()
         .map(|g| {
@@ -163,12 +252,17 @@ pub(super) fn floor_profile(
     ground: &[GroundMotion],
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<Option<FloorProfile>, Problems> {
-    let Some(building) = &study.building else { return Ok(None) };
+    let Some(building) = &study.building else {
+        return Ok(None);
+    };
     let levels_ratio = every_floor(&building.along, building.storeys);
     let peaks = |g: &GroundMotion| -> Result<(Vec<f64>, Vec<f64>), Problems> {
         go_on()?;
         let floors = floors_under(g, building, &levels_ratio)?;
-        Ok(floors.iter().map(|floor| (floor.peak_m_s2() / G0_M_S2, floor.peak_velocity_m_s())).unzip())
+        Ok(floors
+            .iter()
+            .map(|floor| (floor.peak_m_s2() / G0_M_S2, floor.peak_velocity_m_s()))
+            .unzip())
     };
     let (pfa_g, pfv_m_s) = ground
         .par_iter()
@@ -179,13 +273,25 @@ pub(super) fn floor_profile(
         .into_iter()
         .unzip();
     // A stiffer axis gives the larger accelerations by the codes that ask for a period.
-    let across_s = building.across.as_ref().map_or(f64::INFINITY, Building::period_s);
+    let across_s = building
+        .across
+        .as_ref()
+        .map_or(f64::INFINITY, Building::period_s);
     let period_s = building.along.period_s().min(across_s);
-    let code = study
-        .ground
-        .code_spectrum()
-        .and_then(|target| code_parts(&target.spectrum, Some(building.height_m), Some(period_s), &levels_ratio));
-    Ok(Some(FloorProfile { levels_ratio, pfa_g, pfv_m_s, code }))
+    let code = study.ground.code_spectrum().and_then(|target| {
+        code_parts(
+            &target.spectrum,
+            Some(building.height_m),
+            Some(period_s),
+            &levels_ratio,
+        )
+    });
+    Ok(Some(FloorProfile {
+        levels_ratio,
+        pfa_g,
+        pfv_m_s,
+        code,
+    }))
 }
 
 /// The motions of every level under one ground motion.
@@ -196,15 +302,22 @@ pub fn floors_under(
 ) -> Result<Vec<HorizontalMotion>, Problems> {
     let what = || format!("the floor motion under {}", ground.name);
     let axis = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, Problems> {
-        let motion = motion.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
+        let motion = motion
+            .with_zero_tail(building.tail_s())
+            .map_err(failed(what()))?;
         floor_motions(&motion, axis, ratios).map_err(failed(what()))
     };
     let along = axis(&ground.motion.along, &building.along)?;
     let across = match &ground.motion.across {
-        Some(motion) => {
-            axis(motion, building.across.as_ref().unwrap_or(&building.along))?.into_iter().map(Some).collect()
-        }
+        Some(motion) => axis(motion, building.across.as_ref().unwrap_or(&building.along))?
+            .into_iter()
+            .map(Some)
+            .collect(),
         None => vec![None; along.len()],
     };
-    Ok(along.into_iter().zip(across).map(|(along, across)| HorizontalMotion { along, across }).collect())
+    Ok(along
+        .into_iter()
+        .zip(across)
+        .map(|(along, across)| HorizontalMotion { along, across })
+        .collect())
 }

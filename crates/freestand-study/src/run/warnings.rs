@@ -1,7 +1,9 @@
 //! Warnings that follow from a result.
 
 use freestand::G0_M_S2;
-use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio};
+use freestand::impact::{
+    ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio,
+};
 use freestand::rocking::{Outcome, RockingModel, StopReason};
 
 use crate::cushion::EdgeCushion;
@@ -10,12 +12,26 @@ use crate::result::{GroundMotion, LevelResult, ObjectResponse};
 use crate::study::Study;
 
 /// One sentence each.
-pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult]) -> Vec<String> {
+pub(super) fn result_warnings(
+    study: &Study,
+    ground: &[GroundMotion],
+    levels: &[LevelResult],
+) -> Vec<String> {
     let peak = peak_warning(ground.iter().filter_map(|motion| motion.misfit.as_ref()));
     let mut warnings: Vec<String> = peak.into_iter().collect();
-    let rows = || levels.iter().flat_map(|level| level.responses.iter().flatten());
-    let failed =
-        rows().filter(|response| matches!(response, ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_))).count();
+    let rows = || {
+        levels
+            .iter()
+            .flat_map(|level| level.responses.iter().flatten())
+    };
+    let failed = rows()
+        .filter(|response| {
+            matches!(
+                response,
+                ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_)
+            )
+        })
+        .count();
     if failed > 0 {
         warnings.push(format!(
             "{failed} of {} histories could not be calculated: see the column reason of srs.csv",
@@ -36,8 +52,16 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
 
     let objects = &study.objects;
     let friction = objects.friction.unwrap_or(ASSUMED_FRICTION);
-    let assumed = if objects.friction.is_some() { "" } else { " (assumed)" };
-    let squat = objects.blocks.iter().filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction).count();
+    let assumed = if objects.friction.is_some() {
+        ""
+    } else {
+        " (assumed)"
+    };
+    let squat = objects
+        .blocks
+        .iter()
+        .filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction)
+        .count();
     if squat > 0 {
         warnings.push(format!(
             "for {squat} of {} objects t/h is above the friction of {friction}{assumed}: such objects slide before \
@@ -49,7 +73,10 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .blocks
         .iter()
         .filter(|b| {
-            let r = objects.restitution.ratios(b).map_or(0.0, |ratios| ratios[0]);
+            let r = objects
+                .restitution
+                .ratios(b)
+                .map_or(0.0, |ratios| ratios[0]);
             impact_friction_needed_ratio(b, r) > friction
         })
         .count();
@@ -60,7 +87,11 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
             objects.blocks.len()
         ));
     }
-    let EdgeCushion { cushion, pad_thickness_m, .. } = &objects.cushion;
+    let EdgeCushion {
+        cushion,
+        pad_thickness_m,
+        ..
+    } = &objects.cushion;
     let worst = rows()
         .filter_map(|response| match response {
             ObjectResponse::Done { uplift, .. } if uplift.rocking.outcome == Outcome::Rocked => {
@@ -72,7 +103,9 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(impact) = worst {
         warnings.extend(
-            compression_warnings(impact.compression_m, cushion, *pad_thickness_m).iter().map(ToString::to_string),
+            compression_warnings(impact.compression_m, cushion, *pad_thickness_m)
+                .iter()
+                .map(ToString::to_string),
         );
     }
     warnings

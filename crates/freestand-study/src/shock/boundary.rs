@@ -28,12 +28,28 @@ impl DamageBoundaryReport {
     /// The boundary of a request and the demand; `None` if no boundary is known.
     pub(super) fn new(request: &ShockRequest, edge_m_s2: f64, impact: &Impact) -> Option<Self> {
         let of_component = || {
-            let (frequency_hz, capacity) = (request.component_frequency_hz?, request.component_capacity_m_s2?);
-            Some(("component", DamageBoundary::of_component(frequency_hz, capacity).ok()?))
+            let (frequency_hz, capacity) = (
+                request.component_frequency_hz?,
+                request.component_capacity_m_s2?,
+            );
+            Some((
+                "component",
+                DamageBoundary::of_component(frequency_hz, capacity).ok()?,
+            ))
         };
-        let tests = if request.boundary_tests.is_some() { "test points" } else { "tests" };
-        let (source, boundary) = boundary(request).map(|one| (tests, one)).or_else(of_component)?;
-        Some(Self { source, boundary, demand: (impact.velocity_change_m_s, edge_m_s2) })
+        let tests = if request.boundary_tests.is_some() {
+            "test points"
+        } else {
+            "tests"
+        };
+        let (source, boundary) = boundary(request)
+            .map(|one| (tests, one))
+            .or_else(of_component)?;
+        Some(Self {
+            source,
+            boundary,
+            demand: (impact.velocity_change_m_s, edge_m_s2),
+        })
     }
 
     /// min(A/A_c, Δv/V_c).
@@ -44,11 +60,18 @@ impl DamageBoundaryReport {
     /// Its part of the document. Beyond the knee, at (π/2) V_c, the critical acceleration alone is
     /// the boundary.
     pub(super) fn facts(&self) -> Facts<'static> {
-        let (a_c_g, v_c_m_s) = (self.boundary.acceleration_m_s2() / G0_M_S2, self.boundary.velocity_change_m_s());
+        let (a_c_g, v_c_m_s) = (
+            self.boundary.acceleration_m_s2() / G0_M_S2,
+            self.boundary.velocity_change_m_s(),
+        );
         Facts::default()
             .fact("source", "damage boundary from", self.source)
             .fact("critical_acceleration_g", "  critical acceleration", a_c_g)
-            .fact("critical_velocity_change_m_s", "  critical velocity change", v_c_m_s)
+            .fact(
+                "critical_velocity_change_m_s",
+                "  critical velocity change",
+                v_c_m_s,
+            )
             .key("knee_velocity_change_m_s", KNEE_RATIO * v_c_m_s)
             .key("demand_ratio", self.demand_ratio())
     }
@@ -63,12 +86,16 @@ impl DamageBoundaryReport {
             // Close together near V_c, where the curve is steep.
             let share = (f64::from(i) / f64::from(CURVE_POINTS)).powi(3);
             let velocity_change_m_s = v_c * (1.0 + (KNEE_RATIO - 1.0) * share);
-            Some((velocity_change_m_s, self.boundary.knee_acceleration_m_s2(velocity_change_m_s)? / G0_M_S2))
+            Some((
+                velocity_change_m_s,
+                self.boundary.knee_acceleration_m_s2(velocity_change_m_s)? / G0_M_S2,
+            ))
         });
         let points = |damaged: bool| {
             let points = tests.map_or(&[][..], |tests| &tests.points).iter();
             let of = points.filter(move |point| point.damaged == damaged);
-            of.map(|point| (point.velocity_change_m_s, point.peak_acceleration_g)).collect()
+            of.map(|point| (point.velocity_change_m_s, point.peak_acceleration_g))
+                .collect()
         };
         damage_boundary_figure(&BoundaryPicture {
             corner: (v_c, self.boundary.acceleration_m_s2() / G0_M_S2),

@@ -45,11 +45,14 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
     let hint = "give one of `stiffness` (the whole cushion under one edge), `pad_stiffness` with `pads_per_edge`, a \
                 `cushion` file, or a measured `drop_acceleration`";
     let says = |key: &str| request.cushion.get(key).is_some();
-    let has_stiffness = says("stiffness") || says("pad_stiffness") || says("cushion") || says("compressions");
+    let has_stiffness =
+        says("stiffness") || says("pad_stiffness") || says("cushion") || says("compressions");
     match request.drop_acceleration_m_s2 {
         Some(_) if has_stiffness => {
-            problems
-                .push(Problem::value("`stiffness`, `pad_stiffness` and `drop_acceleration` exclude each other", hint));
+            problems.push(Problem::value(
+                "`stiffness`, `pad_stiffness` and `drop_acceleration` exclude each other",
+                hint,
+            ));
             None
         }
         Some(_) if says("series_stiffness") => {
@@ -61,7 +64,10 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
         }
         Some(measured) => Some(Contact::Measured(measured)),
         None if !has_stiffness && !says("law") => {
-            problems.push(Problem::value("the stiffness of the cushion is missing", hint));
+            problems.push(Problem::value(
+                "the stiffness of the cushion is missing",
+                hint,
+            ));
             None
         }
         None => resolved(&request.cushion, request, problems),
@@ -69,5 +75,7 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
 }
 
 fn resolved(words: &Words, request: &ShockRequest, problems: &mut Problems) -> Option<Contact> {
-    problems.keep(cushion::resolve(words, Some(request.mass_kg))).map(Contact::Cushion)
+    problems
+        .keep(cushion::resolve(words, Some(request.mass_kg)))
+        .map(Contact::Cushion)
 }

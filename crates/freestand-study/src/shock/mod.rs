@@ -4,8 +4,8 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{
-    self, Impact, ImpactModel, Landing, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
-    stiffness_warnings,
+    self, Impact, ImpactModel, Landing, ValidityWarning, compression_warnings,
+    impact_friction_needed_ratio, stiffness_warnings,
 };
 use freestand::spectra::BEYOND_ALL_G;
 
@@ -43,17 +43,45 @@ pub enum Scenario {
 
 /// The scenarios by name.
 pub const SCENARIOS: Choices<Scenario> = &[
-    (Scenario::Rocking, "rocking", "The edge lands and the object continues to rock"),
-    (Scenario::Halted, "halted", "The edge lands and the object stops"),
-    (Scenario::OverturnFloor, "overturn-floor", "The object falls over onto the floor"),
-    (Scenario::OverturnObstacle, "overturn-obstacle", "The object falls against an obstacle"),
+    (
+        Scenario::Rocking,
+        "rocking",
+        "The edge lands and the object continues to rock",
+    ),
+    (
+        Scenario::Halted,
+        "halted",
+        "The edge lands and the object stops",
+    ),
+    (
+        Scenario::OverturnFloor,
+        "overturn-floor",
+        "The object falls over onto the floor",
+    ),
+    (
+        Scenario::OverturnObstacle,
+        "overturn-obstacle",
+        "The object falls against an obstacle",
+    ),
 ];
 
 /// The impact models by name.
 pub const MODELS: Choices<ImpactModel> = &[
-    (ImpactModel::Paper, "paper", "Eq. (5): the landing edge does not slip"),
-    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
-    (ImpactModel::FreeCorner, "free-corner", "The landing edge slides without friction; for comparison"),
+    (
+        ImpactModel::Paper,
+        "paper",
+        "Eq. (5): the landing edge does not slip",
+    ),
+    (
+        ImpactModel::Halted,
+        "halted",
+        "Eq. (8): the rotation is halted",
+    ),
+    (
+        ImpactModel::FreeCorner,
+        "free-corner",
+        "The landing edge slides without friction; for comparison",
+    ),
 ];
 
 impl Scenario {
@@ -208,10 +236,14 @@ pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
     problems.problems.extend(contradictions(request));
     let request = &with_tests(request);
     let contact = contact(request, &mut problems);
-    let Some(landing) = problems.keep(landing(request)) else { return Err(problems) };
+    let Some(landing) = problems.keep(landing(request)) else {
+        return Err(problems);
+    };
     let fall = problems.keep(fall(request, &landing));
     match (contact, fall) {
-        (Some(contact), Some(fall)) if problems.is_empty() => Ok(report(request, &landing, &contact, &fall)?),
+        (Some(contact), Some(fall)) if problems.is_empty() => {
+            Ok(report(request, &landing, &contact, &fall)?)
+        }
         _ => Err(problems),
     }
 }
@@ -219,8 +251,10 @@ pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
 /// The request with the peak and the velocity change of its tests.
 fn with_tests(request: &ShockRequest) -> ShockRequest {
     let mut request = request.clone();
-    if let Some((acceleration_m_s2, velocity_change_m_s)) =
-        request.boundary_tests.as_ref().and_then(BoundaryTests::critical)
+    if let Some((acceleration_m_s2, velocity_change_m_s)) = request
+        .boundary_tests
+        .as_ref()
+        .and_then(BoundaryTests::critical)
     {
         request.tolerance_m_s2 = Some(acceleration_m_s2);
         request.tolerance_velocity_change_m_s = Some(velocity_change_m_s);
@@ -231,9 +265,13 @@ fn with_tests(request: &ShockRequest) -> ShockRequest {
 /// Values that are wrong, or that cannot be combined.
 fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
     let is_peak = request.tolerance_m_s2.is_some();
-    let is_pulse = request.tolerance_duration_s.is_some() || request.tolerance_velocity_change_m_s.is_some();
+    let is_pulse =
+        request.tolerance_duration_s.is_some() || request.tolerance_velocity_change_m_s.is_some();
     let is_obstacle = request.gap_m.is_some() || request.obstacle_height_m.is_some();
-    let is_tested = request.boundary_tests.as_ref().is_some_and(|tests| tests.critical().is_some());
+    let is_tested = request
+        .boundary_tests
+        .as_ref()
+        .is_some_and(|tests| tests.critical().is_some());
     let is_measured_alone = request.drop_acceleration_m_s2.is_some() && request.energy.is_none();
     [
         (
@@ -281,7 +319,10 @@ fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
 fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
     let block = &request.block;
     match request.scenario {
-        Scenario::Rocking => Ok(Landing::rocking(block, request.model.unwrap_or(ImpactModel::Paper))),
+        Scenario::Rocking => Ok(Landing::rocking(
+            block,
+            request.model.unwrap_or(ImpactModel::Paper),
+        )),
         Scenario::Halted => Ok(Landing::rocking(block, ImpactModel::Halted)),
         Scenario::OverturnFloor => Ok(Landing::overturning_onto_floor(block)),
         Scenario::OverturnObstacle => {
@@ -291,8 +332,9 @@ fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
                     "give the distance to the obstacle, such as `gap = \"0.5 m\"`",
                 )
             })?;
-            Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m)
-                .map_err(|error| Problem::value(error.to_string(), "use `scenario = \"overturn-floor\"`"))
+            Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m).map_err(
+                |error| Problem::value(error.to_string(), "use `scenario = \"overturn-floor\"`"),
+            )
         }
     }
 }
@@ -330,7 +372,12 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     let (block, pivot) = (&request.block, landing.pivot);
     if let Some(Energy::AngularVelocity(omega)) = request.energy {
         let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
-        return Ok(Fall { source: EnergySource::ImpactVelocity, rise_m, rotation_rad: None, warning: None });
+        return Ok(Fall {
+            source: EnergySource::ImpactVelocity,
+            rise_m,
+            rotation_rad: None,
+            warning: None,
+        });
     }
     if request.scenario.overturns() {
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
@@ -359,7 +406,12 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     let alpha = pivot.slenderness_angle_rad;
     let rotation = match request.energy {
         None if request.drop_acceleration_m_s2.is_some() => {
-            return Ok(Fall { source: EnergySource::Measured, rise_m: None, rotation_rad: None, warning: None });
+            return Ok(Fall {
+                source: EnergySource::Measured,
+                rise_m: None,
+                rotation_rad: None,
+                warning: None,
+            });
         }
         None => {
             return Err(Problem::value(
@@ -369,7 +421,12 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
         }
         Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
             let rotation_rad = pivot.rotation_at_rise_rad(rise_m);
-            return Ok(Fall { source: EnergySource::Uplift, rise_m: Some(rise_m), rotation_rad, warning: None });
+            return Ok(Fall {
+                source: EnergySource::Uplift,
+                rise_m: Some(rise_m),
+                rotation_rad,
+                warning: None,
+            });
         }
         Some(Energy::Rotation(theta)) => Some(theta.abs()),
         Some(Energy::Uplift(uplift_m)) if uplift_m <= block.base_width_m() => {
@@ -379,7 +436,12 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     };
     if let Some(theta) = rotation.filter(|&theta| theta <= alpha) {
         let rise_m = Some(pivot.cg_rise_m(theta));
-        return Ok(Fall { source: EnergySource::Uplift, rise_m, rotation_rad: Some(theta), warning: None });
+        return Ok(Fall {
+            source: EnergySource::Uplift,
+            rise_m,
+            rotation_rad: Some(theta),
+            warning: None,
+        });
     }
     let balance = format!(
         "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
@@ -392,8 +454,15 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
             Some(Energy::CgRise(rise_m)) => rise_m,
             _ => pivot.balance_rise_m(),
         };
-        let warning = Some(format!("the object is beyond its {balance}: if released, it would overturn"));
-        return Ok(Fall { source: EnergySource::Uplift, rise_m: Some(rise_m), rotation_rad: rotation, warning });
+        let warning = Some(format!(
+            "the object is beyond its {balance}: if released, it would overturn"
+        ));
+        return Ok(Fall {
+            source: EnergySource::Uplift,
+            rise_m: Some(rise_m),
+            rotation_rad: rotation,
+            warning,
+        });
     }
     Err(Problem::value(
         format!("beyond its {balance} the object does not come back"),
@@ -401,7 +470,12 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     ))
 }
 
-fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &Fall) -> Result<ShockReport, Problem> {
+fn report(
+    request: &ShockRequest,
+    landing: &Landing,
+    contact: &Contact,
+    fall: &Fall,
+) -> Result<ShockReport, Problem> {
     let block = &request.block;
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
     let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
@@ -411,11 +485,15 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
             notes.extend(edge.notes.iter().cloned());
             (Some(edge.cushion.clone()), edge.pad_thickness_m)
         }
-        Contact::Measured(a) => (implied_spring(*a, mass_kg, fall.rise_m, gravity, &mut notes)?, None),
+        Contact::Measured(a) => (
+            implied_spring(*a, mass_kg, fall.rise_m, gravity, &mut notes)?,
+            None,
+        ),
     };
     let cushion = cushion.as_ref();
-    let impact_of =
-        |landing: &Landing| -> Option<Impact> { Some(landing.impact(mass_kg, cushion?, fall.rise_m?, gravity)) };
+    let impact_of = |landing: &Landing| -> Option<Impact> {
+        Some(landing.impact(mass_kg, cushion?, fall.rise_m?, gravity))
+    };
     let impact = impact_of(landing);
     let drop_m_s2 = match contact {
         Contact::Measured(a) => *a,
@@ -440,62 +518,113 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
         && request.scenario == Scenario::Rocking
         && request.model != Some(ImpactModel::Halted)
     {
-        warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
+        warnings.push(
+            ValidityWarning::Squat {
+                landing_ratio: block.landing_ratio(),
+            }
+            .to_string(),
+        );
     }
     let edge_keys = ["stiffness", "pad_stiffness", "cushion", "compressions"];
-    if overturns && edge_keys.iter().any(|key| request.cushion.get(key).is_some()) {
-        warnings.push("an object that falls over lands on its side: the stiffness of its edge is not used".to_owned());
+    if overturns
+        && edge_keys
+            .iter()
+            .any(|key| request.cushion.get(key).is_some())
+    {
+        warnings.push(
+            "an object that falls over lands on its side: the stiffness of its edge is not used"
+                .to_owned(),
+        );
     }
     if overturns && request.energy.is_some() && fall.source == EnergySource::FallFromBalance {
-        warnings.push("an object that falls over starts from its balance point: the given rise is not used".to_owned());
+        warnings.push(
+            "an object that falls over starts from its balance point: the given rise is not used"
+                .to_owned(),
+        );
     }
     if let Some(cushion) = cushion {
-        warnings.extend(stiffness_warnings(mass_kg, cushion, pad_thickness_m).iter().map(ToString::to_string));
+        warnings.extend(
+            stiffness_warnings(mass_kg, cushion, pad_thickness_m)
+                .iter()
+                .map(ToString::to_string),
+        );
     }
     if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
         let beyond = compression_warnings(impact.compression_m, cushion, pad_thickness_m);
         warnings.extend(beyond.iter().map(ToString::to_string));
     }
-    let rocks_through = request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
-    let friction_needed = rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
+    let rocks_through =
+        request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
+    let friction_needed =
+        rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
     let friction_ratio = request.friction_ratio.unwrap_or(impact::ASSUMED_FRICTION);
     if let Some(needed_ratio) = friction_needed.filter(|&needed| needed > friction_ratio) {
-        warnings.push(ValidityWarning::Sliding { needed_ratio, friction_ratio, when: "in an impact" }.to_string());
+        warnings.push(
+            ValidityWarning::Sliding {
+                needed_ratio,
+                friction_ratio,
+                when: "in an impact",
+            }
+            .to_string(),
+        );
     }
     if landing.model == ImpactModel::FreeCorner {
         warnings.push("the free-corner model is for comparison only".to_owned());
     }
 
-    let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
+    let uplift_m = fall
+        .rotation_rad
+        .map(|theta| block.base_width_m() * theta.sin());
     let compared = compared(request, edge_m_s2, uplift_m, impact.as_ref());
-    warnings.extend(request.boundary_tests.iter().flat_map(|tests| tests.warnings.iter().cloned()));
-    let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
-    let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
+    warnings.extend(
+        request
+            .boundary_tests
+            .iter()
+            .flat_map(|tests| tests.warnings.iter().cloned()),
+    );
+    let damage_boundary = impact
+        .as_ref()
+        .and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
+    let share = request
+        .at_m
+        .map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
         warnings.push("the point `at` lies outside the object".to_owned());
     }
     // Only a spring has a largest stiffness: that of another law would not be the one stated.
-    let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
-    let (max_stiffness_n_m, stiffness_note) =
-        rise_on_a_spring_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
+    let rise_on_a_spring_m = fall
+        .rise_m
+        .filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
+    let (max_stiffness_n_m, stiffness_note) = rise_on_a_spring_m.map_or((None, None), |rise_m| {
+        max_stiffness(request, landing, rise_m, uplift_m)
+    });
     notes.extend(stiffness_note.map(str::to_owned));
     warnings.extend(not_compared(request, compared.as_ref()));
     let at = share.map(|(x_m, z_m, (horizontal, vertical))| {
         let at = Facts::default().key("x_m", x_m).key("z_m", z_m);
-        at.fact("horizontal_g", "shock at the point, horizontal", horizontal * edge_m_s2 / G0_M_S2).fact(
+        at.fact(
+            "horizontal_g",
+            "shock at the point, horizontal",
+            horizontal * edge_m_s2 / G0_M_S2,
+        )
+        .fact(
             "vertical_g",
             "shock at the point, vertical",
             vertical * edge_m_s2 / G0_M_S2,
         )
     });
     let pivot = landing.pivot;
-    let ceiling_m_s2 = cushion
-        .filter(|_| !overturns)
-        .map(|cushion| landing.edge_acceleration_m_s2(mass_kg, cushion, pivot.balance_rise_m(), gravity));
-    let ceiling_g = ceiling_m_s2.map(|a| a / G0_M_S2).filter(|ceiling_g| ceiling_g.is_finite());
-    let omega_rad_s = fall.rise_m.map(|rise_m| landing.omega_rad_s(rise_m, gravity));
+    let ceiling_m_s2 = cushion.filter(|_| !overturns).map(|cushion| {
+        landing.edge_acceleration_m_s2(mass_kg, cushion, pivot.balance_rise_m(), gravity)
+    });
+    let ceiling_g = ceiling_m_s2
+        .map(|a| a / G0_M_S2)
+        .filter(|ceiling_g| ceiling_g.is_finite());
+    let omega_rad_s = fall
+        .rise_m
+        .map(|rise_m| landing.omega_rad_s(rise_m, gravity));
     let governing = compared.as_ref().map(|compared| compared.governing);
     // Without a tolerance the verdict is left out of the text.
     let label = if compared.is_some() { "verdict" } else { "" };
@@ -547,12 +676,19 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
         .fact("verdict", label, verdict.name())
         .fact("max_stiffness_n_m", "largest stiffness at this rise", max_stiffness_n_m)
         .fact("notes", "note", notes);
-    Ok(ShockReport { facts, verdict, damage_boundary, warnings })
+    Ok(ShockReport {
+        facts,
+        verdict,
+        damage_boundary,
+        warnings,
+    })
 }
 
 /// Warnings for tolerances that were given but with which this landing cannot be compared.
 fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<String> {
-    let compared = compared.map(|compared| compared.demand_capacity).unwrap_or_default();
+    let compared = compared
+        .map(|compared| compared.demand_capacity)
+        .unwrap_or_default();
     let kinds = [
         (
             request.component_frequency_hz.is_some() && compared.component.is_none(),
@@ -564,7 +700,11 @@ fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<Stri
             "the survived uplift is not compared: it needs `uplift`, `rotation` or `cg_rise`",
         ),
     ];
-    kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
+    kinds
+        .into_iter()
+        .filter(|(is_left, _)| *is_left)
+        .map(|(_, words)| words.to_owned())
+        .collect()
 }
 
 /// The spring on which the mass, dropped by the same rise, reaches the measured acceleration;
@@ -576,7 +716,9 @@ fn implied_spring(
     gravity_m_s2: f64,
     notes: &mut Vec<String>,
 ) -> Result<Option<Cushion>, Problem> {
-    let Some(rise_m) = rise_m else { return Ok(None) };
+    let Some(rise_m) = rise_m else {
+        return Ok(None);
+    };
     let implied_n_m = mass_kg * measured_m_s2 * measured_m_s2 / (2.0 * gravity_m_s2 * rise_m);
     let Ok(spring) = Cushion::linear(implied_n_m) else {
         return Err(Problem::value(
@@ -584,12 +726,19 @@ fn implied_spring(
             "give a rise above 0 at which it was measured",
         ));
     };
-    notes.push(format!("the measured drop acceleration implies {}", format_si(implied_n_m, Dimension::Stiffness)));
+    notes.push(format!(
+        "the measured drop acceleration implies {}",
+        format_si(implied_n_m, Dimension::Stiffness)
+    ));
     Ok(Some(spring))
 }
 
 /// The shock of the same landing by each model; missing where a model does not apply.
-fn models(request: &ShockRequest, landing: &Landing, edge_m_s2: &dyn Fn(&Landing) -> f64) -> Facts<'static> {
+fn models(
+    request: &ShockRequest,
+    landing: &Landing,
+    edge_m_s2: &dyn Fn(&Landing) -> f64,
+) -> Facts<'static> {
     let of = |model: ImpactModel| {
         let other = Landing::rocking(&request.block, model);
         match request.scenario.overturns() {
@@ -598,9 +747,21 @@ fn models(request: &ShockRequest, landing: &Landing, edge_m_s2: &dyn Fn(&Landing
         }
     };
     Facts::default()
-        .fact("paper_g", "shock by the paper's model, Eq. (5)", of(ImpactModel::Paper))
-        .fact("halted_g", "shock by the halted model, Eq. (8)", of(ImpactModel::Halted))
-        .fact("free_corner_g", "shock by the free-corner model", of(ImpactModel::FreeCorner))
+        .fact(
+            "paper_g",
+            "shock by the paper's model, Eq. (5)",
+            of(ImpactModel::Paper),
+        )
+        .fact(
+            "halted_g",
+            "shock by the halted model, Eq. (8)",
+            of(ImpactModel::Halted),
+        )
+        .fact(
+            "free_corner_g",
+            "shock by the free-corner model",
+            of(ImpactModel::FreeCorner),
+        )
 }
 
 #[cfg(test)]

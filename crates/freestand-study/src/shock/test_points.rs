@@ -56,7 +56,10 @@ impl BoundaryTests {
     /// A_c \[m/s²\] and V_c \[m/s\], where both are known.
     pub fn critical(&self) -> Option<(f64, f64)> {
         let acceleration_m_s2 = G0_M_S2 * self.critical_acceleration_g.survived?;
-        Some((acceleration_m_s2, self.critical_velocity_change_m_s.survived?))
+        Some((
+            acceleration_m_s2,
+            self.critical_velocity_change_m_s.survived?,
+        ))
     }
 
     /// Their part of the document.
@@ -65,7 +68,10 @@ impl BoundaryTests {
             let method = Facts::default().key("method", point.method.to_string());
             method.and(facts!(point; velocity_change_m_s, peak_acceleration_g, damaged, line))
         };
-        let (v, a) = (self.critical_velocity_change_m_s, self.critical_acceleration_g);
+        let (v, a) = (
+            self.critical_velocity_change_m_s,
+            self.critical_acceleration_g,
+        );
         let v = facts!(v; survived "largest survived velocity change", damaged "smallest damaging velocity change");
         let a = facts!(a; survived "largest survived peak", damaged "smallest damaging peak");
         Facts::default()
@@ -106,15 +112,21 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
             Err(problem) => problems.push(problem),
         }
     }
-    for (method, what, size) in
-        [(TestMethod::A, "velocity change", velocity_change as Size), (TestMethod::B, "peak", peak as Size)]
-    {
+    for (method, what, size) in [
+        (TestMethod::A, "velocity change", velocity_change as Size),
+        (TestMethod::B, "peak", peak as Size),
+    ] {
         problems.extend(contradiction(&points, method, what, size));
     }
     if problems.is_empty() {
         return Ok(evaluated(points));
     }
-    Err(Problems { problems: problems.into_iter().map(|problem| problem.in_file(path)).collect() })
+    Err(Problems {
+        problems: problems
+            .into_iter()
+            .map(|problem| problem.in_file(path))
+            .collect(),
+    })
 }
 
 /// The quantity that a method increases from shock to shock.
@@ -133,22 +145,37 @@ fn method(row: &DamageRow) -> Result<TestMethod, Problem> {
         return Ok(method);
     }
     let rectangle_s = row.velocity_change_m_s / row.peak_acceleration_m_s2;
-    let (shortest_s, longest_s) =
-        row.duration_s.map_or((rectangle_s, 2.0 * rectangle_s), |duration_s| (duration_s, duration_s));
+    let (shortest_s, longest_s) = row
+        .duration_s
+        .map_or((rectangle_s, 2.0 * rectangle_s), |duration_s| {
+            (duration_s, duration_s)
+        });
     if longest_s <= MAX_METHOD_A_S {
         Ok(TestMethod::A)
     } else if shortest_s > MAX_METHOD_A_S {
         Ok(TestMethod::B)
     } else {
-        let message = "velocity change and peak do not tell whether this shock belongs to Method A or B";
+        let message =
+            "velocity change and peak do not tell whether this shock belongs to Method A or B";
         let problem = Problem::new(ProblemKind::Value, message).at_line(row.line);
-        Err(problem.hint("add a column \"method\" with A or B, or one of durations, such as \"duration [ms]\""))
+        Err(problem.hint(
+            "add a column \"method\" with A or B, or one of durations, such as \"duration [ms]\"",
+        ))
     }
 }
 
 /// A problem where a shock of a method was survived at or above the first damage.
-fn contradiction(points: &[TestPoint], method: TestMethod, what: &str, size: Size) -> Option<Problem> {
-    let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
+fn contradiction(
+    points: &[TestPoint],
+    method: TestMethod,
+    what: &str,
+    size: Size,
+) -> Option<Problem> {
+    let of = |damaged: bool| {
+        points
+            .iter()
+            .filter(move |point| point.method == method && point.damaged == damaged)
+    };
     let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
@@ -165,20 +192,29 @@ fn contradiction(points: &[TestPoint], method: TestMethod, what: &str, size: Siz
 fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     let mut warnings = Vec::new();
     let bracket = |method: TestMethod, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
-        let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
+        let of = |damaged: bool| {
+            points
+                .iter()
+                .filter(move |point| point.method == method && point.damaged == damaged)
+        };
         Bracket {
-            survived: of(false).filter(|point| counts(point)).map(size).max_by(f64::total_cmp),
+            survived: of(false)
+                .filter(|point| counts(point))
+                .map(size)
+                .max_by(f64::total_cmp),
             damaged: of(true).map(size).min_by(f64::total_cmp),
         }
     };
     let v = bracket(TestMethod::A, velocity_change, &|_| true);
     let knee_m_s = v.survived.map(|survived| KNEE_RATIO * survived);
     // 1.57, as the standard rounds it, is enough.
-    let beyond_knee = |point: &TestPoint| knee_m_s.is_none_or(|knee| point.velocity_change_m_s >= 0.999 * knee);
+    let beyond_knee =
+        |point: &TestPoint| knee_m_s.is_none_or(|knee| point.velocity_change_m_s >= 0.999 * knee);
     let a = bracket(TestMethod::B, peak, &beyond_knee);
-    for (method, what, found) in
-        [(TestMethod::A, "critical velocity change", v), (TestMethod::B, "critical acceleration", a)]
-    {
+    for (method, what, found) in [
+        (TestMethod::A, "critical velocity change", v),
+        (TestMethod::B, "critical acceleration", a),
+    ] {
         let tested = points.iter().any(|point| point.method == method);
         match (found.survived, found.damaged) {
             (None, _) if !tested => {
@@ -198,11 +234,16 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
         }
     }
     let lines = |is_it: &dyn Fn(&TestPoint) -> bool| {
-        let found: Vec<String> =
-            points.iter().filter(|point| is_it(point)).map(|point| point.line.to_string()).collect();
+        let found: Vec<String> = points
+            .iter()
+            .filter(|point| is_it(point))
+            .map(|point| point.line.to_string())
+            .collect();
         (!found.is_empty()).then(|| found.join(", "))
     };
-    if let Some(found) = lines(&|point| point.method == TestMethod::B && !point.damaged && !beyond_knee(point)) {
+    if let Some(found) =
+        lines(&|point| point.method == TestMethod::B && !point.damaged && !beyond_knee(point))
+    {
         warnings.push(format!(
             "shocks of Method B below 1.57 times the critical velocity change say nothing about the critical \
              acceleration and are ignored: line {found}"
@@ -213,7 +254,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
         point.method == TestMethod::A
             && !point.damaged
             && v.survived == Some(point.velocity_change_m_s)
-            && a.survived.is_some_and(|a_c| point.peak_acceleration_g <= a_c)
+            && a.survived
+                .is_some_and(|a_c| point.peak_acceleration_g <= a_c)
     };
     if let Some(found) = lines(&says_nothing) {
         warnings.push(format!(
@@ -221,7 +263,12 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
              line {found}; use shorter pulses for Method A"
         ));
     }
-    BoundaryTests { critical_velocity_change_m_s: v, critical_acceleration_g: a, points, warnings }
+    BoundaryTests {
+        critical_velocity_change_m_s: v,
+        critical_acceleration_g: a,
+        points,
+        warnings,
+    }
 }
 
 #[cfg(test)]
@@ -230,7 +277,8 @@ mod tests {
 
     const NAMES: &str = "velocity change [m/s],peak acceleration [g],damaged,method\n";
     /// V_c between 0.9 and 1.1 m/s, A_c between 30 and 35 g.
-    const POINTS: &str = "0.7,120,no,A\n0.9,150,no,A\n1.1,180,yes,A\n1.6,20,no,B\n1.6,30,no,B\n1.6,35,yes,B\n";
+    const POINTS: &str =
+        "0.7,120,no,A\n0.9,150,no,A\n1.1,180,yes,A\n1.6,20,no,B\n1.6,30,no,B\n1.6,35,yes,B\n";
 
     fn read(text: &str) -> Result<BoundaryTests, String> {
         let file = tempfile::NamedTempFile::new().unwrap();
@@ -241,12 +289,27 @@ mod tests {
     #[test]
     fn the_last_survived_before_the_first_damage() {
         let tests = read(&format!("{NAMES}{POINTS}")).unwrap();
-        assert_eq!(tests.critical_velocity_change_m_s, Bracket { survived: Some(0.9), damaged: Some(1.1) });
+        assert_eq!(
+            tests.critical_velocity_change_m_s,
+            Bracket {
+                survived: Some(0.9),
+                damaged: Some(1.1)
+            }
+        );
         let a = tests.critical_acceleration_g;
-        assert!((a.survived.unwrap() - 30.0).abs() < 1e-12 && (a.damaged.unwrap() - 35.0).abs() < 1e-12);
+        assert!(
+            (a.survived.unwrap() - 30.0).abs() < 1e-12 && (a.damaged.unwrap() - 35.0).abs() < 1e-12
+        );
         let (a_c, v_c) = tests.critical().unwrap();
         assert!((a_c - 30.0 * G0_M_S2).abs() < 1e-12 && v_c == 0.9);
-        assert_eq!((tests.points.len(), tests.points[3].method, tests.warnings.len()), (6, TestMethod::B, 0));
+        assert_eq!(
+            (
+                tests.points.len(),
+                tests.points[3].method,
+                tests.warnings.len()
+            ),
+            (6, TestMethod::B, 0)
+        );
     }
 
     /// The order of the lines changes nothing.
@@ -267,22 +330,48 @@ mod tests {
         // 6.8 ms at least; 1.5 m/s at 60 g between 2.5 and 5.1 ms.
         let names = "velocity change [m/s],peak [g],damaged\n";
         let tests = read(&format!("{names}1,100,0\n2,30,0\n")).unwrap();
-        assert_eq!(tests.points.iter().map(|point| point.method.to_string()).collect::<String>(), "AB");
+        assert_eq!(
+            tests
+                .points
+                .iter()
+                .map(|point| point.method.to_string())
+                .collect::<String>(),
+            "AB"
+        );
         let asked = read(&format!("{names}1,100,0\n1.5,60,0\n")).unwrap_err();
-        assert!(asked.contains(":3: ") && asked.contains("Method A or B") && asked.contains("column \"method\""));
+        assert!(
+            asked.contains(":3: ")
+                && asked.contains("Method A or B")
+                && asked.contains("column \"method\"")
+        );
         let names = "velocity change [m/s],peak [g],damaged,duration [ms]\n";
         let tests = read(&format!("{names}1.5,60,0,3\n1.5,60,0,4\n")).unwrap();
-        assert_eq!(tests.points.iter().map(|point| point.method.to_string()).collect::<String>(), "AB");
+        assert_eq!(
+            tests
+                .points
+                .iter()
+                .map(|point| point.method.to_string())
+                .collect::<String>(),
+            "AB"
+        );
     }
 
     #[test]
     fn contradictions_are_refused_with_their_lines() {
-        let said = read(&format!("{NAMES}1.1,180,no,A\n0.9,150,yes,A\n1.6,20,no,B\n1.6,20,yes,B\n")).unwrap_err();
+        let said = read(&format!(
+            "{NAMES}1.1,180,no,A\n0.9,150,yes,A\n1.6,20,no,B\n1.6,20,yes,B\n"
+        ))
+        .unwrap_err();
         assert!(
-            said.contains(":3: Method A: this velocity change did damage") && said.contains("line 2 is at least"),
+            said.contains(":3: Method A: this velocity change did damage")
+                && said.contains("line 2 is at least"),
             "{said}"
         );
-        assert!(said.contains(":5: Method B: this peak did damage") && said.contains("line 4 is at least"), "{said}");
+        assert!(
+            said.contains(":5: Method B: this peak did damage")
+                && said.contains("line 4 is at least"),
+            "{said}"
+        );
         // A peak above the first damage of the other method is no contradiction.
         assert!(read(&format!("{NAMES}{POINTS}0.5,400,no,A\n")).is_ok());
     }
@@ -290,21 +379,41 @@ mod tests {
     #[test]
     fn what_is_missing_is_said() {
         let cases = [
-            ("0.9,150,no,A\n1.1,180,yes,A\n", "no shock of Method B, which gives the critical acceleration"),
-            ("1.6,30,no,B\n1.6,35,yes,B\n", "no shock of Method A, which gives the critical velocity change"),
-            ("0.9,150,no,A\n1.6,35,yes,B\n", "no shock of Method B below the first damage was survived"),
+            (
+                "0.9,150,no,A\n1.1,180,yes,A\n",
+                "no shock of Method B, which gives the critical acceleration",
+            ),
+            (
+                "1.6,30,no,B\n1.6,35,yes,B\n",
+                "no shock of Method A, which gives the critical velocity change",
+            ),
+            (
+                "0.9,150,no,A\n1.6,35,yes,B\n",
+                "no shock of Method B below the first damage was survived",
+            ),
             // 1.57 × 0.9 = 1.413
             ("0.9,150,no,A\n1.4,30,no,B\n", "are ignored: line 3"),
         ];
         for (points, said) in cases {
             let tests = read(&format!("{NAMES}{points}")).unwrap();
             assert_eq!(tests.critical(), None, "{points}");
-            assert!(tests.warnings.iter().any(|warning| warning.contains(said)), "{:?}", tests.warnings);
+            assert!(
+                tests.warnings.iter().any(|warning| warning.contains(said)),
+                "{:?}",
+                tests.warnings
+            );
         }
         let never = read(&format!("{NAMES}0.9,150,no,A\n1.413,30,no,B\n")).unwrap();
-        assert_eq!((never.critical().map(|(_, v_c)| v_c), never.warnings.len()), (Some(0.9), 2));
+        assert_eq!(
+            (never.critical().map(|(_, v_c)| v_c), never.warnings.len()),
+            (Some(0.9), 2)
+        );
         assert!(never.warnings[0].contains("at least the largest survived one"));
         let weak = read(&format!("{NAMES}0.9,25,no,A\n1.6,30,no,B\n1.6,35,yes,B\n")).unwrap();
-        assert!(weak.warnings.iter().any(|warning| warning.contains("any velocity change: line 2")));
+        assert!(
+            weak.warnings
+                .iter()
+                .any(|warning| warning.contains("any velocity change: line 2"))
+        );
     }
 }

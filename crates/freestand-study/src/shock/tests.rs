@@ -20,8 +20,19 @@ fn text<'a>(report: &'a ShockReport, name: &str) -> &'a str {
 }
 
 fn notes(report: &ShockReport) -> Vec<&str> {
-    let Some(Value::List(notes)) = report.facts.get("notes") else { return Vec::new() };
-    notes.iter().map(|note| if let Value::Text(note) = note { note } else { "" }).collect()
+    let Some(Value::List(notes)) = report.facts.get("notes") else {
+        return Vec::new();
+    };
+    notes
+        .iter()
+        .map(|note| {
+            if let Value::Text(note) = note {
+                note
+            } else {
+                ""
+            }
+        })
+        .collect()
 }
 
 fn refused(request: &ShockRequest) -> String {
@@ -35,18 +46,34 @@ fn table_one_test_one() {
     let g = G0_M_S2 / 9.81;
     assert!((number(&report, "drop_acceleration_g") * g - 10.102).abs() < 5e-4);
     assert!((number(&report, "edge_acceleration_g") * g - 4.526).abs() < 5e-4);
-    assert_eq!((text(&report, "model"), text(&report, "verdict")), ("paper", "no-verdict"));
-    assert!((number(&report, "velocity_change_m_s") / number(&report, "edge_velocity_m_s") - 2.0).abs() < 1e-15);
-    let (paper_g, edge_g) = (number(&report, "paper_g"), number(&report, "edge_acceleration_g"));
+    assert_eq!(
+        (text(&report, "model"), text(&report, "verdict")),
+        ("paper", "no-verdict")
+    );
+    assert!(
+        (number(&report, "velocity_change_m_s") / number(&report, "edge_velocity_m_s") - 2.0).abs()
+            < 1e-15
+    );
+    let (paper_g, edge_g) = (
+        number(&report, "paper_g"),
+        number(&report, "edge_acceleration_g"),
+    );
     assert_eq!((paper_g * 1e9).round(), (edge_g * 1e9).round());
 }
 
 #[test]
 fn ceilings_of_three_objects() {
     for (h, t, ceiling) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)] {
-        let request = ShockRequest { mass_kg: 150.0, gravity_m_s2: G0_M_S2, ..cabinet() };
-        let request =
-            ShockRequest { block: Block::uniform(h, t).unwrap(), energy: Some(Energy::CgRise(1e-3)), ..request };
+        let request = ShockRequest {
+            mass_kg: 150.0,
+            gravity_m_s2: G0_M_S2,
+            ..cabinet()
+        };
+        let request = ShockRequest {
+            block: Block::uniform(h, t).unwrap(),
+            energy: Some(Energy::CgRise(1e-3)),
+            ..request
+        };
         assert!((number(&shock(&request).unwrap(), "ceiling_g") - ceiling).abs() < 5.1e-3);
     }
 }
@@ -61,7 +88,10 @@ fn a_drop_acceleration_replaces_the_stiffness() {
     assert!((number(&implied, "stiffness_n_m") / 4.38e6 - 1.0).abs() < 1e-12);
     measured.energy = None;
     let alone = shock(&measured).unwrap();
-    assert!((number(&alone, "edge_acceleration_g") / number(&known, "edge_acceleration_g") - 1.0).abs() < 1e-12);
+    assert!(
+        (number(&alone, "edge_acceleration_g") / number(&known, "edge_acceleration_g") - 1.0).abs()
+            < 1e-12
+    );
     for missing in ["pulse_duration_s", "velocity_change_m_s", "ceiling_g"] {
         assert_eq!(alone.facts.get(missing), Some(&Value::Missing));
     }
@@ -78,7 +108,10 @@ fn pads_and_series_become_an_edge() {
     request.cushion.set("pads_per_edge", "2");
     let report = shock(&request).unwrap();
     assert_eq!(notes(&report), ["2 pads of 2190 N/mm → edge 4380 N/mm"]);
-    assert_eq!(number(&report, "edge_acceleration_g"), number(&shock(&cabinet()).unwrap(), "edge_acceleration_g"));
+    assert_eq!(
+        number(&report, "edge_acceleration_g"),
+        number(&shock(&cabinet()).unwrap(), "edge_acceleration_g")
+    );
     request.cushion.add("series_stiffness", "4380 N/mm", None);
     request.cushion.add("series_stiffness", "2190 N/mm", None);
     assert!((number(&shock(&request).unwrap(), "stiffness_n_m") / 1.095e6 - 1.0).abs() < 1e-14);
@@ -87,12 +120,20 @@ fn pads_and_series_become_an_edge() {
 #[test]
 fn beyond_the_balance_point_rocking_is_refused_and_halting_warned_about() {
     let mut request = cabinet();
-    for energy in [Energy::CgRise(0.039), Energy::Uplift(0.16), Energy::Uplift(0.7), Energy::Rotation(-0.26)] {
+    for energy in [
+        Energy::CgRise(0.039),
+        Energy::Uplift(0.16),
+        Energy::Uplift(0.7),
+        Energy::Rotation(-0.26),
+    ] {
         request.energy = Some(energy);
         request.scenario = Scenario::Rocking;
         assert!(refused(&request).contains("balance point"), "{energy:?}");
         request.scenario = Scenario::Halted;
-        assert!(shock(&request).unwrap().warnings[0].contains("overturn"), "{energy:?}");
+        assert!(
+            shock(&request).unwrap().warnings[0].contains("overturn"),
+            "{energy:?}"
+        );
     }
     // An angular velocity may carry more energy than any rise.
     request.scenario = Scenario::Rocking;
@@ -105,30 +146,69 @@ fn beyond_the_balance_point_rocking_is_refused_and_halting_warned_about() {
 #[test]
 fn rise_uplift_and_rotation_say_the_same() {
     let first = shock(&cabinet()).unwrap();
-    for energy in [Energy::Uplift(number(&first, "uplift_m")), Energy::Rotation(-number(&first, "rotation_rad"))] {
-        let report = shock(&ShockRequest { energy: Some(energy), ..cabinet() }).unwrap();
-        assert!((number(&report, "edge_acceleration_g") / number(&first, "edge_acceleration_g") - 1.0).abs() < 1e-12);
+    for energy in [
+        Energy::Uplift(number(&first, "uplift_m")),
+        Energy::Rotation(-number(&first, "rotation_rad")),
+    ] {
+        let report = shock(&ShockRequest {
+            energy: Some(energy),
+            ..cabinet()
+        })
+        .unwrap();
+        assert!(
+            (number(&report, "edge_acceleration_g") / number(&first, "edge_acceleration_g") - 1.0)
+                .abs()
+                < 1e-12
+        );
     }
 }
 
 #[test]
 fn overturning_lands_on_its_side() {
-    let mut request = ShockRequest { scenario: Scenario::OverturnFloor, energy: None, ..cabinet() };
+    let mut request = ShockRequest {
+        scenario: Scenario::OverturnFloor,
+        energy: None,
+        ..cabinet()
+    };
     assert!(refused(&request).contains("contact_stiffness"));
     request.contact_stiffness_n_m = Some(2e6);
     let floor = shock(&request).unwrap();
-    assert_eq!((text(&floor, "model"), number(&floor, "contact_distance_m")), ("halted", 2.3));
-    assert_eq!((floor.facts.number("ceiling_g"), floor.facts.number("paper_g")), (None, None));
+    assert_eq!(
+        (text(&floor, "model"), number(&floor, "contact_distance_m")),
+        ("halted", 2.3)
+    );
+    assert_eq!(
+        (
+            floor.facts.number("ceiling_g"),
+            floor.facts.number("paper_g")
+        ),
+        (None, None)
+    );
     // Δh = R − t/2.
-    assert!((number(&floor, "cg_rise_m") - (number(&floor, "half_diagonal_m") - 0.3)).abs() < 1e-15);
+    assert!(
+        (number(&floor, "cg_rise_m") - (number(&floor, "half_diagonal_m") - 0.3)).abs() < 1e-15
+    );
     // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without
     // them.
-    assert!(floor.warnings.iter().any(|warning| warning.contains("its edge is not used")));
+    assert!(
+        floor
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("its edge is not used"))
+    );
     request.cushion = Words::default();
     request.energy = Some(Energy::CgRise(0.01));
     let again = shock(&request).unwrap();
-    assert_eq!(again.facts.number("edge_acceleration_g"), floor.facts.number("edge_acceleration_g"));
-    assert!(again.warnings.iter().any(|warning| warning.contains("given rise is not used")));
+    assert_eq!(
+        again.facts.number("edge_acceleration_g"),
+        floor.facts.number("edge_acceleration_g")
+    );
+    assert!(
+        again
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("given rise is not used"))
+    );
 
     request.scenario = Scenario::OverturnObstacle;
     request.energy = None;
@@ -138,56 +218,102 @@ fn overturning_lands_on_its_side() {
     request.energy = Some(Energy::AngularVelocity(1.0));
     assert!((number(&shock(&request).unwrap(), "edge_velocity_m_s") - 2.3).abs() < 1e-12);
     request.gap_m = Some(3.0);
-    assert!(
-        refused(&request)
-            .contains("the obstacle is 3 m away and the object is 2.3 m high, so the object cannot reach it")
-    );
+    assert!(refused(&request).contains(
+        "the obstacle is 3 m away and the object is 2.3 m high, so the object cannot reach it"
+    ));
 }
 
 #[test]
 fn squat_objects_are_halted_with_a_warning() {
-    let request = ShockRequest { block: Block::uniform(0.6, 1.0).unwrap(), ..cabinet() };
+    let request = ShockRequest {
+        block: Block::uniform(0.6, 1.0).unwrap(),
+        ..cabinet()
+    };
     let report = shock(&request).unwrap();
-    assert_eq!((text(&report, "model"), report.facts.number("paper_g")), ("halted", None));
+    assert_eq!(
+        (text(&report, "model"), report.facts.number("paper_g")),
+        ("halted", None)
+    );
     assert!(number(&report, "landing_ratio") < 0.0 && report.warnings[0].contains("squat"));
 }
 
 #[test]
 fn newtons_per_metre_are_noticed() {
-    let report = shock(&ShockRequest { cushion: spring(4380.0), ..cabinet() }).unwrap();
-    assert!(report.warnings.iter().any(|warning| warning.contains("given in N/m instead of N/mm")));
+    let report = shock(&ShockRequest {
+        cushion: spring(4380.0),
+        ..cabinet()
+    })
+    .unwrap();
+    assert!(
+        report
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("given in N/m instead of N/mm"))
+    );
 }
 
 #[test]
 fn the_verdict_follows_what_is_known_of_the_tolerance() {
-    let peak_only = ShockRequest { tolerance_m_s2: Some(4.0 * G0_M_S2), ..cabinet() };
+    let peak_only = ShockRequest {
+        tolerance_m_s2: Some(4.0 * G0_M_S2),
+        ..cabinet()
+    };
     let report = shock(&peak_only).unwrap();
-    assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));
+    assert_eq!(
+        (text(&report, "governing"), report.verdict),
+        ("peak", Verdict::Exceeded)
+    );
     // At the largest stiffness the shock is the tolerance.
-    let softer = ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
+    let softer = ShockRequest {
+        cushion: spring(number(&report, "max_stiffness_n_m")),
+        ..peak_only.clone()
+    };
     assert!((number(&shock(&softer).unwrap(), "demand_capacity_ratio") - 1.0).abs() < 1e-12);
 
-    let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
+    let boundary = ShockRequest {
+        tolerance_velocity_change_m_s: Some(10.0),
+        ..peak_only.clone()
+    };
     let report = shock(&boundary).unwrap();
-    assert_eq!((text(&report, "governing"), report.verdict), ("damage-boundary", Verdict::Ok));
-    assert!((number(&report, "demand_capacity_ratio") - number(&report, "velocity_change_m_s") / 10.0).abs() < 1e-15);
+    assert_eq!(
+        (text(&report, "governing"), report.verdict),
+        ("damage-boundary", Verdict::Ok)
+    );
+    assert!(
+        (number(&report, "demand_capacity_ratio") - number(&report, "velocity_change_m_s") / 10.0)
+            .abs()
+            < 1e-15
+    );
 
     // The survived pulse has the demand's own duration: the spectra differ by the peaks alone.
     let duration = report.facts.number("pulse_duration_s");
-    let spectrum = ShockRequest { tolerance_duration_s: duration, ..peak_only.clone() };
+    let spectrum = ShockRequest {
+        tolerance_duration_s: duration,
+        ..peak_only.clone()
+    };
     let report = shock(&spectrum).unwrap();
     assert_eq!(text(&report, "governing"), "spectrum");
     assert!((number(&report, "spectrum") / number(&report, "peak") - 1.0).abs() < 1e-12);
 
-    let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
+    let both = ShockRequest {
+        tolerance_velocity_change_m_s: Some(10.0),
+        ..spectrum
+    };
     assert_eq!(text(&shock(&both).unwrap(), "governing"), "spectrum");
-    let no_peak = ShockRequest { tolerance_m_s2: None, ..both };
+    let no_peak = ShockRequest {
+        tolerance_m_s2: None,
+        ..both
+    };
     assert!(refused(&no_peak).contains("need `tolerance`"));
 }
 
 #[test]
 fn a_point_of_the_object() {
-    let at = shock(&ShockRequest { at_m: Some((0.6, 0.0)), ..cabinet() }).unwrap();
+    let at = shock(&ShockRequest {
+        at_m: Some((0.6, 0.0)),
+        ..cabinet()
+    })
+    .unwrap();
     let ratio = number(&at, "vertical_g") / number(&at, "edge_acceleration_g");
     assert!(number(&at, "horizontal_g") == 0.0 && (ratio - 1.0).abs() < 1e-14);
 }
@@ -195,7 +321,10 @@ fn a_point_of_the_object() {
 #[test]
 fn all_problems_come_at_once() {
     let cube = Block::uniform(1.0, 1.0).unwrap();
-    let request = ShockRequest { gap_m: Some(1.0), ..ShockRequest::new(cube, f64::NAN) };
+    let request = ShockRequest {
+        gap_m: Some(1.0),
+        ..ShockRequest::new(cube, f64::NAN)
+    };
     // The mass, the gap without an obstacle, the cushion and the fall that nobody gives.
     assert_eq!(shock(&request).unwrap_err().problems.len(), 4);
 }
@@ -211,53 +340,116 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
         tolerance_velocity_change_m_s: velocity_change_m_s,
         ..cabinet()
     };
-    for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
+    for request in [
+        with(None, None),
+        with(Some(0.025), None),
+        with(None, Some(0.5)),
+        with(Some(0.03), Some(0.5)),
+    ] {
         let largest = number(&shock(&request).unwrap(), "max_stiffness_n_m");
-        let at = |factor: f64| shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap();
-        assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), (Verdict::Ok, Verdict::Exceeded), "{largest}");
+        let at = |factor: f64| {
+            shock(&ShockRequest {
+                cushion: spring(factor * largest),
+                ..request.clone()
+            })
+            .unwrap()
+        };
+        assert_eq!(
+            (at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict),
+            (Verdict::Ok, Verdict::Exceeded),
+            "{largest}"
+        );
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
-    for (request, said) in
-        [(with(Some(0.011), None), "no stiffness brings"), (with(None, Some(1.0)), "at any stiffness")]
-    {
+    for (request, said) in [
+        (with(Some(0.011), None), "no stiffness brings"),
+        (with(None, Some(1.0)), "at any stiffness"),
+    ] {
         let report = shock(&request).unwrap();
         assert_eq!(report.facts.number("max_stiffness_n_m"), None);
-        assert!(notes(&report).iter().any(|note| note.contains(said)), "{:?}", notes(&report));
+        assert!(
+            notes(&report).iter().any(|note| note.contains(said)),
+            "{:?}",
+            notes(&report)
+        );
     }
 }
 
 /// A lift or a component alone is enough for a verdict, and the peak then is not known.
 #[test]
 fn a_lift_or_a_component_alone_is_enough() {
-    let lifted = ShockRequest { tolerance_edge_lift_m: Some(0.1), energy: Some(Energy::Uplift(0.05)), ..cabinet() };
+    let lifted = ShockRequest {
+        tolerance_edge_lift_m: Some(0.1),
+        energy: Some(Energy::Uplift(0.05)),
+        ..cabinet()
+    };
     let report = shock(&lifted).unwrap();
-    assert_eq!((text(&report, "governing"), report.verdict), ("edge-lift", Verdict::Ok));
+    assert_eq!(
+        (text(&report, "governing"), report.verdict),
+        ("edge-lift", Verdict::Ok)
+    );
     assert_eq!(report.facts.number("peak"), None);
     assert!((number(&report, "demand_capacity_ratio") - 0.5).abs() < 1e-12);
-    let higher = ShockRequest { tolerance_edge_lift_m: Some(0.04), ..lifted };
+    let higher = ShockRequest {
+        tolerance_edge_lift_m: Some(0.04),
+        ..lifted
+    };
     let report = shock(&higher).unwrap();
-    assert_eq!((report.verdict, report.facts.number("max_stiffness_n_m")), (Verdict::Exceeded, None));
-    assert!(notes(&report).iter().any(|note| note.contains("the uplift does not depend")));
+    assert_eq!(
+        (report.verdict, report.facts.number("max_stiffness_n_m")),
+        (Verdict::Exceeded, None)
+    );
+    assert!(
+        notes(&report)
+            .iter()
+            .any(|note| note.contains("the uplift does not depend"))
+    );
 
     // At fT = 1 the component feels 1.62379 times the half-sine, ζ = 0.05.
     let bare = shock(&cabinet()).unwrap();
-    let (f, a) = (1.0 / number(&bare, "pulse_duration_s"), number(&bare, "edge_acceleration_m_s2"));
-    let delicate =
-        ShockRequest { component_frequency_hz: Some(f), component_capacity_m_s2: Some(2.0 * a), ..cabinet() };
+    let (f, a) = (
+        1.0 / number(&bare, "pulse_duration_s"),
+        number(&bare, "edge_acceleration_m_s2"),
+    );
+    let delicate = ShockRequest {
+        component_frequency_hz: Some(f),
+        component_capacity_m_s2: Some(2.0 * a),
+        ..cabinet()
+    };
     let report = shock(&delicate).unwrap();
-    assert_eq!((text(&report, "governing"), report.verdict), ("component", Verdict::Ok));
+    assert_eq!(
+        (text(&report, "governing"), report.verdict),
+        ("component", Verdict::Ok)
+    );
     assert!((number(&report, "demand_capacity_ratio") - 1.62379 / 2.0).abs() < 1e-5);
     // V_c = a_c/ω, A_c = a_c/2.
     let v_c = number(&report, "critical_velocity_change_m_s");
     assert!((v_c - 2.0 * a / (std::f64::consts::TAU * f)).abs() < 1e-12);
-    assert_eq!((text(&report, "source"), number(&report, "critical_acceleration_g")), ("component", a / G0_M_S2));
+    assert_eq!(
+        (
+            text(&report, "source"),
+            number(&report, "critical_acceleration_g")
+        ),
+        ("component", a / G0_M_S2)
+    );
     let largest = number(&report, "max_stiffness_n_m");
     let at = |factor: f64| {
         let cushion = spring(factor * largest);
-        shock(&ShockRequest { cushion, ..delicate.clone() }).unwrap().verdict
+        shock(&ShockRequest {
+            cushion,
+            ..delicate.clone()
+        })
+        .unwrap()
+        .verdict
     };
-    assert_eq!((at(1.0 - 1e-6), at(1.0 + 1e-6)), (Verdict::Ok, Verdict::Exceeded));
-    let half = ShockRequest { component_capacity_m_s2: None, ..delicate };
+    assert_eq!(
+        (at(1.0 - 1e-6), at(1.0 + 1e-6)),
+        (Verdict::Ok, Verdict::Exceeded)
+    );
+    let half = ShockRequest {
+        component_capacity_m_s2: None,
+        ..delicate
+    };
     assert!(refused(&half).contains("go together"));
 }
 
@@ -272,14 +464,25 @@ fn the_largest_of_several_kinds_governs() {
         ..cabinet()
     };
     let report = shock(&request).unwrap();
-    let Some(Value::Facts(ratios)) = report.facts.get("demand_capacity") else { panic!("{:?}", report.facts) };
-    assert!(ratios.number("peak").unwrap() > 4.0 && ratios.number("damage_boundary").unwrap() < 0.2);
+    let Some(Value::Facts(ratios)) = report.facts.get("demand_capacity") else {
+        panic!("{:?}", report.facts)
+    };
+    assert!(
+        ratios.number("peak").unwrap() > 4.0 && ratios.number("damage_boundary").unwrap() < 0.2
+    );
     assert_eq!(text(&report, "governing"), "edge-lift");
     assert!((number(&report, "demand_capacity_ratio") - 2.0).abs() < 1e-12);
     assert_eq!(text(&report, "source"), "tests");
     // A peak without duration or velocity change is a kind of its own: a lift that was survived
     // does not excuse it.
-    let peak = ShockRequest { tolerance_velocity_change_m_s: None, tolerance_edge_lift_m: Some(0.1), ..request };
+    let peak = ShockRequest {
+        tolerance_velocity_change_m_s: None,
+        tolerance_edge_lift_m: Some(0.1),
+        ..request
+    };
     let report = shock(&peak).unwrap();
-    assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));
+    assert_eq!(
+        (text(&report, "governing"), report.verdict),
+        ("peak", Verdict::Exceeded)
+    );
 }

@@ -40,7 +40,9 @@ impl DemandCapacity {
             (self.component, "component"),
             (self.edge_lift, "edge-lift"),
         ];
-        let known = kinds.into_iter().filter_map(|(ratio, name)| Some((ratio?, name)));
+        let known = kinds
+            .into_iter()
+            .filter_map(|(ratio, name)| Some((ratio?, name)));
         known.reduce(|most, next| if next.0 > most.0 { next } else { most })
     }
 
@@ -74,7 +76,11 @@ fn component_m_s2(frequency_hz: f64, edge_m_s2: f64, velocity_change_m_s: f64) -
 
 /// The damage boundary of tests, A_c and V_c; `None` where it is not known.
 pub(super) fn boundary(request: &ShockRequest) -> Option<DamageBoundary> {
-    DamageBoundary::new(request.tolerance_m_s2?, request.tolerance_velocity_change_m_s?).ok()
+    DamageBoundary::new(
+        request.tolerance_m_s2?,
+        request.tolerance_velocity_change_m_s?,
+    )
+    .ok()
 }
 
 /// Compares the landing with every kind of tolerance; `None`: there is nothing to compare.
@@ -87,27 +93,59 @@ pub(super) fn compared(
     uplift_m: Option<f64>,
     impact: Option<&Impact>,
 ) -> Option<Compared> {
-    let peak = request.tolerance_m_s2.map(|tolerance| edge_m_s2 / tolerance);
-    let velocity_change =
-        request.tolerance_velocity_change_m_s.zip(impact).map(|(limit, impact)| impact.velocity_change_m_s / limit);
-    let damage_boundary =
-        boundary(request).zip(impact).map(|(one, impact)| one.demand_ratio(edge_m_s2, impact.velocity_change_m_s));
+    let peak = request
+        .tolerance_m_s2
+        .map(|tolerance| edge_m_s2 / tolerance);
+    let velocity_change = request
+        .tolerance_velocity_change_m_s
+        .zip(impact)
+        .map(|(limit, impact)| impact.velocity_change_m_s / limit);
+    let damage_boundary = boundary(request)
+        .zip(impact)
+        .map(|(one, impact)| one.demand_ratio(edge_m_s2, impact.velocity_change_m_s));
     let survived = request.tolerance_m_s2.zip(request.tolerance_duration_s);
-    let spectrum = survived.zip(impact).map(|((peak_acceleration, duration_s), impact)| {
-        // The half-sine of the same peak and velocity change: on a spring it is the pulse itself.
-        let demand_s = half_sine_duration_s(edge_m_s2, impact.velocity_change_m_s);
-        half_sine_severity_ratio(
-            HalfSine { peak_acceleration: edge_m_s2, duration_s: demand_s },
-            HalfSine { peak_acceleration, duration_s },
-        )
-    });
-    let component = request.component_frequency_hz.zip(request.component_capacity_m_s2).zip(impact);
+    let spectrum = survived
+        .zip(impact)
+        .map(|((peak_acceleration, duration_s), impact)| {
+            // The half-sine of the same peak and velocity change: on a spring it is the pulse itself.
+            let demand_s = half_sine_duration_s(edge_m_s2, impact.velocity_change_m_s);
+            half_sine_severity_ratio(
+                HalfSine {
+                    peak_acceleration: edge_m_s2,
+                    duration_s: demand_s,
+                },
+                HalfSine {
+                    peak_acceleration,
+                    duration_s,
+                },
+            )
+        });
+    let component = request
+        .component_frequency_hz
+        .zip(request.component_capacity_m_s2)
+        .zip(impact);
     let component = component.and_then(|((frequency_hz, capacity_m_s2), impact)| {
         Some(component_m_s2(frequency_hz, edge_m_s2, impact.velocity_change_m_s)? / capacity_m_s2)
     });
-    let edge_lift = request.tolerance_edge_lift_m.zip(uplift_m).map(|(survived_m, uplift_m)| uplift_m / survived_m);
-    let demand_capacity = DemandCapacity { peak, velocity_change, damage_boundary, spectrum, component, edge_lift };
-    demand_capacity.governing().map(|(ratio, governing)| Compared { demand_capacity, ratio, governing })
+    let edge_lift = request
+        .tolerance_edge_lift_m
+        .zip(uplift_m)
+        .map(|(survived_m, uplift_m)| uplift_m / survived_m);
+    let demand_capacity = DemandCapacity {
+        peak,
+        velocity_change,
+        damage_boundary,
+        spectrum,
+        component,
+        edge_lift,
+    };
+    demand_capacity
+        .governing()
+        .map(|(ratio, governing)| Compared {
+            demand_capacity,
+            ratio,
+            governing,
+        })
 }
 
 /// The largest stiffness at which the verdict is still `ok` for this rise, or why there is none.
@@ -129,7 +167,9 @@ pub(super) fn max_stiffness(
         request.component_frequency_hz,
         request.tolerance_edge_lift_m,
     ];
-    if let (Some(tolerance_m_s2), true) = (request.tolerance_m_s2, others.iter().all(Option::is_none)) {
+    if let (Some(tolerance_m_s2), true) =
+        (request.tolerance_m_s2, others.iter().all(Option::is_none))
+    {
         let largest = landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance_m_s2);
         return (Some(largest).filter(|k| k.is_finite()), None);
     }
@@ -137,14 +177,25 @@ pub(super) fn max_stiffness(
         return (None, None);
     }
     let exceeded = |log_k: f64| {
-        let Ok(spring) = Cushion::linear(log_k.exp()) else { return false };
+        let Ok(spring) = Cushion::linear(log_k.exp()) else {
+            return false;
+        };
         let impact = landing.impact(mass_kg, &spring, rise_m, gravity);
-        compared(request, impact.edge_acceleration_m_s2, uplift_m, Some(&impact)).is_some_and(|found| found.ratio > 1.0)
+        compared(
+            request,
+            impact.edge_acceleration_m_s2,
+            uplift_m,
+            Some(&impact),
+        )
+        .is_some_and(|found| found.ratio > 1.0)
     };
     // From far below any pad to a thousand times the stiffest steel column.
     let (mut low, mut high) = (1e-2f64.ln(), 1e14f64.ln());
     if exceeded(low) {
-        let lift = request.tolerance_edge_lift_m.zip(uplift_m).is_some_and(|(survived_m, lift_m)| lift_m > survived_m);
+        let lift = request
+            .tolerance_edge_lift_m
+            .zip(uplift_m)
+            .is_some_and(|(survived_m, lift_m)| lift_m > survived_m);
         let note = if lift {
             "no stiffness brings the verdict to ok: the uplift does not depend on it"
         } else {
@@ -167,7 +218,11 @@ pub(super) fn max_stiffness(
     (low, high) = (grid(first - 1), grid(first));
     while high - low > 1e-12 {
         let middle = 0.5 * (low + high);
-        if exceeded(middle) { high = middle } else { low = middle }
+        if exceeded(middle) {
+            high = middle
+        } else {
+            low = middle
+        }
     }
     (Some(low.exp()), None)
 }

@@ -4,7 +4,9 @@ use kuva::plot::scatter::MarkerShape;
 
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, DARK, axes, curve_style, hollow, line, markers, plain, plain_ticks};
+use freestand_output::figure::style::{
+    Axis, DARK, axes, curve_style, hollow, line, markers, plain, plain_ticks,
+};
 use freestand_output::figure::{Figure, FigureError};
 
 /// One shock response spectrum: frequency \[Hz\] and value, in the unit of the axis.
@@ -51,7 +53,12 @@ fn decades(values: impl Iterator<Item = f64>, label: &str) -> Axis {
     }
     let to = most.log10().ceil();
     let from = least.log10().floor().max(to - DECADES).min(to - 1.0);
-    Axis { from: 10f64.powf(from), to: 10f64.powf(to), step: None, label: label.into() }
+    Axis {
+        from: 10f64.powf(from),
+        to: 10f64.powf(to),
+        step: None,
+        label: label.into(),
+    }
 }
 
 fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
@@ -63,31 +70,65 @@ fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
 
 /// Spectra over frequency.
 pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) -> Page {
-    let of = |pick: fn(&(f64, f64)) -> f64| curves.iter().flat_map(move |one| one.points.iter().map(pick));
+    let of = |pick: fn(&(f64, f64)) -> f64| {
+        curves
+            .iter()
+            .flat_map(move |one| one.points.iter().map(pick))
+    };
     let y = decades(of(|p| p.1), label);
     let x = {
-        let (from, to) = of(|p| p.0).fold((f64::INFINITY, 0.0f64), |(from, to), f| (from.min(f), to.max(f)));
-        let (from, to) = if from < to { (from, to) } else { (0.5 * to, 2.0 * to) };
-        Axis { from, to, step: None, label: "Frequency of the component (Hz)".into() }
+        let (from, to) = of(|p| p.0).fold((f64::INFINITY, 0.0f64), |(from, to), f| {
+            (from.min(f), to.max(f))
+        });
+        let (from, to) = if from < to {
+            (from, to)
+        } else {
+            (0.5 * to, 2.0 * to)
+        };
+        Axis {
+            from,
+            to,
+            step: None,
+            label: "Frequency of the component (Hz)".into(),
+        }
     };
     let mut plots = Vec::new();
     let mut legend = Vec::new();
     for (i, curve) in curves.iter().enumerate() {
         let style = curve_style(i);
-        let mut points: Vec<(f64, f64)> = curve.points.iter().copied().filter(|p| p.1 >= y.from).collect();
+        let mut points: Vec<(f64, f64)> = curve
+            .points
+            .iter()
+            .copied()
+            .filter(|p| p.1 >= y.from)
+            .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         plots.push(line(&points, style.colour, 2.0, style.dash));
         if points.len() <= MAX_NAMED {
             plots.push(markers(&points, style.colour, style.marker, 3.5));
         }
         if i < MAX_NAMED {
-            let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
-            legend.push(Entry { sign, words: freestand_input::quantity::shorten(&curve.name) });
+            let sign = Sign::Line {
+                colour: style.colour,
+                width_px: 2.0,
+                dash: style.dash,
+            };
+            legend.push(Entry {
+                sign,
+                words: freestand_input::quantity::shorten(&curve.name),
+            });
         }
     }
     if curves.len() > MAX_NAMED {
-        let sign = Sign::Line { colour: DARK, width_px: 1.0, dash: Some("2 3") };
-        legend.push(Entry { sign, words: format!("and {} more", curves.len() - MAX_NAMED) });
+        let sign = Sign::Line {
+            colour: DARK,
+            width_px: 1.0,
+            dash: Some("2 3"),
+        };
+        legend.push(Entry {
+            sign,
+            words: format!("and {} more", curves.len() - MAX_NAMED),
+        });
     }
     Page {
         name: "shock_spectrum".to_owned(),
@@ -105,37 +146,98 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     let (v_c, a_c) = picture.corner;
     let (v, a) = picture.demand;
     let points = || picture.survived.iter().chain(&picture.damaged);
-    let xs = [v_c / 2.0, v_c * 5.0, v / 1.5, v * 1.5].into_iter().chain(points().map(|p| p.0));
-    let ys = [a_c / 2.0, a_c * 10.0, a / 1.5, a * 1.5].into_iter().chain(points().map(|p| p.1));
-    let (x, y) = (decades(xs, "Velocity change (m/s)"), decades(ys, "Peak acceleration (g)"));
+    let xs = [v_c / 2.0, v_c * 5.0, v / 1.5, v * 1.5]
+        .into_iter()
+        .chain(points().map(|p| p.0));
+    let ys = [a_c / 2.0, a_c * 10.0, a / 1.5, a * 1.5]
+        .into_iter()
+        .chain(points().map(|p| p.1));
+    let (x, y) = (
+        decades(xs, "Velocity change (m/s)"),
+        decades(ys, "Peak acceleration (g)"),
+    );
     let corner = [(v_c, y.to), (v_c, a_c), (x.to, a_c)];
-    let mut curve: Vec<(f64, f64)> = picture.curve.iter().copied().filter(|p| p.1 <= y.to && p.0 <= x.to).collect();
+    let mut curve: Vec<(f64, f64)> = picture
+        .curve
+        .iter()
+        .copied()
+        .filter(|p| p.1 <= y.to && p.0 <= x.to)
+        .collect();
     curve.push((x.to, a_c));
     let (rectangle, exact) = (curve_style(0), curve_style(1));
     let tested = curve_style(2);
-    let mut plots = vec![line(&corner, rectangle.colour, 2.0, None), line(&curve, exact.colour, 2.0, Some("10 6"))];
+    let mut plots = vec![
+        line(&corner, rectangle.colour, 2.0, None),
+        line(&curve, exact.colour, 2.0, Some("10 6")),
+    ];
     let mut shocks = Vec::new();
     if !picture.survived.is_empty() {
-        plots.extend(hollow(&picture.survived, tested.colour, MarkerShape::Square, 5.0));
+        plots.extend(hollow(
+            &picture.survived,
+            tested.colour,
+            MarkerShape::Square,
+            5.0,
+        ));
         shocks.push((false, "survived in the tests"));
     }
     if !picture.damaged.is_empty() {
-        plots.push(markers(&picture.damaged, tested.colour, MarkerShape::Square, 5.0));
+        plots.push(markers(
+            &picture.damaged,
+            tested.colour,
+            MarkerShape::Square,
+            5.0,
+        ));
         shocks.push((true, "damaged in the tests"));
     }
-    plots.push(markers(&[(v, a)], DARK, if picture.safe { MarkerShape::Circle } else { MarkerShape::Cross }, 6.0));
-    let sign = |colour, dash| Sign::Line { colour, width_px: 2.0, dash };
-    let demand = if picture.safe { Sign::Dot { colour: DARK } } else { Sign::Cross };
-    let words = if picture.safe { "this landing: no damage" } else { "this landing: damage" };
+    plots.push(markers(
+        &[(v, a)],
+        DARK,
+        if picture.safe {
+            MarkerShape::Circle
+        } else {
+            MarkerShape::Cross
+        },
+        6.0,
+    ));
+    let sign = |colour, dash| Sign::Line {
+        colour,
+        width_px: 2.0,
+        dash,
+    };
+    let demand = if picture.safe {
+        Sign::Dot { colour: DARK }
+    } else {
+        Sign::Cross
+    };
+    let words = if picture.safe {
+        "this landing: no damage"
+    } else {
+        "this landing: damage"
+    };
     let mut legend = vec![
-        Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
-        Entry { sign: sign(exact.colour, Some("10 6")), words: "curve of a component".to_owned() },
+        Entry {
+            sign: sign(rectangle.colour, None),
+            words: "rectangle of ASTM D3332".to_owned(),
+        },
+        Entry {
+            sign: sign(exact.colour, Some("10 6")),
+            words: "curve of a component".to_owned(),
+        },
     ];
     legend.extend(shocks.into_iter().map(|(filled, words)| {
-        let sign = Sign::Square { colour: tested.colour, filled };
-        Entry { sign, words: words.to_owned() }
+        let sign = Sign::Square {
+            colour: tested.colour,
+            filled,
+        };
+        Entry {
+            sign,
+            words: words.to_owned(),
+        }
     }));
-    legend.push(Entry { sign: demand, words: words.to_owned() });
+    legend.push(Entry {
+        sign: demand,
+        words: words.to_owned(),
+    });
     Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
@@ -155,7 +257,11 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
-pub fn shock_spectrum_figure(title: &str, label: &str, curves: &[ShockCurve]) -> Result<Figure, FigureError> {
+pub fn shock_spectrum_figure(
+    title: &str,
+    label: &str,
+    curves: &[ShockCurve],
+) -> Result<Figure, FigureError> {
     draw(shock_spectrum(title, label, curves))
 }
 

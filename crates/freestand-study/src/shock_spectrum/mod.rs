@@ -7,8 +7,8 @@ mod figure;
 pub use figure::{BoundaryPicture, ShockCurve, damage_boundary_figure, shock_spectrum_figure};
 use freestand::G0_M_S2;
 use freestand::shock_response::{
-    HalfSine, Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError, ShockSpectrum,
-    ShockSpectrumOptions, enveloping_half_sine, pulse_spectrum, shock_spectrum,
+    HalfSine, Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError,
+    ShockSpectrum, ShockSpectrumOptions, enveloping_half_sine, pulse_spectrum, shock_spectrum,
 };
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -45,26 +45,66 @@ pub const DEFAULT_FREQUENCIES: &str = "1 Hz:10 kHz:12/oct";
 pub const SHAPES: Choices<PulseShape> = &[
     (PulseShape::HalfSine, "half-sine", "A sin(πt/T)"),
     (PulseShape::Haversine, "haversine", "A sin²(πt/T)"),
-    (PulseShape::InitialPeakSawtooth, "initial-peak-sawtooth", "From A down to 0"),
-    (PulseShape::TerminalPeakSawtooth, "terminal-peak-sawtooth", "From 0 up to A"),
+    (
+        PulseShape::InitialPeakSawtooth,
+        "initial-peak-sawtooth",
+        "From A down to 0",
+    ),
+    (
+        PulseShape::TerminalPeakSawtooth,
+        "terminal-peak-sawtooth",
+        "From 0 up to A",
+    ),
     (PulseShape::Rectangle, "rectangle", "A"),
-    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration each to rise and to fall"),
+    (
+        PulseShape::Trapezoid,
+        "trapezoid",
+        "A, with a tenth of the duration each to rise and to fall",
+    ),
 ];
 
 /// Response quantities by name.
 pub const KINDS: Choices<ResponseKind> = &[
-    (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
-    (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
-    (ResponseKind::PseudoVelocity, "pseudo-velocity", "Relative displacement times ω"),
+    (
+        ResponseKind::AbsoluteAcceleration,
+        "absolute-acceleration",
+        "Acceleration of the component",
+    ),
+    (
+        ResponseKind::RelativeDisplacement,
+        "relative-displacement",
+        "Displacement of the component relative to its base",
+    ),
+    (
+        ResponseKind::PseudoVelocity,
+        "pseudo-velocity",
+        "Relative displacement times ω",
+    ),
 ];
 
 /// Peaks by name.
 pub const PEAKS: Choices<Peak> = &[
-    (Peak::Maximax, "maximax", "The largest of either sign, during the record or after it"),
+    (
+        Peak::Maximax,
+        "maximax",
+        "The largest of either sign, during the record or after it",
+    ),
     (Peak::Positive, "positive", "The largest positive value"),
-    (Peak::Negative, "negative", "The magnitude of the largest negative value"),
-    (Peak::Primary, "primary", "The largest of either sign during the record"),
-    (Peak::Residual, "residual", "The largest of either sign after the record"),
+    (
+        Peak::Negative,
+        "negative",
+        "The magnitude of the largest negative value",
+    ),
+    (
+        Peak::Primary,
+        "primary",
+        "The largest of either sign during the record",
+    ),
+    (
+        Peak::Residual,
+        "residual",
+        "The largest of either sign after the record",
+    ),
 ];
 
 /// One spectrum.
@@ -142,14 +182,20 @@ pub fn recorded_shock_spectra(
     request: &ShockSpectrumRequest,
     go_on: impl Fn() -> Result<(), Problem>,
 ) -> Result<ShockSpectrumReport, Problem> {
-    let options =
-        ShockSpectrumOptions { kind: request.kind, damping_ratio: request.damping_ratio, upsample: request.upsample };
+    let options = ShockSpectrumOptions {
+        kind: request.kind,
+        damping_ratio: request.damping_ratio,
+        upsample: request.upsample,
+    };
     let (mut spectra, mut notes, mut solve_s) = (Vec::new(), Vec::new(), 0.0);
     for read in motions {
         let recorded = &read.motion;
         let motion = &recorded.motion;
         let began = Instant::now();
-        let mut found = ShockSpectrum { peaks: Vec::new(), samples_per_period: Vec::new() };
+        let mut found = ShockSpectrum {
+            peaks: Vec::new(),
+            samples_per_period: Vec::new(),
+        };
         // The peaks of an oscillator do not depend on the others.
         for frequencies_hz in request.frequencies_hz.chunks(GROUP) {
             go_on()?;
@@ -164,7 +210,11 @@ pub fn recorded_shock_spectra(
         one.path = Some(recorded.path.to_string_lossy().into_owned());
         (one.dt_s, one.samples) = (Some(motion.dt_s()), Some(motion.accel_m_s2().len()));
         one.processing.clone_from(&recorded.processing);
-        let all = read.notes.iter().cloned().chain(sampling_note(request, motion.dt_s(), &found));
+        let all = read
+            .notes
+            .iter()
+            .cloned()
+            .chain(sampling_note(request, motion.dt_s(), &found));
         notes.extend(all.map(|note| (&recorded.name, note)));
         spectra.push(one);
     }
@@ -188,22 +238,46 @@ pub fn pulse_shock_spectrum(
 ) -> Result<ShockSpectrumReport, Problem> {
     go_on()?;
     let began = Instant::now();
-    let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
+    let found = pulse_spectrum(
+        pulse,
+        &request.frequencies_hz,
+        request.kind,
+        request.damping_ratio,
+    )
+    .map_err(refused)?;
     go_on()?;
     let solve_s = began.elapsed().as_secs_f64();
-    let mut one = one(name_of(SHAPES, pulse.shape()).to_owned(), unit, &found, request)?;
+    let mut one = one(
+        name_of(SHAPES, pulse.shape()).to_owned(),
+        unit,
+        &found,
+        request,
+    )?;
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
     let shape = Facts::default().key("shape", name_of(SHAPES, pulse.shape()));
-    one.pulse = Some(shape.and(pulse_facts(peak_m_s2, duration_s, pulse.velocity_change_m_s())));
-    let few = found.samples_per_period.iter().any(|samples| *samples < SAMPLES_PER_PERIOD);
-    let warning =
-        "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low";
-    Ok(report(request, vec![one], solve_s, few.then(|| warning.to_owned()).into_iter().collect()))
+    one.pulse = Some(shape.and(pulse_facts(
+        peak_m_s2,
+        duration_s,
+        pulse.velocity_change_m_s(),
+    )));
+    let few = found
+        .samples_per_period
+        .iter()
+        .any(|samples| *samples < SAMPLES_PER_PERIOD);
+    let warning = "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low";
+    Ok(report(
+        request,
+        vec![one],
+        solve_s,
+        few.then(|| warning.to_owned()).into_iter().collect(),
+    ))
 }
 
 /// The unit in which a quantity such as `30 g` is written, as spelled in outputs.
 pub fn acceleration_unit(text: &str) -> &'static str {
-    let unit = text.trim().trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE_ ".contains(c));
+    let unit = text
+        .trim()
+        .trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE_ ".contains(c));
     find_unit(unit, Dimension::Acceleration).map_or(SI_ACCELERATION, |unit| unit.symbol)
 }
 
@@ -211,7 +285,9 @@ const SI_ACCELERATION: &str = "m/s2";
 
 fn refused(error: ShockResponseError) -> Problem {
     let hint = match error {
-        ShockResponseError::Frequency { .. } => "give frequencies above zero, such as \"1 Hz:10 kHz:12/oct\"",
+        ShockResponseError::Frequency { .. } => {
+            "give frequencies above zero, such as \"1 Hz:10 kHz:12/oct\""
+        }
         ShockResponseError::Damping { .. } => "give damping from 0 to below 1; 5 % is Q = 10",
         ShockResponseError::Overflow { .. } => "check the unit of the accelerations",
     };
@@ -225,20 +301,29 @@ fn one(
     found: &ShockSpectrum,
     request: &ShockSpectrumRequest,
 ) -> Result<OneShockSpectrum, Problem> {
-    let values_si: Vec<f64> = found.peaks.iter().map(|one| one.peak(request.peak)).collect();
+    let values_si: Vec<f64> = found
+        .peaks
+        .iter()
+        .map(|one| one.peak(request.peak))
+        .collect();
     let known = find_unit(input_unit, Dimension::Acceleration).ok();
     let (unit, values) = match request.kind {
         ResponseKind::AbsoluteAcceleration => match known {
-            Some(unit) => (unit.symbol, values_si.iter().map(|&value| unit.from_si(value)).collect()),
+            Some(unit) => (
+                unit.symbol,
+                values_si.iter().map(|&value| unit.from_si(value)).collect(),
+            ),
             // Counts, and units that only one file format has.
             None => (SI_ACCELERATION, values_si.clone()),
         },
         ResponseKind::RelativeDisplacement => ("m", values_si.clone()),
         ResponseKind::PseudoVelocity => ("m/s", values_si.clone()),
     };
-    let enveloped = request.kind == ResponseKind::AbsoluteAcceleration && request.peak == Peak::Maximax;
+    let enveloped =
+        request.kind == ResponseKind::AbsoluteAcceleration && request.peak == Peak::Maximax;
     let enveloping = if enveloped {
-        enveloping_half_sine(&request.frequencies_hz, &values_si, request.damping_ratio).map_err(refused)?
+        enveloping_half_sine(&request.frequencies_hz, &values_si, request.damping_ratio)
+            .map_err(refused)?
     } else {
         None
     };
@@ -253,11 +338,20 @@ fn one(
         samples: None,
         processing: Vec::new(),
         pulse: None,
-        enveloping_half_sine: enveloping.map(|HalfSine { peak_acceleration, duration_s }| {
-            let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
-            let rule = Facts::default().key("rule", "smallest-peak");
-            rule.and(pulse_facts(peak_acceleration, duration_s, velocity_change_m_s))
-        }),
+        enveloping_half_sine: enveloping.map(
+            |HalfSine {
+                 peak_acceleration,
+                 duration_s,
+             }| {
+                let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
+                let rule = Facts::default().key("rule", "smallest-peak");
+                rule.and(pulse_facts(
+                    peak_acceleration,
+                    duration_s,
+                    velocity_change_m_s,
+                ))
+            },
+        ),
         values_si,
     })
 }
@@ -306,7 +400,11 @@ fn sampling_note(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpectru
         );
         return Some(Note::new(NoteKind::FewSamples, words));
     }
-    let least = found.samples_per_period.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = found
+        .samples_per_period
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     let low_percent = 100.0 * (1.0 - (PI / least).cos());
     let low = number(low_percent, 2);
     let words = if !request.upsample && least < FEW_SAMPLES {
@@ -336,15 +434,30 @@ impl ShockSpectrumReport {
     pub fn table(&self) -> Result<Table, Problem> {
         let only = |kind: ResponseKind, value: f64| (self.response == kind).then_some(value);
         table(self.spectra.iter().flat_map(|one| {
-            one.frequencies_hz.iter().zip(&one.values_si).map(|(&frequency_hz, &value)| {
-                Facts::default()
-                    .key("name", one.name.as_str())
-                    .key("frequency_hz", frequency_hz)
-                    .key("absolute_acceleration_g", only(ResponseKind::AbsoluteAcceleration, value / G0_M_S2))
-                    .key("absolute_acceleration_m_s2", only(ResponseKind::AbsoluteAcceleration, value))
-                    .key("relative_displacement_m", only(ResponseKind::RelativeDisplacement, value))
-                    .key("pseudo_velocity_m_s", only(ResponseKind::PseudoVelocity, value))
-            })
+            one.frequencies_hz
+                .iter()
+                .zip(&one.values_si)
+                .map(|(&frequency_hz, &value)| {
+                    Facts::default()
+                        .key("name", one.name.as_str())
+                        .key("frequency_hz", frequency_hz)
+                        .key(
+                            "absolute_acceleration_g",
+                            only(ResponseKind::AbsoluteAcceleration, value / G0_M_S2),
+                        )
+                        .key(
+                            "absolute_acceleration_m_s2",
+                            only(ResponseKind::AbsoluteAcceleration, value),
+                        )
+                        .key(
+                            "relative_displacement_m",
+                            only(ResponseKind::RelativeDisplacement, value),
+                        )
+                        .key(
+                            "pseudo_velocity_m_s",
+                            only(ResponseKind::PseudoVelocity, value),
+                        )
+                })
         }))
     }
 
@@ -364,11 +477,19 @@ impl ShockSpectrumReport {
             .iter()
             .map(|one| ShockCurve {
                 name: one.name.clone(),
-                points: one.frequencies_hz.iter().copied().zip(one.values_si.iter().map(|v| factor * v)).collect(),
+                points: one
+                    .frequencies_hz
+                    .iter()
+                    .copied()
+                    .zip(one.values_si.iter().map(|v| factor * v))
+                    .collect(),
             })
             .collect();
-        let title =
-            format!("Shock response spectrum, {}, damping {} %", self.peak, number(100.0 * self.damping_ratio, 4));
+        let title = format!(
+            "Shock response spectrum, {}, damping {} %",
+            self.peak,
+            number(100.0 * self.damping_ratio, 4)
+        );
         shock_spectrum_figure(&title, label, &curves)
     }
 }

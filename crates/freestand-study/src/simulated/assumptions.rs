@@ -2,8 +2,8 @@
 
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::{
-    HighCut, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality, SOUTH_EAST_AUSTRALIA_FARTHEST_M,
-    SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum,
+    HighCut, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality,
+    SOUTH_EAST_AUSTRALIA_FARTHEST_M, SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum,
 };
 
 use super::{Earthquakes, SimulatedRequest};
@@ -25,7 +25,12 @@ pub(super) fn assumptions(request: &SimulatedRequest, source: &PointSource) -> V
                 .to_owned(),
         );
     }
-    if let Quality::LogCubic { lowest_hz, highest_hz, .. } = source.quality {
+    if let Quality::LogCubic {
+        lowest_hz,
+        highest_hz,
+        ..
+    } = source.quality
+    {
         said.push(format!(
             "Q was fitted from {lowest_hz} to {highest_hz} Hz; outside, the values at the ends are used"
         ));
@@ -53,7 +58,9 @@ fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String
     let own_stress = changes.stress_drop_pa.is_none();
     let cut = match source.high_cut {
         HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 3)),
-        HighCut::MaximumFrequency { frequency_hz } => format!("f_max = {} Hz", number(frequency_hz, 3)),
+        HighCut::MaximumFrequency { frequency_hz } => {
+            format!("f_max = {} Hz", number(frequency_hz, 3))
+        }
     };
     let own_cut = changes.kappa_s.is_none();
     let mpa = format!("{} MPa", number(source.stress_drop_pa / 1e6, 3));
@@ -70,7 +77,11 @@ fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String
             } else {
                 "trilinear spreading is that".to_owned()
             };
-            let last = if own_cut { format!(", {cut} is a common value for rock") } else { String::new() };
+            let last = if own_cut {
+                format!(", {cut} is a common value for rock")
+            } else {
+                String::new()
+            };
             say(
                 true,
                 format!(
@@ -80,17 +91,38 @@ fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String
             );
         }
         Preset::IntraplateHardRock => {
-            say(own_cut, format!("{cut} is quoted from memory, after Atkinson and Boore (1995)"));
+            say(
+                own_cut,
+                format!("{cut} is quoted from memory, after Atkinson and Boore (1995)"),
+            );
         }
         Preset::SouthEastAustralia => {
-            say(own_cut, format!("{cut} is quoted from memory, after Allen (2012)"));
-            say(source.profile.is_some(), "the Melbourne profile is not part of that model".to_owned());
-            say(own_stress, format!("{mpa} is for sources above 10 km depth"));
+            say(
+                own_cut,
+                format!("{cut} is quoted from memory, after Allen (2012)"),
+            );
+            say(
+                source.profile.is_some(),
+                "the Melbourne profile is not part of that model".to_owned(),
+            );
+            say(
+                own_stress,
+                format!("{mpa} is for sources above 10 km depth"),
+            );
         }
     }
-    say(!own_stress, format!("the stress drop is {mpa}, not the preset's"));
-    say(!own_cut, format!("the loss near the surface is {cut}, not the preset's"));
-    say(changes.hard_rock, "hard rock: no amplification by the crust".to_owned());
+    say(
+        !own_stress,
+        format!("the stress drop is {mpa}, not the preset's"),
+    );
+    say(
+        !own_cut,
+        format!("the loss near the surface is {cut}, not the preset's"),
+    );
+    say(
+        changes.hard_rock,
+        "hard rock: no amplification by the crust".to_owned(),
+    );
     said
 }
 

@@ -10,9 +10,9 @@ use freestand::code_spectrum::SiteClass;
 use freestand::measures::{Measures, measures};
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration, PointSource, Preset, Quality,
-    ShearWaveProfile, SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio,
-    stream,
+    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration,
+    PointSource, Preset, Quality, ShearWaveProfile, SimulationOptions, Simulator, SourceSpectrum,
+    SynthesisError, distance_for_target, mean_ratio, stream,
 };
 use rayon::prelude::*;
 
@@ -145,7 +145,12 @@ pub struct FoundEarthquake {
 impl FoundEarthquake {
     /// The name of a motion, counted from 0: `m6.0-30km-01`.
     pub fn motion_name(&self, index: u64) -> String {
-        format!("m{:.1}-{:.0}km-{:02}", self.source.magnitude, self.source.distance_m / 1000.0, index + 1)
+        format!(
+            "m{:.1}-{:.0}km-{:02}",
+            self.source.magnitude,
+            self.source.distance_m / 1000.0,
+            index + 1
+        )
     }
 
     /// The stream of random numbers of a motion, counted from 0.
@@ -157,14 +162,19 @@ impl FoundEarthquake {
     pub fn corner_frequencies_hz(&self) -> Vec<f64> {
         match self.source.corners() {
             Corners::Single { corner_hz } => vec![corner_hz],
-            Corners::Two { lower_hz, upper_hz, .. } => vec![lower_hz, upper_hz],
+            Corners::Two {
+                lower_hz, upper_hz, ..
+            } => vec![lower_hz, upper_hz],
         }
     }
 
     /// What is stated about it.
     pub(crate) fn facts(&self) -> Facts<'static> {
         facts!(self.source; magnitude, distance_m)
-            .key("mean_ratio_to_rock_spectrum", self.mean_ratio_to_rock_spectrum)
+            .key(
+                "mean_ratio_to_rock_spectrum",
+                self.mean_ratio_to_rock_spectrum,
+            )
             .key("moment_n_m", self.source.moment_n_m())
             .key("corner_frequencies_hz", self.corner_frequencies_hz())
             .key("duration_s", self.source.duration_s())
@@ -178,30 +188,55 @@ impl FoundEarthquake {
 /// Parameters out of range, or a magnitude that does not fit the spectrum at any distance from 2 to
 /// 300 km.
 pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquake>, Problem> {
-    let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
+    let source = |magnitude, distance_m| {
+        changed(
+            request.preset.source(magnitude, distance_m),
+            &request.changes,
+        )
+    };
     let found = match &request.earthquakes {
-        Earthquakes::One { magnitude, distance_m } => {
+        Earthquakes::One {
+            magnitude,
+            distance_m,
+        } => {
             let source = source(*magnitude, *distance_m);
-            vec![FoundEarthquake { number: 0, source, mean_ratio_to_rock_spectrum: None }]
+            vec![FoundEarthquake {
+                number: 0,
+                source,
+                mean_ratio_to_rock_spectrum: None,
+            }]
         }
         Earthquakes::Pairs { kpz_g, magnitudes } => {
-            let all = if magnitudes.is_empty() { &PAIR_MAGNITUDES[..] } else { magnitudes };
+            let all = if magnitudes.is_empty() {
+                &PAIR_MAGNITUDES[..]
+            } else {
+                magnitudes
+            };
             let mut found = Vec::new();
             for (number, &magnitude) in (0..).zip(all) {
                 let rock = |period_s| kpz_g * SiteClass::Be.shape_factor_ratio(period_s);
                 let streams = stream(number, 0)..stream(number, PAIR_MOTIONS);
                 let at = |r_m| source(magnitude, r_m);
                 let pair = distance_for_target(at, rock, &request.options, request.seed, streams);
-                let pair = pair.map_err(source_problem)?.ok_or_else(|| no_distance(magnitude, *kpz_g))?;
+                let pair = pair
+                    .map_err(source_problem)?
+                    .ok_or_else(|| no_distance(magnitude, *kpz_g))?;
                 let mean_ratio_to_rock_spectrum = Some(pair.mean_ratio);
                 let source = source(magnitude, pair.distance_m);
-                found.push(FoundEarthquake { number, source, mean_ratio_to_rock_spectrum });
+                found.push(FoundEarthquake {
+                    number,
+                    source,
+                    mean_ratio_to_rock_spectrum,
+                });
             }
             found
         }
     };
     // Parameters out of their range are reported before anything is computed.
-    found.iter().try_for_each(|one| simulator(request, one).map(|_| ())).map_err(source_problem)?;
+    found
+        .iter()
+        .try_for_each(|one| simulator(request, one).map(|_| ()))
+        .map_err(source_problem)?;
     Ok(found)
 }
 
@@ -209,9 +244,13 @@ pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquak
 ///
 /// # Errors
 /// Parameters out of range.
-pub fn simulator(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Simulator, SynthesisError> {
+pub fn simulator(
+    request: &SimulatedRequest,
+    found: &FoundEarthquake,
+) -> Result<Simulator, SynthesisError> {
     let (site, rock) = (request.site, SiteClass::Be);
-    let site_ratio = |period_s: f64| site.shape_factor_ratio(period_s) / rock.shape_factor_ratio(period_s);
+    let site_ratio =
+        |period_s: f64| site.shape_factor_ratio(period_s) / rock.shape_factor_ratio(period_s);
     Simulator::new(&found.source, site_ratio, &request.options)
 }
 
@@ -227,13 +266,22 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport<'_>, Probl
         .map(|found| earthquake(request, found))
         .collect::<Result<Vec<_>, SynthesisError>>()
         .map_err(source_problem)?;
-    Ok(SimulatedReport { request, warnings, earthquakes })
+    Ok(SimulatedReport {
+        request,
+        warnings,
+        earthquakes,
+    })
 }
 
 /// The problem of a parameter that is out of its range: its key, and its value with a unit.
 pub(crate) fn source_problem(error: SynthesisError) -> Problem {
     const HINT: &str = "give other values for the motion or its source";
-    let SynthesisError::Option { parameter, requirement, value } = error else {
+    let SynthesisError::Option {
+        parameter,
+        requirement,
+        value,
+    } = error
+    else {
         return Problem::value(error.to_string(), HINT);
     };
     let (key, dimension) = match parameter {
@@ -245,21 +293,33 @@ pub(crate) fn source_problem(error: SynthesisError) -> Problem {
         Parameter::Distance => ("distance", Dimension::Length),
         Parameter::StressDrop => ("stress_drop", Dimension::Pressure),
         Parameter::Kappa => ("kappa", Dimension::Time),
-        Parameter::Samples => return Problem::value(error.to_string(), "give a longer `time_step`").of(&["time_step"]),
+        Parameter::Samples => {
+            return Problem::value(error.to_string(), "give a longer `time_step`")
+                .of(&["time_step"]);
+        }
         Parameter::Other(_) => return Problem::value(error.to_string(), HINT),
     };
-    let message = format!("`{key}` must be {requirement}, not {}", format_si(value, dimension));
+    let message = format!(
+        "`{key}` must be {requirement}, not {}",
+        format_si(value, dimension)
+    );
     Problem::value(message, "give a value within these limits").of(&[key])
 }
 
 fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
     PointSource {
         stress_drop_pa: changes.stress_drop_pa.unwrap_or(source.stress_drop_pa),
-        high_cut: changes.kappa_s.map_or(source.high_cut, |kappa_s| HighCut::Kappa { kappa_s }),
+        high_cut: changes
+            .kappa_s
+            .map_or(source.high_cut, |kappa_s| HighCut::Kappa { kappa_s }),
         spectrum: changes.spectrum.unwrap_or(source.spectrum),
         path_duration: changes.path_duration.unwrap_or(source.path_duration),
         window: changes.window.unwrap_or(source.window),
-        profile: if changes.hard_rock { None } else { source.profile.clone() },
+        profile: if changes.hard_rock {
+            None
+        } else {
+            source.profile.clone()
+        },
         ..source
     }
 }
@@ -271,7 +331,12 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
 pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problems> {
     let years = return_period_years.to_string();
     let code = ("code", "as1170.4");
-    let words = [code, ("city", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
+    let words = [
+        code,
+        ("city", city),
+        ("return_period_years", years.as_str()),
+        ("site", SiteClass::Be.name()),
+    ];
     Target::resolve(&words.into_iter().collect(), Path::new(""))
 }
 
@@ -286,16 +351,27 @@ fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
 }
 
 /// The motions of an earthquake, each with its own random numbers.
-fn earthquake(request: &SimulatedRequest, found: FoundEarthquake) -> Result<Earthquake, SynthesisError> {
+fn earthquake(
+    request: &SimulatedRequest,
+    found: FoundEarthquake,
+) -> Result<Earthquake, SynthesisError> {
     let simulator = simulator(request, &found)?;
     let motions = (0..request.count).into_par_iter().map(|index| {
         let motion = simulator.motion(request.seed, found.stream(index))?;
-        Ok(SimulatedMotion { name: found.motion_name(index), path: None, measures: measures(&motion), motion })
+        Ok(SimulatedMotion {
+            name: found.motion_name(index),
+            path: None,
+            measures: measures(&motion),
+            motion,
+        })
     });
     let motions: Vec<SimulatedMotion> = motions.collect::<Result<_, SynthesisError>>()?;
     let frequency = |i: usize| 0.05 * 1000.0_f64.powf(i as f64 / (FOURIER_POINTS - 1) as f64);
     let frequencies_hz: Vec<f64> = (0..FOURIER_POINTS).map(frequency).collect();
-    let amplitudes = frequencies_hz.iter().filter_map(|&f| simulator.amplitude_m_s(f)).collect();
+    let amplitudes = frequencies_hz
+        .iter()
+        .filter_map(|&f| simulator.amplitude_m_s(f))
+        .collect();
     let target = request.code_spectrum();
     let mean = |target| mean_ratio(motions.iter().map(|one| &one.motion), target);
     Ok(Earthquake {
@@ -310,8 +386,15 @@ fn earthquake(request: &SimulatedRequest, found: FoundEarthquake) -> Result<Eart
 
 fn quality_words(quality: &Quality) -> String {
     match quality {
-        Quality::Power { at_1_hz_ratio, exponent_ratio } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
-        Quality::LogCubic { coefficients_ratio: [a, b, c, d], lowest_hz, highest_hz } => format!(
+        Quality::Power {
+            at_1_hz_ratio,
+            exponent_ratio,
+        } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
+        Quality::LogCubic {
+            coefficients_ratio: [a, b, c, d],
+            lowest_hz,
+            highest_hz,
+        } => format!(
             "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, constant below {lowest_hz} and \
              above {highest_hz} Hz"
         ),
@@ -331,15 +414,21 @@ pub(crate) fn source_facts(source: &PointSource) -> Facts<'static> {
         HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
         HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
     };
-    let spreading: Vec<Facts> =
-        source.spreading.iter().map(|piece| facts!(piece; from_distance_m, exponent_ratio)).collect();
+    let spreading: Vec<Facts> = source
+        .spreading
+        .iter()
+        .map(|piece| facts!(piece; from_distance_m, exponent_ratio))
+        .collect();
     facts!(source; stress_drop_pa, density_kg_m3, shear_velocity_m_s)
         .key("source_spectrum", words::spectrum_name(source.spectrum))
         .key("spreading", spreading)
         .key("quality", quality_words(&source.quality))
         .key("kappa_s", kappa_s)
         .key("maximum_frequency_hz", maximum_frequency_hz)
-        .key("vs30_m_s", source.profile.as_ref().map(ShearWaveProfile::vs30_m_s))
+        .key(
+            "vs30_m_s",
+            source.profile.as_ref().map(ShearWaveProfile::vs30_m_s),
+        )
         .key("path_duration", path_words(source.path_duration))
         .key("window", source.window.name())
 }
@@ -348,7 +437,9 @@ pub(crate) fn source_facts(source: &PointSource) -> Facts<'static> {
 pub(crate) fn source_words(source: &PointSource) -> String {
     let near_the_surface = match source.high_cut {
         HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 4)),
-        HighCut::MaximumFrequency { frequency_hz } => format!("f_max = {} Hz", number(frequency_hz, 4)),
+        HighCut::MaximumFrequency { frequency_hz } => {
+            format!("f_max = {} Hz", number(frequency_hz, 4))
+        }
     };
     let crust = match &source.profile {
         Some(profile) => format!("crust with V_S30 = {} m/s", number(profile.vs30_m_s(), 3)),
@@ -358,7 +449,13 @@ pub(crate) fn source_words(source: &PointSource) -> String {
         .spreading
         .iter()
         // 0 less the exponent, so that no spreading is R^0 and not R^-0.
-        .map(|piece| format!("R^{} from {} km", 0.0 - piece.exponent_ratio, number(piece.from_distance_m / 1e3, 3)))
+        .map(|piece| {
+            format!(
+                "R^{} from {} km",
+                0.0 - piece.exponent_ratio,
+                number(piece.from_distance_m / 1e3, 3)
+            )
+        })
         .collect();
     format!(
         "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; \
@@ -388,17 +485,25 @@ impl SimulatedRequest {
 
     /// Warnings about earthquakes that the preset was not made for.
     pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<String> {
-        found.iter().filter_map(|one| outside_limits(self.preset, &one.source)).collect()
+        found
+            .iter()
+            .filter_map(|one| outside_limits(self.preset, &one.source))
+            .collect()
     }
 
     fn kpz_g(&self) -> Option<f64> {
-        if let Earthquakes::Pairs { kpz_g, .. } = self.earthquakes { Some(kpz_g) } else { None }
+        if let Earthquakes::Pairs { kpz_g, .. } = self.earthquakes {
+            Some(kpz_g)
+        } else {
+            None
+        }
     }
 
     /// The code's spectrum for the site (period \[s\] to g), if distances are searched for with one.
     pub fn code_spectrum(&self) -> Option<impl Fn(f64) -> f64 + use<>> {
         let site = self.site;
-        self.kpz_g().map(|kpz_g| move |period_s| kpz_g * site.shape_factor_ratio(period_s))
+        self.kpz_g()
+            .map(|kpz_g| move |period_s| kpz_g * site.shape_factor_ratio(period_s))
     }
 }
 
@@ -408,7 +513,13 @@ impl Earthquake {
             .facts()
             .key("searched_motions", self.searched_motions.map(u64::from))
             .and(facts!(self; written_mean_ratio_to_site_spectrum, pad_s))
-            .key("motions", self.motions.iter().map(SimulatedMotion::facts).collect::<Vec<_>>())
+            .key(
+                "motions",
+                self.motions
+                    .iter()
+                    .map(SimulatedMotion::facts)
+                    .collect::<Vec<_>>(),
+            )
     }
 }
 
@@ -442,7 +553,13 @@ impl SimulatedReport<'_> {
             .key("generator", GENERATOR)
             .and(facts!(request.options; dt_s, low_cut_hz))
             .key("assumptions", request.assumptions())
-            .key("earthquakes", self.earthquakes.iter().map(Earthquake::facts).collect::<Vec<_>>())
+            .key(
+                "earthquakes",
+                self.earthquakes
+                    .iter()
+                    .map(Earthquake::facts)
+                    .collect::<Vec<_>>(),
+            )
     }
 
     /// The target amplitudes of every earthquake against frequency, with low cut and site.
@@ -454,9 +571,17 @@ impl SimulatedReport<'_> {
             .earthquakes
             .iter()
             .map(|one| &one.found.source)
-            .map(|source| format!("amplitude_m{:.1}_{:.0}km_m_s", source.magnitude, source.distance_m / 1000.0))
+            .map(|source| {
+                format!(
+                    "amplitude_m{:.1}_{:.0}km_m_s",
+                    source.magnitude,
+                    source.distance_m / 1000.0
+                )
+            })
             .collect();
-        let Some(first) = self.earthquakes.first() else { return Ok(Table::default()) };
+        let Some(first) = self.earthquakes.first() else {
+            return Ok(Table::default());
+        };
         let mut columns = vec![("frequency_hz", &first.fourier.0[..first.fourier.1.len()])];
         for (name, one) in names.iter().zip(&self.earthquakes) {
             columns.push((name, &one.fourier.1[..]));

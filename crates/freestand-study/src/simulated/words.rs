@@ -10,15 +10,25 @@ use freestand_input::word_reader::WordReader;
 
 use super::SourceChanges;
 
-const SPECTRA: [(&str, SourceSpectrum); 2] =
-    [("single-corner", SourceSpectrum::SingleCorner), ("two-corner", SourceSpectrum::TwoCorner)];
-const PATHS: [(&str, PathDuration); 2] =
-    [("boore", PathDuration::Boore), ("atkinson-boore", PathDuration::AtkinsonBoore)];
-const WINDOWS: [(&str, Window); 2] = [("lam", Window::Lam), ("saragoni-hart", Window::SaragoniHart)];
+const SPECTRA: [(&str, SourceSpectrum); 2] = [
+    ("single-corner", SourceSpectrum::SingleCorner),
+    ("two-corner", SourceSpectrum::TwoCorner),
+];
+const PATHS: [(&str, PathDuration); 2] = [
+    ("boore", PathDuration::Boore),
+    ("atkinson-boore", PathDuration::AtkinsonBoore),
+];
+const WINDOWS: [(&str, Window); 2] = [
+    ("lam", Window::Lam),
+    ("saragoni-hart", Window::SaragoniHart),
+];
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
 pub(super) fn spectrum_name(spectrum: SourceSpectrum) -> &'static str {
-    SPECTRA.iter().find(|(_, one)| *one == spectrum).map_or("", |(name, _)| name)
+    SPECTRA
+        .iter()
+        .find(|(_, one)| *one == spectrum)
+        .map_or("", |(name, _)| name)
 }
 
 /// A resolved source, without the site and its hazard.
@@ -55,7 +65,12 @@ pub fn read_source(words: &Words) -> Result<SourceInput, Problems> {
     let mut reader = WordReader::new(words);
     let defaults = SimulationOptions::default();
     let [victoria, intraplate, se_australia] = Preset::ALL.map(|preset| (preset.name(), preset));
-    let presets = [victoria, ("melbourne", Preset::Victoria), intraplate, se_australia];
+    let presets = [
+        victoria,
+        ("melbourne", Preset::Victoria),
+        intraplate,
+        se_australia,
+    ];
     let changes = SourceChanges {
         stress_drop_pa: reader.positive("stress_drop", Dimension::Pressure),
         kappa_s: reader.non_negative("kappa", Dimension::Time),
@@ -65,13 +80,19 @@ pub fn read_source(words: &Words) -> Result<SourceInput, Problems> {
         hard_rock: reader.one_of("hard_rock", &SWITCH).unwrap_or(false),
     };
     let source = SourceInput {
-        preset: reader.one_of("preset", &presets).unwrap_or(Preset::Victoria),
+        preset: reader
+            .one_of("preset", &presets)
+            .unwrap_or(Preset::Victoria),
         changes,
         magnitude: reader.positive("magnitude", Dimension::Ratio),
         distance_m: reader.positive("distance", Dimension::Length),
         options: SimulationOptions {
-            dt_s: reader.positive("time_step", Dimension::Time).unwrap_or(defaults.dt_s),
-            low_cut_hz: reader.positive("low_cut", Dimension::Frequency).unwrap_or(defaults.low_cut_hz),
+            dt_s: reader
+                .positive("time_step", Dimension::Time)
+                .unwrap_or(defaults.dt_s),
+            low_cut_hz: reader
+                .positive("low_cut", Dimension::Frequency)
+                .unwrap_or(defaults.low_cut_hz),
         },
     };
     reader.problems.finish(Some(source))

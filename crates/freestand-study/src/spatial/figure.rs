@@ -11,7 +11,9 @@ use super::{SpatialPoint, SpatialReport, StackPoint, StackReport, feet};
 use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
-use freestand_output::figure::style::{Axis, DARK, LABELS_PX, curve_style, line, markers, plain, round_step};
+use freestand_output::figure::style::{
+    Axis, DARK, LABELS_PX, curve_style, line, markers, plain, round_step,
+};
 use freestand_output::figure::time::{stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
@@ -31,11 +33,21 @@ const BESIDE_PX: f64 = 76.0 + 18.0;
 const AROUND_PX: f64 = 8.0 + LABELS_PX;
 
 fn entry(sign: Sign, words: &str) -> Entry {
-    Entry { sign, words: words.into() }
+    Entry {
+        sign,
+        words: words.into(),
+    }
 }
 
 fn curve(index: usize, words: &str) -> Entry {
-    entry(Sign::Line { colour: curve_style(index).colour, width_px: 1.5, dash: None }, words)
+    entry(
+        Sign::Line {
+            colour: curve_style(index).colour,
+            width_px: 1.5,
+            dash: None,
+        },
+        words,
+    )
 }
 
 /// Tilt against time, and the base from above: its outline at rest and at the end, and the path of
@@ -44,27 +56,59 @@ fn curve(index: usize, words: &str) -> Entry {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else { return Ok(None) };
+    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else {
+        return Ok(None);
+    };
     let (from, to) = (first.time_s, last.time_s);
     if to <= from {
         return Ok(None);
     }
     let degrees = |of: &dyn Fn(&SpatialPoint) -> f64| {
-        thin(report.history.iter().map(|point| (point.time_s, of(point).to_degrees())), from, to)
+        thin(
+            report
+                .history
+                .iter()
+                .map(|point| (point.time_s, of(point).to_degrees())),
+            from,
+            to,
+        )
     };
-    let tilts = [degrees(&|p| p.tilts_rad[2]), degrees(&|p| p.tilts_rad[0]), degrees(&|p| p.tilts_rad[1])];
-    let largest = tilts.iter().flatten().fold(0.0f64, |most, point| most.max(point.1.abs()));
+    let tilts = [
+        degrees(&|p| p.tilts_rad[2]),
+        degrees(&|p| p.tilts_rad[0]),
+        degrees(&|p| p.tilts_rad[1]),
+    ];
+    let largest = tilts
+        .iter()
+        .flatten()
+        .fold(0.0f64, |most, point| most.max(point.1.abs()));
     let [x, y, height] = report.shape.sizes_m();
     let size = match report.shape {
-        Shape::Cylinder { .. } => format!("Cylinder, {} mm × {} m", number(1e3 * x, 4), number(height, 4)),
+        Shape::Cylinder { .. } => format!(
+            "Cylinder, {} mm × {} m",
+            number(1e3 * x, 4),
+            number(height, 4)
+        ),
         Shape::Plane { .. } => format!("{} mm × {} m", number(1e3 * x, 4), number(height, 4)),
-        _ => format!("{} mm × {} mm × {} m", number(1e3 * x, 4), number(1e3 * y, 4), number(height, 4)),
+        _ => format!(
+            "{} mm × {} mm × {} m",
+            number(1e3 * x, 4),
+            number(1e3 * y, 4),
+            number(height, 4)
+        ),
     };
     let tilt = Panel {
         plots: tilts
             .iter()
             .enumerate()
-            .map(|(index, points)| line(points, curve_style(index).colour, if index == 0 { 1.8 } else { 1.0 }, None))
+            .map(|(index, points)| {
+                line(
+                    points,
+                    curve_style(index).colour,
+                    if index == 0 { 1.8 } else { 1.0 },
+                    None,
+                )
+            })
             .collect(),
         layout: stacked(time_axis(from, to), symmetric(largest, "Tilt (deg)"), true),
     };
@@ -83,8 +127,22 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
             curve(0, "tilt"),
             curve(1, "to the right"),
             curve(2, "to the back"),
-            entry(Sign::Line { colour: DARK, width_px: 1.0, dash: Some("5 3") }, "base at rest"),
-            entry(Sign::Line { colour: DARK, width_px: 1.4, dash: None }, "base at the end"),
+            entry(
+                Sign::Line {
+                    colour: DARK,
+                    width_px: 1.0,
+                    dash: Some("5 3"),
+                },
+                "base at rest",
+            ),
+            entry(
+                Sign::Line {
+                    colour: DARK,
+                    width_px: 1.4,
+                    dash: None,
+                },
+                "base at the end",
+            ),
             curve(3, "path of its centre"),
         ],
     };
@@ -94,14 +152,25 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
 /// The base from above, with equal scales.
 fn plan(report: &SpatialReport) -> Panel {
     let closed = |points: &[[f64; 2]]| -> Vec<(f64, f64)> {
-        points.iter().chain(points.first()).map(|&[x, y]| (1e3 * x, 1e3 * y)).collect()
+        points
+            .iter()
+            .chain(points.first())
+            .map(|&[x, y]| (1e3 * x, 1e3 * y))
+            .collect()
     };
     let (before, after) = (closed(&feet(&report.shape)), closed(&report.outline_m));
-    let path: Vec<(f64, f64)> = report.history.iter().map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1])).collect();
+    let path: Vec<(f64, f64)> = report
+        .history
+        .iter()
+        .map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1]))
+        .collect();
     let all = || before.iter().chain(&after).chain(&path);
     let bounds = |of: fn(&(f64, f64)) -> f64| {
         let values = || all().map(of);
-        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+        (
+            values().fold(f64::INFINITY, f64::min),
+            values().fold(f64::NEG_INFINITY, f64::max),
+        )
     };
     let ((left, right), (front, back)) = (bounds(|p| p.0), bounds(|p| p.1));
     // The same scale along both axes.
@@ -111,7 +180,12 @@ fn plan(report: &SpatialReport) -> Panel {
     let step = Some(round_step(0.2 * scale * high_px));
     let axis = |low: f64, high: f64, pixels: f64, label: &str| {
         let (middle, half) = (0.5 * (low + high), 0.5 * scale * pixels);
-        Axis { from: middle - half, to: middle + half, step, label: label.into() }
+        Axis {
+            from: middle - half,
+            to: middle + half,
+            step,
+            label: label.into(),
+        }
     };
     let x = axis(left, right, wide_px, "To the right (mm)");
     let y = axis(front, back, high_px, "To the back (mm)");
@@ -132,28 +206,57 @@ fn plan(report: &SpatialReport) -> Panel {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else { return Ok(None) };
+    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else {
+        return Ok(None);
+    };
     let (from, to) = (first.time_s, last.time_s);
     if to <= from {
         return Ok(None);
     }
     let degrees = |of: &dyn Fn(&StackPoint) -> f64| {
-        thin(report.history.iter().map(|point| (point.time_s, of(point).to_degrees())), from, to)
+        thin(
+            report
+                .history
+                .iter()
+                .map(|point| (point.time_s, of(point).to_degrees())),
+            from,
+            to,
+        )
     };
     let both = [0, 1].map(|body| degrees(&|p| p.rotations_rad[body]));
     let apart = degrees(&|p| p.rotations_rad[1] - p.rotations_rad[0]);
-    let most = |points: &[(f64, f64)]| points.iter().fold(0.0f64, |most, point| most.max(point.1.abs()));
+    let most = |points: &[(f64, f64)]| {
+        points
+            .iter()
+            .fold(0.0f64, |most, point| most.max(point.1.abs()))
+    };
     let (lower, upper) = (&report.stack.lower, &report.stack.upper);
     let size = |body: &freestand::spatial::StackBody| {
-        format!("{} mm × {} m", number(1e3 * body.thickness_m, 4), number(body.height_m, 4))
+        format!(
+            "{} mm × {} m",
+            number(1e3 * body.thickness_m, 4),
+            number(body.height_m, 4)
+        )
     };
     let top = Panel {
-        plots: both.iter().enumerate().map(|(i, points)| line(points, curve_style(i).colour, 1.5, None)).collect(),
-        layout: stacked(time_axis(from, to), symmetric(most(&both[0]).max(most(&both[1])), "Rotation (deg)"), false),
+        plots: both
+            .iter()
+            .enumerate()
+            .map(|(i, points)| line(points, curve_style(i).colour, 1.5, None))
+            .collect(),
+        layout: stacked(
+            time_axis(from, to),
+            symmetric(most(&both[0]).max(most(&both[1])), "Rotation (deg)"),
+            false,
+        ),
     };
     let below = Panel {
         plots: vec![line(&apart, curve_style(2).colour, 1.5, None)],
-        layout: stacked(time_axis(from, to), symmetric(most(&apart), "Upper − lower (deg)"), true),
+        layout: stacked(
+            time_axis(from, to),
+            symmetric(most(&apart), "Upper − lower (deg)"),
+            true,
+        ),
     };
     let page = Page {
         name: "stack".to_owned(),
@@ -168,10 +271,22 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         panels: vec![top, patterns(&report.history, time_axis(from, to)), below],
         columns: 1,
         row_heights_px: STACK_PX.to_vec(),
-        legend: [curve(0, "lower body"), curve(1, "upper body"), curve(2, "upper relative to lower")]
-            .into_iter()
-            .chain(PATTERNS.iter().rev().map(|&(_, words, colour)| entry(Sign::Shade { colour, opacity: 1.0 }, words)))
-            .collect(),
+        legend: [
+            curve(0, "lower body"),
+            curve(1, "upper body"),
+            curve(2, "upper relative to lower"),
+        ]
+        .into_iter()
+        .chain(PATTERNS.iter().rev().map(|&(_, words, colour)| {
+            entry(
+                Sign::Shade {
+                    colour,
+                    opacity: 1.0,
+                },
+                words,
+            )
+        }))
+        .collect(),
     };
     draw(page).map(Some)
 }
@@ -180,7 +295,13 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
 fn patterns(history: &[StackPoint], x: Axis) -> Panel {
     let band = |(row, (pattern, _, colour)): (usize, &(Pattern, &str, &str))| -> Plot {
         let low = row as f64;
-        let high = |point: &StackPoint| if point.pattern == *pattern { low + 1.0 } else { low };
+        let high = |point: &StackPoint| {
+            if point.pattern == *pattern {
+                low + 1.0
+            } else {
+                low
+            }
+        };
         // A corner before and after each change.
         let mut steps: Vec<(f64, f64)> = Vec::new();
         for point in history {
@@ -193,13 +314,25 @@ fn patterns(history: &[StackPoint], x: Axis) -> Panel {
             steps.push((point.time_s, height));
         }
         let times = steps.iter().map(|step| step.0);
-        BandPlot::new(times, steps.iter().map(|_| low), steps.iter().map(|step| step.1))
-            .with_color(*colour)
-            .with_opacity(1.0)
-            .into()
+        BandPlot::new(
+            times,
+            steps.iter().map(|_| low),
+            steps.iter().map(|step| step.1),
+        )
+        .with_color(*colour)
+        .with_opacity(1.0)
+        .into()
     };
-    let y = Axis { from: 0.0, to: PATTERNS.len() as f64, step: Some(1.0), label: "Pattern".into() };
+    let y = Axis {
+        from: 0.0,
+        to: PATTERNS.len() as f64,
+        step: Some(1.0),
+        label: "Pattern".into(),
+    };
     let mut layout = stacked(x, y, false);
     layout.suppress_y_ticks = true;
-    Panel { plots: PATTERNS.iter().enumerate().map(band).collect(), layout }
+    Panel {
+        plots: PATTERNS.iter().enumerate().map(band).collect(),
+        layout,
+    }
 }

@@ -10,8 +10,9 @@ use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{Base, LONGEST_TAIL_S};
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
-    BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart,
-    Stack, StackRocking, Support, rock_spatial_observed, rock_stack_observed,
+    BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions,
+    SpatialPiece, SpatialStart, Stack, StackRocking, Support, rock_spatial_observed,
+    rock_stack_observed,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, significant};
@@ -32,8 +33,7 @@ use crate::rock::unresolved_warning;
 const FREE_HISTORY_DT_S: f64 = 0.005;
 
 /// What a single history in space is worth.
-const ONE_REALISATION: &str =
-    "one realisation: trust shares and fractiles over many motions and directions, not a single history";
+const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
 
 /// The shapes of objects in space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -47,26 +47,55 @@ pub enum ShapeName {
 
 /// The shapes by name.
 pub const SHAPES: Choices<ShapeName> = &[
-    (ShapeName::Prism, "prism", "A box on its four corners; needs --width"),
-    (ShapeName::Cylinder, "cylinder", "An upright cylinder on its rim; the thickness is its diameter"),
+    (
+        ShapeName::Prism,
+        "prism",
+        "A box on its four corners; needs --width",
+    ),
+    (
+        ShapeName::Cylinder,
+        "cylinder",
+        "An upright cylinder on its rim; the thickness is its diameter",
+    ),
 ];
 
 /// The shape of an object with these sizes \[m\].
 ///
 /// # Errors
 /// A prism without a width, or a cylinder with one that is not its diameter.
-pub fn shape(name: ShapeName, height_m: f64, thickness_m: f64, width_m: Option<f64>) -> Result<Shape, Problem> {
+pub fn shape(
+    name: ShapeName,
+    height_m: f64,
+    thickness_m: f64,
+    width_m: Option<f64>,
+) -> Result<Shape, Problem> {
     match (name, width_m) {
-        (ShapeName::Prism, Some(width_m)) => Ok(Shape::Prism { thickness_m, width_m, height_m }),
+        (ShapeName::Prism, Some(width_m)) => Ok(Shape::Prism {
+            thickness_m,
+            width_m,
+            height_m,
+        }),
         (ShapeName::Prism, None) => {
-            let hint = "give `width`, the horizontal size across the thickness, or `shape = \"cylinder\"`";
-            Err(Problem::value("an object in three dimensions needs a width", hint))
+            let hint =
+                "give `width`, the horizontal size across the thickness, or `shape = \"cylinder\"`";
+            Err(Problem::value(
+                "an object in three dimensions needs a width",
+                hint,
+            ))
         }
         (ShapeName::Cylinder, Some(width_m)) if width_m != thickness_m => {
-            let message = format!("`width`: a cylinder has one diameter, but {width_m} m differs from the thickness");
-            Err(Problem::value(message, "leave the width out: the thickness is the diameter"))
+            let message = format!(
+                "`width`: a cylinder has one diameter, but {width_m} m differs from the thickness"
+            );
+            Err(Problem::value(
+                message,
+                "leave the width out: the thickness is the diameter",
+            ))
         }
-        (ShapeName::Cylinder, _) => Ok(Shape::Cylinder { diameter_m: thickness_m, height_m }),
+        (ShapeName::Cylinder, _) => Ok(Shape::Cylinder {
+            diameter_m: thickness_m,
+            height_m,
+        }),
     }
 }
 
@@ -166,7 +195,9 @@ pub fn interface(
     lower_kg: f64,
     upper_kg: f64,
 ) -> Result<Cushion, Problem> {
-    let Some(interface_n_m) = stiffness_n_m else { return Ok(cushion.clone()) };
+    let Some(interface_n_m) = stiffness_n_m else {
+        return Ok(cushion.clone());
+    };
     with_stiffness(cushion, interface_n_m, [lower_kg, upper_kg]).unwrap_or_else(|| {
         Err(Problem::value(
             format!("`interface_stiffness` does not describe a cushion of the law {}", cushion.law().name()),
@@ -177,13 +208,22 @@ pub fn interface(
 
 /// The law of a cushion with another stiffness, and the damping ratio that it has under the first of
 /// two masses under the second; `None` for a law without a stiffness.
-fn with_stiffness(cushion: &Cushion, other_n_m: f64, masses_kg: [f64; 2]) -> Option<Result<Cushion, Problem>> {
+fn with_stiffness(
+    cushion: &Cushion,
+    other_n_m: f64,
+    masses_kg: [f64; 2],
+) -> Option<Result<Cushion, Problem>> {
     let [from_kg, to_kg] = masses_kg;
     match *cushion.law() {
         ContactLaw::Linear { .. } => Some(damped(to_kg, other_n_m, 0.0)),
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-            Some(damped(to_kg, other_n_m, damping_n_s_m / (2.0 * (stiffness_n_m * from_kg).sqrt())))
-        }
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        } => Some(damped(
+            to_kg,
+            other_n_m,
+            damping_n_s_m / (2.0 * (stiffness_n_m * from_kg).sqrt()),
+        )),
         _ => None,
     }
 }
@@ -196,12 +236,21 @@ struct Sampler {
 
 impl Sampler {
     /// For a history until `end_s`; refuses one that is too long.
-    fn new(motion: Option<&Motion>, options: &SpatialOptions, is_wanted: bool) -> Result<Self, Problem> {
+    fn new(
+        motion: Option<&Motion>,
+        options: &SpatialOptions,
+        is_wanted: bool,
+    ) -> Result<Self, Problem> {
         let dt_s = motion.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
-        let end_s = options.duration_s.unwrap_or_else(|| motion.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
+        let end_s = options
+            .duration_s
+            .unwrap_or_else(|| motion.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
         if is_wanted && end_s / dt_s > MAX_SAMPLES as f64 {
             let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-            return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
+            return Err(Problem::value(
+                message,
+                "give a shorter `duration`, or leave `history` and `out` out",
+            ));
         }
         Ok(Self { dt_s, sampled: 0 })
     }
@@ -212,7 +261,10 @@ impl Sampler {
         while self.sampled as f64 * self.dt_s <= end_s {
             let time_s = self.sampled as f64 * self.dt_s;
             // Before its first piece a body at rest is in its initial state.
-            take(time_s, ((time_s - piece.start_s()) / piece.length_s()).clamp(0.0, 1.0));
+            take(
+                time_s,
+                ((time_s - piece.start_s()) / piece.length_s()).clamp(0.0, 1.0),
+            );
             self.sampled += 1;
         }
     }
@@ -221,17 +273,32 @@ impl Sampler {
 /// The motions along the thickness and along the width of an object that is turned.
 fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
     let [first, second] = &request.motions;
-    let Some(given) = first.as_ref().or(second.as_ref()) else { return Ok([None, None]) };
-    let too_large = |error: freestand::motion::MotionError| Problem::value(error.to_string(), "scale the motion down");
+    let Some(given) = first.as_ref().or(second.as_ref()) else {
+        return Ok([None, None]);
+    };
+    let too_large = |error: freestand::motion::MotionError| {
+        Problem::value(error.to_string(), "scale the motion down")
+    };
     let zero = Motion::new(given.dt_s(), vec![0.0; given.accel_m_s2().len()]).map_err(too_large)?;
-    let (along, across) = (first.clone().unwrap_or_else(|| zero.clone()), second.clone().unwrap_or(zero));
+    let (along, across) = (
+        first.clone().unwrap_or_else(|| zero.clone()),
+        second.clone().unwrap_or(zero),
+    );
     Pair::new(&along, &across).map_err(|error| {
-        let hint = "resample one of them to the step and length of the other first, with motion convert";
+        let hint =
+            "resample one of them to the step and length of the other first, with motion convert";
         Problem::value(error.to_string(), hint)
     })?;
-    let both = HorizontalMotion { along, across: Some(across) };
+    let both = HorizontalMotion {
+        along,
+        across: Some(across),
+    };
     let degrees = request.orientation_rad.to_degrees();
-    let part = |angle: f64| both.in_direction(angle).map(|motion| Some(motion.into_owned())).map_err(too_large);
+    let part = |angle: f64| {
+        both.in_direction(angle)
+            .map(|motion| Some(motion.into_owned()))
+            .map_err(too_large)
+    };
     if degrees == 0.0 {
         return Ok([part(0.0)?, part(90.0)?]);
     }
@@ -246,7 +313,11 @@ fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
 pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialReport, Problem> {
     wall::check(&request.object)?;
     let [x, y] = turned(request)?;
-    let motion = SpatialMotion { x: x.as_ref(), y: y.as_ref(), vertical: request.vertical.as_ref() };
+    let motion = SpatialMotion {
+        x: x.as_ref(),
+        y: y.as_ref(),
+        vertical: request.vertical.as_ref(),
+    };
     let given = motion.x.or(motion.vertical);
     let mut sampler = Sampler::new(given, &request.options, record)?;
     let feet = feet(&request.object.shape);
@@ -259,7 +330,12 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
             if let Some(pose) = piece.pose(0, share) {
                 let [x, y] = pose.tilts_rad;
                 let tilts_rad = [x, y, pose.tilt_rad];
-                history.push(SpatialPoint { time_s, tilts_rad, yaw_rad: pose.yaw_rad, base_m: pose.base_m });
+                history.push(SpatialPoint {
+                    time_s,
+                    tilts_rad,
+                    yaw_rad: pose.yaw_rad,
+                    base_m: pose.base_m,
+                });
             }
         });
         let above = |&[x, y]: &[f64; 2]| piece.place_m(0, [x, y, 0.0], 1.0).map(|[x, y, _]| [x, y]);
@@ -298,10 +374,21 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         .and(support_facts(object.mass_kg, &object.support, options, rocking.effort))
         .fact("notes", "note", notes(&request.edge));
     let is_shaken = given.is_some();
-    let mut warnings = warnings(object.mass_kg, &request.edge, is_shaken, rocking.energy.residual_ratio);
+    let mut warnings = warnings(
+        object.mass_kg,
+        &request.edge,
+        is_shaken,
+        rocking.energy.residual_ratio,
+    );
     warnings.extend(unresolved_warning(body.outcome));
     warnings.extend(wall::feet_warning(object));
-    Ok(SpatialReport { facts, warnings, shape: object.shape, history, outline_m })
+    Ok(SpatialReport {
+        facts,
+        warnings,
+        shape: object.shape,
+        history,
+        outline_m,
+    })
 }
 
 /// What one body did, as of the document in three dimensions.
@@ -313,7 +400,12 @@ fn tilt_facts(body: &BodyMotion) -> Facts<'static> {
         base_slide_peak_m "largest displacement of the base", base_slide_final_m "displacement of the base at the end")
 }
 
-fn support_facts(mass_kg: f64, support: &Support, options: &SpatialOptions, effort: CompliantEffort) -> Facts<'static> {
+fn support_facts(
+    mass_kg: f64,
+    support: &Support,
+    options: &SpatialOptions,
+    effort: CompliantEffort,
+) -> Facts<'static> {
     Facts::default()
         .key("mass_kg", mass_kg)
         .key("law", support.cushion.law().name())
@@ -323,7 +415,9 @@ fn support_facts(mass_kg: f64, support: &Support, options: &SpatialOptions, effo
 }
 
 fn notes(edge: &EdgeCushion) -> Vec<String> {
-    std::iter::once(ONE_REALISATION.to_owned()).chain(edge.notes.iter().cloned()).collect()
+    std::iter::once(ONE_REALISATION.to_owned())
+        .chain(edge.notes.iter().cloned())
+        .collect()
 }
 
 fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f64) -> Vec<String> {
@@ -339,25 +433,46 @@ fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport, Problem> {
-    let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+    let motion = Base {
+        horizontal: request.horizontal.as_ref(),
+        vertical: request.vertical.as_ref(),
+    };
     let given = motion.horizontal.or(motion.vertical);
     let mut sampler = Sampler::new(given, &request.options, record)?;
     let mut history = Vec::new();
     let rocking = rock_stack_observed(&request.stack, motion, &request.options, |piece| {
         if record {
             sampler.each(piece, |time_s, share| {
-                let rotation = |body| piece.pose(body, share).map_or(0.0, |pose| pose.tilts_rad[0]);
+                let rotation = |body| {
+                    piece
+                        .pose(body, share)
+                        .map_or(0.0, |pose| pose.tilts_rad[0])
+                };
                 let pattern = piece.pattern().unwrap_or(Pattern::Rest);
-                history.push(StackPoint { time_s, rotations_rad: [rotation(0), rotation(1)], pattern });
+                history.push(StackPoint {
+                    time_s,
+                    rotations_rad: [rotation(0), rotation(1)],
+                    pattern,
+                });
             });
         }
     })
     .map_err(problem)?;
     let facts = stack_facts(request, &rocking);
     let lower_kg = request.stack.lower.mass_kg;
-    let mut warnings = warnings(lower_kg, &request.edge, given.is_some(), rocking.energy.residual_ratio);
+    let mut warnings = warnings(
+        lower_kg,
+        &request.edge,
+        given.is_some(),
+        rocking.energy.residual_ratio,
+    );
     warnings.extend(unresolved_warning(rocking.outcome));
-    Ok(StackReport { facts, warnings, stack: request.stack.clone(), history })
+    Ok(StackReport {
+        facts,
+        warnings,
+        stack: request.stack.clone(),
+        history,
+    })
 }
 
 fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static> {
@@ -372,7 +487,10 @@ fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static>
             .key("first_uplift_time_s", body.first_uplift_time_s)
             .key("overturn_time_s", body.overturn_time_s)
     };
-    let upper = body(&rocking.upper).key("peak_relative_rotation_rad", rocking.peak_relative_rotation_rad);
+    let upper = body(&rocking.upper).key(
+        "peak_relative_rotation_rad",
+        rocking.peak_relative_rotation_rad,
+    );
     let radians = |value: f64| Some(format!("{} rad", significant(value, 4)));
     let percent = |share: f64| Some(format!("{} % of the time", significant(100.0 * share, 3)));
     let patterns = &rocking.patterns;
@@ -407,7 +525,9 @@ fn feet(shape: &Shape) -> Vec<[f64; 2]> {
     match shape {
         Shape::Cylinder { .. } => {
             let angle = |index: usize| std::f64::consts::TAU * index as f64 / RIM_POINTS as f64;
-            (0..RIM_POINTS).map(|index| [x * angle(index).cos(), x * angle(index).sin()]).collect()
+            (0..RIM_POINTS)
+                .map(|index| [x * angle(index).cos(), x * angle(index).sin()])
+                .collect()
         }
         _ => vec![[-x, -y], [x, -y], [x, y], [-x, y]],
     }
@@ -425,8 +545,12 @@ pub fn spatial_table(history: &[SpatialPoint]) -> Table {
 
 /// The history of a stack as CSV.
 pub fn stack_table(history: &[StackPoint]) -> Table {
-    let row = |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
-    table_of_numbers("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(row))
+    let row =
+        |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
+    table_of_numbers(
+        "time_s,lower_rotation_rad,upper_rotation_rad",
+        history.iter().map(row),
+    )
 }
 
 /// A release of an object in space: to the right, about the lower edge.
@@ -434,7 +558,11 @@ pub fn release(rotation_rad: f64, omega_rad_s: f64) -> SpatialStart {
     if rotation_rad == 0.0 && omega_rad_s == 0.0 {
         return SpatialStart::Rest;
     }
-    SpatialStart::Released { tilt_rad: rotation_rad, toward_rad: 0.0, omega_rad_s: [0.0, omega_rad_s, 0.0] }
+    SpatialStart::Released {
+        tilt_rad: rotation_rad,
+        toward_rad: 0.0,
+        omega_rad_s: [0.0, omega_rad_s, 0.0],
+    }
 }
 
 #[cfg(test)]
@@ -446,24 +574,46 @@ mod tests {
     fn an_interface_has_the_damping_ratio_of_the_base() {
         let base = damped(100.0, 4e6, 0.05).unwrap();
         let between = interface(&base, Some(1e6), 100.0, 16.0).unwrap();
-        let ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } = *between.law() else { panic!("{between:?}") };
+        let ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        } = *between.law()
+        else {
+            panic!("{between:?}")
+        };
         assert_eq!(stiffness_n_m, 1e6);
         assert!((damping_n_s_m - 0.1 * (1e6 * 16.0f64).sqrt()).abs() < 1e-9);
         assert_eq!(interface(&base, None, 100.0, 16.0).unwrap(), base);
         let plain = interface(&Cushion::linear(4e6).unwrap(), Some(1e6), 100.0, 16.0).unwrap();
         assert_eq!(plain, Cushion::linear(1e6).unwrap());
-        let hertz = Cushion::new(ContactLaw::Power { coefficient_n_mn: 1e8, exponent: 1.5 }).unwrap();
-        assert!(interface(&hertz, Some(1e6), 100.0, 16.0).unwrap_err().hint.is_some());
+        let hertz = Cushion::new(ContactLaw::Power {
+            coefficient_n_mn: 1e8,
+            exponent: 1.5,
+        })
+        .unwrap();
+        assert!(
+            interface(&hertz, Some(1e6), 100.0, 16.0)
+                .unwrap_err()
+                .hint
+                .is_some()
+        );
     }
 
     #[test]
     fn a_prism_has_a_width_and_a_cylinder_a_diameter() {
         assert!(shape(ShapeName::Prism, 2.0, 0.5, None).is_err());
         assert!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.6)).is_err());
-        let round = Shape::Cylinder { diameter_m: 0.5, height_m: 2.0 };
+        let round = Shape::Cylinder {
+            diameter_m: 0.5,
+            height_m: 2.0,
+        };
         assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, None), Ok(round));
         assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.5)), Ok(round));
-        let prism = Shape::Prism { thickness_m: 0.5, width_m: 0.7, height_m: 2.0 };
+        let prism = Shape::Prism {
+            thickness_m: 0.5,
+            width_m: 0.7,
+            height_m: 2.0,
+        };
         assert_eq!(shape(ShapeName::Prism, 2.0, 0.5, Some(0.7)), Ok(prism));
     }
 
@@ -472,10 +622,17 @@ mod tests {
     #[test]
     fn a_turned_object_meets_turned_motions() {
         let motion = |scale: f64| Motion::new(0.01, vec![0.0, scale, 2.0 * scale]).unwrap();
-        let edge = EdgeCushion { cushion: Cushion::linear(4e6).unwrap(), pad_thickness_m: None, notes: Vec::new() };
+        let edge = EdgeCushion {
+            cushion: Cushion::linear(4e6).unwrap(),
+            pad_thickness_m: None,
+            notes: Vec::new(),
+        };
         let request = |orientation_rad: f64| SpatialRequest {
             object: SpatialObject {
-                shape: Shape::Cylinder { diameter_m: 0.5, height_m: 1.8 },
+                shape: Shape::Cylinder {
+                    diameter_m: 0.5,
+                    height_m: 1.8,
+                },
                 mass_kg: 200.0,
                 support: Support::new(edge.cushion.clone()),
                 walls: Vec::new(),
@@ -486,11 +643,17 @@ mod tests {
             orientation_rad,
             options: SpatialOptions::default(),
         };
-        let last =
-            |orientation_rad: f64| turned(&request(orientation_rad)).unwrap().map(|m| m.unwrap().accel_m_s2()[2]);
+        let last = |orientation_rad: f64| {
+            turned(&request(orientation_rad))
+                .unwrap()
+                .map(|m| m.unwrap().accel_m_s2()[2])
+        };
         assert_eq!(last(0.0), [2.0, 1.0]);
         let [x, y] = last(std::f64::consts::FRAC_PI_2);
-        assert!((x - 1.0).abs() < 1e-12 && (y + 2.0).abs() < 1e-12, "{x} {y}");
+        assert!(
+            (x - 1.0).abs() < 1e-12 && (y + 2.0).abs() < 1e-12,
+            "{x} {y}"
+        );
         let [x, y] = last(0.3);
         assert!((x.hypot(y) - 5f64.sqrt()).abs() < 1e-12);
     }

@@ -27,7 +27,10 @@ pub fn walls_on_cushions(
         .map(|stiffness_n_m| {
             with_stiffness(cushion, stiffness_n_m, [mass_kg; 2]).unwrap_or_else(|| {
                 Err(Problem::value(
-                    format!("`wall_stiffness` does not describe a cushion of the law {}", cushion.law().name()),
+                    format!(
+                        "`wall_stiffness` does not describe a cushion of the law {}",
+                        cushion.law().name()
+                    ),
                     "leave it out: the walls then have the cushion of an edge; or use a linear law",
                 ))
             })
@@ -41,7 +44,13 @@ pub fn walls_on_cushions(
             cushion: cushion.clone(),
         })
     };
-    Ok([wall(EdgeSide::Left, walls.left), wall(EdgeSide::Right, walls.right)].into_iter().flatten().collect())
+    Ok([
+        wall(EdgeSide::Left, walls.left),
+        wall(EdgeSide::Right, walls.right),
+    ]
+    .into_iter()
+    .flatten()
+    .collect())
 }
 
 /// Refuses an object that cannot stand at a wall.
@@ -53,8 +62,11 @@ pub(super) fn check(object: &SpatialObject) -> Result<(), Problem> {
         return Ok(());
     }
     let hint = "leave the wall out, or give the cylinder as a prism with its diameter as thickness and width";
-    Err(Problem::value("a cylinder at a wall is not modelled: its rim would roll along it", hint)
-        .of(&["wall_gap_left"]))
+    Err(Problem::value(
+        "a cylinder at a wall is not modelled: its rim would roll along it",
+        hint,
+    )
+    .of(&["wall_gap_left"]))
 }
 
 /// What a wall beside an object on cushions does not do.
@@ -71,7 +83,10 @@ fn contact(object: &SpatialObject, wall: &Wall) -> Option<Contact> {
     let [thickness_m, _, height_m] = object.shape.sizes_m();
     let block = Block::uniform(height_m, thickness_m).ok()?;
     let height_m = Some(wall.height_m).filter(|height_m| height_m.is_finite());
-    let given = wall::Wall { height_m, ..wall::Wall::at(wall.gap_m) };
+    let given = wall::Wall {
+        height_m,
+        ..wall::Wall::at(wall.gap_m)
+    };
     given.contact(&block, block.pivot()).ok()?
 }
 
@@ -81,22 +96,54 @@ pub(super) fn facts(object: &SpatialObject, rocking: &SpatialRocking) -> Facts<'
         return Facts::default();
     }
     let of = |side: EdgeSide| object.walls.iter().find(|wall| wall.side == side);
-    let angle = |side| of(side).and_then(|wall| contact(object, wall)).map(|contact| contact.angle_rad);
+    let angle = |side| {
+        of(side)
+            .and_then(|wall| contact(object, wall))
+            .map(|contact| contact.angle_rad)
+    };
     let [thickness_m, _, height_m] = object.shape.sizes_m();
     // The effective mass where the object strikes each wall.
     let shock_g = |(side, force_n): (EdgeSide, f64)| {
         let block = Block::uniform(height_m, thickness_m).ok()?;
-        let effective_kg = object.mass_kg * contact(object, of(side)?)?.effective_mass_ratio(&block);
+        let effective_kg =
+            object.mass_kg * contact(object, of(side)?)?.effective_mass_ratio(&block);
         Some(force_n / (effective_kg * G0_M_S2))
     };
     let has_struck = rocking.wall_contact_count > 0;
     let forces_n = rocking.wall_forces_max_n;
-    let shock_g = EdgeSide::BOTH.into_iter().zip(forces_n).filter_map(shock_g).reduce(f64::max);
+    let shock_g = EdgeSide::BOTH
+        .into_iter()
+        .zip(forces_n)
+        .filter_map(shock_g)
+        .reduce(f64::max);
     Facts::default()
-        .fact("wall_angle_left_rad", "touches the left wall at", angle(EdgeSide::Left))
-        .fact("wall_angle_right_rad", "touches the right wall at", angle(EdgeSide::Right))
-        .fact("wall_impact_count", "contacts with walls", rocking.wall_contact_count)
-        .fact("wall_speed_max_m_s", "  largest speed", has_struck.then_some(rocking.wall_speed_max_m_s))
-        .fact("wall_acceleration_g", "  shock at the point of contact", shock_g.filter(|_| has_struck))
-        .key("wall_force_max_n", has_struck.then_some(forces_n[0].max(forces_n[1])))
+        .fact(
+            "wall_angle_left_rad",
+            "touches the left wall at",
+            angle(EdgeSide::Left),
+        )
+        .fact(
+            "wall_angle_right_rad",
+            "touches the right wall at",
+            angle(EdgeSide::Right),
+        )
+        .fact(
+            "wall_impact_count",
+            "contacts with walls",
+            rocking.wall_contact_count,
+        )
+        .fact(
+            "wall_speed_max_m_s",
+            "  largest speed",
+            has_struck.then_some(rocking.wall_speed_max_m_s),
+        )
+        .fact(
+            "wall_acceleration_g",
+            "  shock at the point of contact",
+            shock_g.filter(|_| has_struck),
+        )
+        .key(
+            "wall_force_max_n",
+            has_struck.then_some(forces_n[0].max(forces_n[1])),
+        )
 }

@@ -65,7 +65,8 @@ pub enum Questions {
 
 impl Questions {
     /// Every value with the name that studies and inventories use.
-    pub const ALL: [(&'static str, Self); 2] = [("falls", Self::Falls), ("falls+shock", Self::FallsAndShock)];
+    pub const ALL: [(&'static str, Self); 2] =
+        [("falls", Self::Falls), ("falls+shock", Self::FallsAndShock)];
 }
 
 /// What becomes of the walls and neighbours of a list.
@@ -79,7 +80,8 @@ pub enum WallUse {
 
 impl WallUse {
     /// Every value with the name that studies use.
-    pub const ALL: [(&'static str, Self); 2] = [("as-listed", Self::AsListed), ("ignore", Self::Ignore)];
+    pub const ALL: [(&'static str, Self); 2] =
+        [("as-listed", Self::AsListed), ("ignore", Self::Ignore)];
 
     /// The name in studies and outputs.
     pub fn name(self) -> &'static str {
@@ -234,7 +236,8 @@ pub enum Bracket {
 
 impl Bracket {
     /// Every value with its name.
-    pub const ALL: [(&'static str, Self); 2] = [("rigid", Self::Rigid), ("flexible", Self::Flexible)];
+    pub const ALL: [(&'static str, Self); 2] =
+        [("rigid", Self::Rigid), ("flexible", Self::Flexible)];
 }
 
 impl Default for WorldSettings {

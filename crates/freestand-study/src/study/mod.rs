@@ -80,10 +80,15 @@ pub struct Study {
 impl Study {
     /// What was assumed about the shaking at a level, in words; on the ground no building matters.
     pub fn assumed_at(&self, level_ratio: f64, units: UnitSystem) -> impl Iterator<Item = String> {
-        let at_level = self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0);
+        let at_level = self
+            .assumed
+            .iter()
+            .filter(move |one| !one.of_building || level_ratio > 0.0);
         at_level.map(move |one| match &one.value {
             AssumedValue::Said(words) => words.clone(),
-            AssumedValue::StoreyHeight(height_m) => format!("storeys of {}", units.storey(*height_m)),
+            AssumedValue::StoreyHeight(height_m) => {
+                format!("storeys of {}", units.storey(*height_m))
+            }
         })
     }
 
@@ -99,7 +104,10 @@ impl Study {
     /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
     /// matters.
     pub fn unstated(&self, level_ratio: f64) -> Option<Unstated> {
-        match (self.place_is_assumed, self.building_is_assumed && level_ratio > 0.0) {
+        match (
+            self.place_is_assumed,
+            self.building_is_assumed && level_ratio > 0.0,
+        ) {
             (true, true) => Some(Unstated::Both),
             (true, false) => Some(Unstated::Place),
             (false, true) => Some(Unstated::Building),
@@ -112,13 +120,24 @@ impl Study {
     pub fn alternative(&self) -> Option<Self> {
         let ground = self.other_ground.clone()?;
         let restraint_code = self.restraint_target().cloned();
-        let assessment = crate::study::assessment::Settings { restraint_code, ..self.assessment.clone() };
-        Some(Self { ground, other_ground: None, assessment, ..self.clone() })
+        let assessment = crate::study::assessment::Settings {
+            restraint_code,
+            ..self.assessment.clone()
+        };
+        Some(Self {
+            ground,
+            other_ground: None,
+            assessment,
+            ..self.clone()
+        })
     }
 
     /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.
     pub fn restraint_target(&self) -> Option<&Target> {
-        self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
+        self.assessment
+            .restraint_code
+            .as_ref()
+            .or_else(|| self.ground.code_spectrum())
     }
 }
 
@@ -211,13 +230,19 @@ pub enum Ground {
 impl Ground {
     /// The names of the motions in the outputs; `levels` are those of the study.
     pub fn names(&self, levels: &[Level]) -> Vec<String> {
-        let names = |motions: &[RecordedMotion]| motions.iter().map(|motion| motion.name.clone()).collect();
+        let names =
+            |motions: &[RecordedMotion]| motions.iter().map(|motion| motion.name.clone()).collect();
         match self {
             Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
-            Self::Simulated(simulated) => simulated.motions().map(|(found, index)| found.motion_name(index)).collect(),
+            Self::Simulated(simulated) => simulated
+                .motions()
+                .map(|(found, index)| found.motion_name(index))
+                .collect(),
             Self::Recorded(motions) => names(motions),
             // Every level has as many motions, and those at one place in the lists belong together.
-            Self::OnFloors => levels.first().map_or_else(Vec::new, |level| names(&level.motions)),
+            Self::OnFloors => levels
+                .first()
+                .map_or_else(Vec::new, |level| names(&level.motions)),
         }
     }
 
@@ -228,14 +253,18 @@ impl Ground {
             Self::Recorded(motions) => motions.as_slice(),
             Self::Synthetic(_) | Self::Simulated(_) | Self::OnFloors => &[],
         };
-        ground.iter().chain(levels.iter().flat_map(|level| &level.motions))
+        ground
+            .iter()
+            .chain(levels.iter().flat_map(|level| &level.motions))
     }
 
     /// The spectrum that the motions are made for, or matched to.
     pub fn target(&self) -> Option<&Target> {
         match self {
             Self::Synthetic(synthetic) => Some(&synthetic.target),
-            Self::Recorded(motions) => motions.iter().find_map(|motion| Some(&motion.matched.as_ref()?.target)),
+            Self::Recorded(motions) => motions
+                .iter()
+                .find_map(|motion| Some(&motion.matched.as_ref()?.target)),
             Self::Simulated(_) | Self::OnFloors => None,
         }
     }
@@ -278,13 +307,22 @@ impl Ground {
     /// Where the vertical motion comes from, in words.
     pub fn vertical_words(&self) -> String {
         match self {
-            Self::Synthetic(SyntheticGround { vertical: VerticalTarget::Ratio(ratio), .. }) => {
-                format!("matched to {} of the target at every period, with phases of its own", number(*ratio, 3))
+            Self::Synthetic(SyntheticGround {
+                vertical: VerticalTarget::Ratio(ratio),
+                ..
+            }) => {
+                format!(
+                    "matched to {} of the target at every period, with phases of its own",
+                    number(*ratio, 3)
+                )
             }
-            Self::Synthetic(SyntheticGround { vertical: VerticalTarget::Code, .. }) => {
-                "matched to the vertical spectrum of the code, with phases of its own".to_owned()
+            Self::Synthetic(SyntheticGround {
+                vertical: VerticalTarget::Code,
+                ..
+            }) => "matched to the vertical spectrum of the code, with phases of its own".to_owned(),
+            Self::Recorded(_) if self.has_vertical() => {
+                "the vertical components of the records".to_owned()
             }
-            Self::Recorded(_) if self.has_vertical() => "the vertical components of the records".to_owned(),
             _ => "horizontal only".to_owned(),
         }
     }
@@ -347,13 +385,22 @@ impl SimulatedGround {
     /// km`.
     pub fn title_words(&self) -> String {
         let each = |found: &FoundEarthquake| {
-            let (magnitude, km) = (number(found.source.magnitude, 3), number(found.source.distance_m / 1e3, 2));
+            let (magnitude, km) = (
+                number(found.source.magnitude, 3),
+                number(found.source.distance_m / 1e3, 2),
+            );
             format!("magnitude {magnitude} at {km} km")
         };
         match (&self.hazard, &self.earthquakes[..]) {
-            (Some(code), _) => format!("simulated earthquakes equivalent to {}", code.title_words()),
+            (Some(code), _) => {
+                format!("simulated earthquakes equivalent to {}", code.title_words())
+            }
             (None, [one]) => {
-                format!("a simulated earthquake of {}, site class {}", each(one), self.request.site.name())
+                format!(
+                    "a simulated earthquake of {}, site class {}",
+                    each(one),
+                    self.request.site.name()
+                )
             }
             (None, _) => "simulated earthquakes".to_owned(),
         }
@@ -361,7 +408,9 @@ impl SimulatedGround {
 
     /// Every motion: its earthquake, and its number among those of the earthquake.
     pub fn motions(&self) -> impl Iterator<Item = (&FoundEarthquake, u64)> {
-        self.earthquakes.iter().flat_map(|found| (0..self.request.count).map(move |index| (found, index)))
+        self.earthquakes
+            .iter()
+            .flat_map(|found| (0..self.request.count).map(move |index| (found, index)))
     }
 }
 
@@ -409,16 +458,29 @@ impl RecordedMotion {
     /// Its component or components.
     pub fn as_used(&self) -> HorizontalMotion {
         let across = self.across.as_ref().map(|second| second.motion.clone());
-        HorizontalMotion { along: self.motion.clone(), across }
+        HorizontalMotion {
+            along: self.motion.clone(),
+            across,
+        }
     }
 
     /// The files that were read in addition to its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
         let matched = self.matched.as_ref().map(|matched| &matched.target);
-        let target = matched.or_else(|| Some(&self.suite.as_ref()?.target)).and_then(|target| target.file.as_ref());
-        let vertical = self.vertical.as_ref().and_then(|vertical| vertical.file.as_ref());
-        self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second).chain(vertical)
+        let target = matched
+            .or_else(|| Some(&self.suite.as_ref()?.target))
+            .and_then(|target| target.file.as_ref());
+        let vertical = self
+            .vertical
+            .as_ref()
+            .and_then(|vertical| vertical.file.as_ref());
+        self.station_xml
+            .iter()
+            .chain(&self.scale_target)
+            .chain(target)
+            .chain(second)
+            .chain(vertical)
     }
 }
 

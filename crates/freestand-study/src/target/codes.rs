@@ -2,9 +2,9 @@
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{
-    As1170_4, Asce7, Asce7Edition, Asce7Site, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8, GroundType,
-    NationalAnnex, Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass, minimum_kpz, probability_factor,
-    return_period_factor, site_coefficients,
+    As1170_4, Asce7, Asce7Edition, Asce7Site, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8,
+    GroundType, NationalAnnex, Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass,
+    minimum_kpz, probability_factor, return_period_factor, site_coefficients,
 };
 
 use super::Target;
@@ -52,18 +52,36 @@ fn at(place: Option<&'static Place>, mut target: Target) -> Target {
 
 /// Notes keys that state the hazard although the place does.
 fn refuse_beside_place(reader: &mut WordReader, keys: &[&'static str]) {
-    let Some(place) = place_key(reader) else { return };
-    for key in keys.iter().filter(|key| reader.has(key)).copied().collect::<Vec<_>>() {
-        reader.note(&[place, key], format!("`{place}` and `{key}` exclude each other"), "keep one of them");
+    let Some(place) = place_key(reader) else {
+        return;
+    };
+    for key in keys
+        .iter()
+        .filter(|key| reader.has(key))
+        .copied()
+        .collect::<Vec<_>>()
+    {
+        reader.note(
+            &[place, key],
+            format!("`{place}` and `{key}` exclude each other"),
+            "keep one of them",
+        );
     }
 }
 
 /// A target without a file.
 fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
-    let mut all = vec![fact("Target", format!("{}, elastic, 5 % damping", spectrum.name()))];
+    let mut all = vec![fact(
+        "Target",
+        format!("{}, elastic, 5 % damping", spectrum.name()),
+    )];
     all.extend(facts);
     let warnings: Vec<String> = spectrum.doubt().into_iter().map(str::to_owned).collect();
-    all.extend(warnings.iter().map(|doubt| fact("Not confirmed", doubt.as_str())));
+    all.extend(
+        warnings
+            .iter()
+            .map(|doubt| fact("Not confirmed", doubt.as_str())),
+    );
     Target {
         spectrum,
         place: None,
@@ -83,13 +101,26 @@ fn in_g(value_g: f64) -> String {
 }
 
 pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
-    let editions = [("2007", Edition::As1170_4Ed2007Amd2), ("2024", Edition::As1170_4Ed2024Unconfirmed)];
-    let edition = edition(reader, &editions, "2007 (with Amendments 1 and 2) or 2024 (not confirmed)");
+    let editions = [
+        ("2007", Edition::As1170_4Ed2007Amd2),
+        ("2024", Edition::As1170_4Ed2024Unconfirmed),
+    ];
+    let edition = edition(
+        reader,
+        &editions,
+        "2007 (with Amendments 1 and 2) or 2024 (not confirmed)",
+    );
     refuse_beside_place(reader, &["hazard_factor"]);
     let given = reader.positive("hazard_factor", Dimension::Ratio);
     // Melbourne where nothing is stated.
     let place_is_assumed = place.is_none() && !reader.has("hazard_factor");
-    let place = place.or_else(|| if reader.has("hazard_factor") { None } else { Place::find(DEFAULT_CITY) });
+    let place = place.or_else(|| {
+        if reader.has("hazard_factor") {
+            None
+        } else {
+            Place::find(DEFAULT_CITY)
+        }
+    });
     let hazard = match place.map(|place| place.hazard) {
         Some(PlaceHazard::As1170_4 { hazard_factor }) => Some(hazard_factor),
         _ => given,
@@ -97,18 +128,32 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
     let site = match reader.words.get("site") {
         None => Some(DEFAULT_SITE),
         Some(text) => {
-            let hint = "Ae strong rock, Be rock, Ce shallow soil, De deep or soft soil, Ee very soft soil";
+            let hint =
+                "Ae strong rock, Be rock, Ce shallow soil, De deep or soft soil, Ee very soft soil";
             site_class(reader, text, SiteClass::parse, Code::As1170_4, hint)
         }
     };
-    let years =
-        return_period(reader, |years| probability_factor(years).map(|_| ()), "see Tables 3.1 and 3.2 of AS 1170.4");
+    let years = return_period(
+        reader,
+        |years| probability_factor(years).map(|_| ()),
+        "see Tables 3.1 and 3.2 of AS 1170.4",
+    );
     let code = As1170_4::new(edition?, site?, hazard?, years?).ok()?;
-    let minimum = if code.minimum_governs() { " (the code’s minimum governs)" } else { "" };
+    let minimum = if code.minimum_governs() {
+        " (the code’s minimum governs)"
+    } else {
+        ""
+    };
     let facts = vec![
-        fact("Site class", format!("{}: {}", code.site().name(), code.site().description())),
+        fact(
+            "Site class",
+            format!("{}: {}", code.site().name(), code.site().description()),
+        ),
         fact("Hazard design factor Z", number(code.hazard_factor(), 4)),
-        fact("Return period", format!("{} years", code.return_period_years())),
+        fact(
+            "Return period",
+            format!("{} years", code.return_period_years()),
+        ),
         fact("kp·Z", format!("{}{minimum}", in_g(code.kpz_g()))),
     ];
     let mut target = at(place, target(code.into(), facts));
@@ -118,7 +163,8 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
             "no place is stated: the hazard is that of {DEFAULT_CITY}; give `place`, or a hazard of your own"
         ));
     }
-    if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs()) {
+    if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs())
+    {
         target.warnings.push(format!(
             "the code's minimum kpZ of {least} for {} years governs: Z = {} would give less",
             code.return_period_years(),
@@ -130,12 +176,20 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
 
 /// An edition by its year, with two or four digits.
 fn edition<T: Copy>(reader: &mut WordReader, known: &[(&str, T)], expected: &str) -> Option<T> {
-    let Some(text) = reader.words.get("edition") else { return known.first().map(|(_, edition)| *edition) };
+    let Some(text) = reader.words.get("edition") else {
+        return known.first().map(|(_, edition)| *edition);
+    };
     let year = text.trim();
-    let found = known.iter().find(|(name, _)| *name == year || name.strip_prefix("20") == Some(year));
+    let found = known
+        .iter()
+        .find(|(name, _)| *name == year || name.strip_prefix("20") == Some(year));
     if found.is_none() {
         let message = format!("`edition` must be {expected}, not {}", shorten(text));
-        reader.note(&["edition"], message, format!("give `edition` as {expected}"));
+        reader.note(
+            &["edition"],
+            message,
+            format!("give `edition` as {expected}"),
+        );
     }
     found.map(|(_, edition)| *edition)
 }
@@ -155,7 +209,11 @@ fn site_class<T>(
             Code::Asce7 => "a class of ASCE 7",
             _ => "a class of AS 1170.4",
         };
-        reader.note(&["site"], format!("`site` \"{}\" is not {what}", shorten(text)), hint);
+        reader.note(
+            &["site"],
+            format!("`site` \"{}\" is not {what}", shorten(text)),
+            hint,
+        );
     }
     found
 }
@@ -180,10 +238,18 @@ fn return_period(
 }
 
 /// Notes values that the core refuses in combination although each alone is valid.
-fn made<T>(reader: &mut WordReader, keys: &[&'static str], result: Result<T, CodeSpectrumError>) -> Option<T> {
+fn made<T>(
+    reader: &mut WordReader,
+    keys: &[&'static str],
+    result: Result<T, CodeSpectrumError>,
+) -> Option<T> {
     result
         .map_err(|error| {
-            reader.note(keys, error.to_string(), format!("check `{}`", keys.join("`, `")));
+            reader.note(
+                keys,
+                error.to_string(),
+                format!("check `{}`", keys.join("`, `")),
+            );
         })
         .ok()
 }
@@ -193,14 +259,27 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
     refuse_beside_place(reader, &["ground_acceleration"]);
     let (of_place, of_type_2, annex) = match place.map(|place| place.hazard) {
-        Some(PlaceHazard::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex }) => {
-            (Some(ground_acceleration_g), type2_ground_acceleration_g, annex)
-        }
+        Some(PlaceHazard::Eurocode8 {
+            ground_acceleration_g,
+            type2_ground_acceleration_g,
+            annex,
+        }) => (
+            Some(ground_acceleration_g),
+            type2_ground_acceleration_g,
+            annex,
+        ),
         _ => (None, None, None),
     };
     let stated_g = match of_place {
         Some(_) => None,
-        None => needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g").map(|a| a / G0_M_S2),
+        None => needed(
+            reader,
+            "ground_acceleration",
+            Dimension::Acceleration,
+            CODE,
+            "0.15 g",
+        )
+        .map(|a| a / G0_M_S2),
     };
     let importance = match reader.has("importance_factor") {
         false => Some(1.0),
@@ -219,11 +298,12 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     let acceleration_g = own_of_type_2.or(of_place).or(stated_g);
     let soil_factor = reader.positive("soil_factor", Dimension::Ratio);
     let corners = eurocode8_corners(reader);
-    let is_complete = ["soil_factor", "corner_periods"].iter().all(|key| reader.has(key));
+    let is_complete = ["soil_factor", "corner_periods"]
+        .iter()
+        .all(|key| reader.has(key));
     let ground = match reader.words.get("site") {
         Some(text) => {
-            let hint =
-                "A rock, B very dense or very stiff, C dense or stiff, D loose or soft, E a layer of C or D over rock";
+            let hint = "A rock, B very dense or very stiff, C dense or stiff, D loose or soft, E a layer of C or D over rock";
             site_class(reader, text, GroundType::parse, CODE, hint)
         }
         None if is_complete => None,
@@ -236,24 +316,35 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     if !reader.problems.is_empty() {
         return None;
     }
-    let (spectrum_type, acceleration_g, importance) = (spectrum_type?, acceleration_g?, importance?);
+    let (spectrum_type, acceleration_g, importance) =
+        (spectrum_type?, acceleration_g?, importance?);
     // Values that the user states take the place of a shape of the annex.
     let annex = annex.filter(|_| soil_factor.is_none() && corners.is_none());
     let of_annex = annex.zip(ground).map(|(annex, ground)| {
         let of_type = |kind, a_g| Eurocode8::of_annex(annex, kind, ground, a_g, importance);
         // The type that the user names counts alone.
         let other = of_type_2.filter(|_| !reader.has("spectrum_type"));
-        (of_type(spectrum_type, acceleration_g), other.map(|a_g| of_type(SpectrumType::Type2, a_g)))
+        (
+            of_type(spectrum_type, acceleration_g),
+            other.map(|a_g| of_type(SpectrumType::Type2, a_g)),
+        )
     });
     let recommended = ground.map(|ground| SpectrumShape::recommended(spectrum_type, ground));
     let (result, alternative) = match of_annex {
         Some((code, other)) => (code, other.and_then(Result::ok)),
         None => {
             let shape = eurocode8_shape(recommended, soil_factor, corners)?;
-            (Eurocode8::with_shape(spectrum_type, ground, acceleration_g, importance, shape), None)
+            (
+                Eurocode8::with_shape(spectrum_type, ground, acceleration_g, importance, shape),
+                None,
+            )
         }
     };
-    let code = made(reader, &["ground_acceleration", "soil_factor", "corner_periods"], result)?;
+    let code = made(
+        reader,
+        &["ground_acceleration", "soil_factor", "corner_periods"],
+        result,
+    )?;
     // Where one spectrum must serve, it is the one with the larger velocity: that is what tips objects over.
     let peak_velocity = |code: &Eurocode8| code.plateau_g() * code.shape().tc_s;
     let (code, alternative) = match alternative {
@@ -261,35 +352,76 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         other => (code, other),
     };
     let shape = code.shape();
-    let unstated = if annex.is_some() { "of the national annex" } else { "recommended" };
+    let unstated = if annex.is_some() {
+        "of the national annex"
+    } else {
+        "recommended"
+    };
     let given = |is_given: bool| if is_given { "as given" } else { unstated };
     let assumed = |key: &str| if reader.has(key) { "" } else { ", assumed" };
     let has_ground = annex.is_none_or(NationalAnnex::has_ground_types);
     if !has_ground && reader.has("site") {
-        let message = "the national annex has no ground types: the corner period belongs to the place";
+        let message =
+            "the national annex has no ground types: the corner period belongs to the place";
         reader.note(&["site"], message, "leave `site` out");
         return None;
     }
     let ground = ground.filter(|_| has_ground);
-    let ground_words =
-        ground.map_or_else(|| "not given".to_owned(), |ground| format!("{}: {}", ground.name(), ground.description()));
+    let ground_words = ground.map_or_else(
+        || "not given".to_owned(),
+        |ground| format!("{}: {}", ground.name(), ground.description()),
+    );
     let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
     let facts = vec![
-        fact("Type of spectrum", format!("{}{}", code.spectrum_type().number(), assumed("spectrum_type"))),
-        fact("Ground type", if ground.is_some() { ground_words + assumed("site") } else { ground_words }),
-        fact("Reference ground acceleration a_gR", in_g(code.reference_acceleration_g())),
-        fact("Importance factor γ_I", number(code.importance_factor_ratio(), 4)),
-        fact("Soil factor S", format!("{}, {}", number(shape.soil_factor_ratio, 4), given(soil_factor.is_some()))),
-        fact("TB, TC, TD", format!("{tb_s} s, {tc_s} s, {td_s} s, {}", given(corners.is_some()))),
+        fact(
+            "Type of spectrum",
+            format!(
+                "{}{}",
+                code.spectrum_type().number(),
+                assumed("spectrum_type")
+            ),
+        ),
+        fact(
+            "Ground type",
+            if ground.is_some() {
+                ground_words + assumed("site")
+            } else {
+                ground_words
+            },
+        ),
+        fact(
+            "Reference ground acceleration a_gR",
+            in_g(code.reference_acceleration_g()),
+        ),
+        fact(
+            "Importance factor γ_I",
+            number(code.importance_factor_ratio(), 4),
+        ),
+        fact(
+            "Soil factor S",
+            format!(
+                "{}, {}",
+                number(shape.soil_factor_ratio, 4),
+                given(soil_factor.is_some())
+            ),
+        ),
+        fact(
+            "TB, TC, TD",
+            format!("{tb_s} s, {tc_s} s, {td_s} s, {}", given(corners.is_some())),
+        ),
     ];
     let mut target = at(place, target(code.into(), facts));
-    target.facts.extend(annex.map(|annex| fact("National annex", annex.name())));
+    target
+        .facts
+        .extend(annex.map(|annex| fact("National annex", annex.name())));
     if let Some(other) = alternative {
         let [one, two] = [&code, &other].map(|code| {
             let a_g = in_g(code.reference_acceleration_g());
             format!("type {} (a_gR = {a_g})", code.spectrum_type().number())
         });
-        target.facts.push(fact("Second spectrum of the annex", two.as_str()));
+        target
+            .facts
+            .push(fact("Second spectrum of the annex", two.as_str()));
         target.warnings.push(format!(
             "the national annex has two spectra, {one} and {two}: assessments calculate both and take the worse for \
              each object, restraints are designed for the larger acceleration of the ground, and everything else uses \
@@ -310,10 +442,16 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
 fn eurocode8_corners(reader: &mut WordReader) -> Option<[f64; 3]> {
     let periods_s = reader.grid("corner_periods", Dimension::Time)?;
     match periods_s[..] {
-        [tb_s, tc_s, td_s] if tb_s > 0.0 && tc_s >= tb_s && td_s >= tc_s => Some([tb_s, tc_s, td_s]),
+        [tb_s, tc_s, td_s] if tb_s > 0.0 && tc_s >= tb_s && td_s >= tc_s => {
+            Some([tb_s, tc_s, td_s])
+        }
         _ => {
             let message = "`corner_periods` must be three periods, 0 < TB ≤ TC ≤ TD";
-            reader.note(&["corner_periods"], message, "give `corner_periods = \"0.15 s, 0.5 s, 2 s\"`");
+            reader.note(
+                &["corner_periods"],
+                message,
+                "give `corner_periods = \"0.15 s, 0.5 s, 2 s\"`",
+            );
             None
         }
     }
@@ -325,25 +463,45 @@ fn eurocode8_shape(
     soil_factor_ratio: Option<f64>,
     corners_s: Option<[f64; 3]>,
 ) -> Option<SpectrumShape> {
-    let [tb_s, tc_s, td_s] = corners_s.or_else(|| recommended.map(|shape| [shape.tb_s, shape.tc_s, shape.td_s]))?;
-    let soil_factor_ratio = soil_factor_ratio.or_else(|| recommended.map(|shape| shape.soil_factor_ratio))?;
-    Some(SpectrumShape { soil_factor_ratio, tb_s, tc_s, td_s })
+    let [tb_s, tc_s, td_s] =
+        corners_s.or_else(|| recommended.map(|shape| [shape.tb_s, shape.tc_s, shape.td_s]))?;
+    let soil_factor_ratio =
+        soil_factor_ratio.or_else(|| recommended.map(|shape| shape.soil_factor_ratio))?;
+    Some(SpectrumShape {
+        soil_factor_ratio,
+        tb_s,
+        tc_s,
+        td_s,
+    })
 }
 
 pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
     const CODE: Code = Code::Asce7;
     // The values of places are those of 2016.
-    let known = [("2022", Asce7Edition::Asce7_22), ("2016", Asce7Edition::Asce7_16)];
+    let known = [
+        ("2022", Asce7Edition::Asce7_22),
+        ("2016", Asce7Edition::Asce7_16),
+    ];
     let edition = match reader.has("edition") || place.is_none() {
         true => edition(reader, &known, "2022 or 2016"),
         false => Some(Asce7Edition::Asce7_16),
     };
     refuse_beside_place(reader, &["ss", "s1", "sds", "sd1"]);
-    let is_mapped = place.is_some() || ["ss", "s1", "fa", "fv", "site"].iter().any(|key| reader.has(key));
-    let design: Vec<&'static str> = ["sds", "sd1"].into_iter().filter(|key| reader.has(key)).collect();
+    let is_mapped = place.is_some()
+        || ["ss", "s1", "fa", "fv", "site"]
+            .iter()
+            .any(|key| reader.has(key));
+    let design: Vec<&'static str> = ["sds", "sd1"]
+        .into_iter()
+        .filter(|key| reader.has(key))
+        .collect();
     if let (true, Some(key), None) = (is_mapped, design.first().copied(), place) {
         let message = format!("`{key}` and mapped accelerations exclude each other");
-        reader.note(&[key, "ss", "s1", "fa", "fv", "site"], message, "give SDS and SD1, or Ss, S1 and the site");
+        reader.note(
+            &[key, "ss", "s1", "fa", "fv", "site"],
+            message,
+            "give SDS and SD1, or Ss, S1 and the site",
+        );
         return None;
     }
     let long_period_s = match reader.has("long_period") || place.is_none() {
@@ -358,13 +516,28 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
             _ => ["ss", "s1"].map(|key| mapped(reader, key)).into(),
         };
         let found = coefficients(reader, ss, s1, place.is_some());
-        let (ss, s1, Coefficients { fa, fv, site, asks_for_study }) = (ss?, s1?, found?);
+        let (
+            ss,
+            s1,
+            Coefficients {
+                fa,
+                fv,
+                site,
+                asks_for_study,
+            },
+        ) = (ss?, s1?, found?);
         facts.push(fact("Ss, S1", format!("{}, {}", in_g(ss), in_g(s1))));
         if let Some(site) = site {
             let assumed = if reader.has("site") { "" } else { ", assumed" };
-            facts.push(fact("Site class", format!("{}: {}{assumed}", site.name(), site.description())));
+            facts.push(fact(
+                "Site class",
+                format!("{}: {}{assumed}", site.name(), site.description()),
+            ));
         }
-        facts.push(fact("Fa, Fv", format!("{}, {}", number(fa, 4), number(fv, 4))));
+        facts.push(fact(
+            "Fa, Fv",
+            format!("{}, {}", number(fa, 4), number(fv, 4)),
+        ));
         if asks_for_study {
             period_warnings.push(
                 "ASCE 7-16, 11.4.8, asks for a site-specific study on site class D where S1 is 0.2 g or more; Fv of \
@@ -389,9 +562,19 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
         made(reader, &["sds", "sd1", "long_period"], result)?
     };
     let [t0_s, ts_s, tl_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
-    let assumed = if reader.has("long_period") { "" } else { " (TL assumed: confirm it on the maps of the code)" };
-    facts.push(fact("SDS, SD1", format!("{}, {}", in_g(code.sds_g()), in_g(code.sd1_g()))));
-    facts.push(fact("T0, TS, TL", format!("{t0_s} s, {ts_s} s, {tl_s} s{assumed}")));
+    let assumed = if reader.has("long_period") {
+        ""
+    } else {
+        " (TL assumed: confirm it on the maps of the code)"
+    };
+    facts.push(fact(
+        "SDS, SD1",
+        format!("{}, {}", in_g(code.sds_g()), in_g(code.sd1_g())),
+    ));
+    facts.push(fact(
+        "T0, TS, TL",
+        format!("{t0_s} s, {ts_s} s, {tl_s} s{assumed}"),
+    ));
     let mut target = at(place, target(code.into(), facts));
     target.warnings.extend(warnings);
     target.period_warnings = period_warnings;
@@ -433,14 +616,25 @@ fn coefficients(
         for key in ["fa", "fv"] {
             reader.exclusive("site", key);
             if !reader.has(key) {
-                let (example, also) = if key == "fa" { ("1.0", "D") } else { ("1.7", "D") };
-                let hint = format!("give `{key} = \"{example}\"`, or `site = \"{also}\"` for the tables of the code");
+                let (example, also) = if key == "fa" {
+                    ("1.0", "D")
+                } else {
+                    ("1.7", "D")
+                };
+                let hint = format!(
+                    "give `{key} = \"{example}\"`, or `site = \"{also}\"` for the tables of the code"
+                );
                 reader.missing(&[key, "code"], format!("ASCE 7 needs `{key}`"), hint);
             }
         }
         let fa = reader.positive("fa", Dimension::Ratio);
         let fv = reader.positive("fv", Dimension::Ratio);
-        return Some(Coefficients { fa: fa?, fv: fv?, site: None, asks_for_study: false });
+        return Some(Coefficients {
+            fa: fa?,
+            fv: fv?,
+            site: None,
+            asks_for_study: false,
+        });
     }
     let site = match reader.words.get("site") {
         None => Some(DEFAULT_ASCE7_SITE),
@@ -458,7 +652,11 @@ fn coefficients(
             asks_for_study: found.asks_for_study,
         }),
         Err(error) => {
-            reader.note(&["site"], error.to_string(), "give `sds` and `sd1` of the study, or another site class");
+            reader.note(
+                &["site"],
+                error.to_string(),
+                "give `sds` and `sd1` of the study, or another site class",
+            );
             None
         }
     }
@@ -474,7 +672,8 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
     };
     let site = match reader.words.get("site") {
         Some(text) => {
-            let hint = "A strong rock, B rock, C shallow soil, D deep or soft soil, E very soft soil";
+            let hint =
+                "A strong rock, B rock, C shallow soil, D deep or soft soil, E very soft soil";
             site_class(reader, text, SubsoilClass::parse, CODE, hint)
         }
         None if place.is_some() => Some(DEFAULT_SUBSOIL),
@@ -483,26 +682,54 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
             None
         }
     };
-    let years = return_period(reader, |years| return_period_factor(years).map(|_| ()), "see Table 3.5 of NZS 1170.5");
+    let years = return_period(
+        reader,
+        |years| return_period_factor(years).map(|_| ()),
+        "see Table 3.5 of NZS 1170.5",
+    );
     let distance_km = match place.map(|place| place.hazard) {
-        _ if reader.has("fault_distance") => Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3),
-        Some(PlaceHazard::Nzs1170_5 { fault_distance_km, .. }) => Some(fault_distance_km),
+        _ if reader.has("fault_distance") => {
+            Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3)
+        }
+        Some(PlaceHazard::Nzs1170_5 {
+            fault_distance_km, ..
+        }) => Some(fault_distance_km),
         _ => None,
     };
     let code = Nzs1170_5::new(site?, hazard?, years?, distance_km);
     let code = made(reader, &["hazard_factor", "fault_distance"], code)?;
-    let maximum = if code.maximum_governs() { " (the code’s maximum governs)" } else { "" };
+    let maximum = if code.maximum_governs() {
+        " (the code’s maximum governs)"
+    } else {
+        ""
+    };
     let fault = match distance_km {
         Some(km) if km >= FAR_KM => format!("{} km away or more: N(T, D) = 1", number(km, 4)),
         None => "none near: N(T, D) = 1".to_owned(),
-        Some(km) if code.is_near_fault() => format!("{} km away: N(T, D) rises from 1.5 s on", number(km, 4)),
+        Some(km) if code.is_near_fault() => {
+            format!("{} km away: N(T, D) rises from 1.5 s on", number(km, 4))
+        }
         Some(km) => format!("{} km away: N(T, D) = 1 by the code", number(km, 4)),
     };
     let assumed = if reader.has("site") { "" } else { ", assumed" };
     let facts = vec![
-        fact("Site subsoil class", format!("{}: {}{assumed}", code.site().name(), code.site().description())),
+        fact(
+            "Site subsoil class",
+            format!(
+                "{}: {}{assumed}",
+                code.site().name(),
+                code.site().description()
+            ),
+        ),
         fact("Hazard factor Z", number(code.hazard_factor(), 4)),
-        fact("Return period", format!("{} years, R = {}", code.return_period_years(), code.return_factor_ratio())),
+        fact(
+            "Return period",
+            format!(
+                "{} years, R = {}",
+                code.return_period_years(),
+                code.return_factor_ratio()
+            ),
+        ),
         fact("Z·R", format!("{}{maximum}", in_g(code.zr_g()))),
         fact("Major fault", fault),
     ];

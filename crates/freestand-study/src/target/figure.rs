@@ -6,7 +6,9 @@ use freestand_input::words::number;
 
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, DARK, axes, curve_style, line, markers, plain, plain_ticks};
+use freestand_output::figure::style::{
+    Axis, DARK, axes, curve_style, line, markers, plain, plain_ticks,
+};
 use freestand_output::figure::{Figure, FigureError};
 
 use super::spectrum::{CodeSpectrumReport, PartsLevel};
@@ -22,14 +24,29 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
         legend.push(line_entry(1, "vertical"));
     }
     if !report.corner_periods_s.is_empty() {
-        legend.push(Entry { sign: Sign::Dot { colour: DARK }, words: "corner".into() });
+        legend.push(Entry {
+            sign: Sign::Dot { colour: DARK },
+            words: "corner".into(),
+        });
     }
-    let zero = report.periods_s.iter().zip(&report.sa_g).find(|(period, _)| **period == 0.0);
-    let zero = zero.map_or_else(String::new, |(_, sa)| format!(" At T = 0 it is {} g.", number(*sa, 4)));
-    let mut caption = format!("Elastic acceleration spectrum, 5 % damping: {}.{zero}", report.title);
+    let zero = report
+        .periods_s
+        .iter()
+        .zip(&report.sa_g)
+        .find(|(period, _)| **period == 0.0);
+    let zero = zero.map_or_else(String::new, |(_, sa)| {
+        format!(" At T = 0 it is {} g.", number(*sa, 4))
+    });
+    let mut caption = format!(
+        "Elastic acceleration spectrum, 5 % damping: {}.{zero}",
+        report.title
+    );
     if let Some(parts) = &report.parts {
         panels.push(parts_panel(&parts.levels));
-        caption.push_str(&format!(" The right panel shows the acceleration of a rigid part by {}.", parts.clause));
+        caption.push_str(&format!(
+            " The right panel shows the acceleration of a rigid part by {}.",
+            parts.clause
+        ));
     }
     let columns = panels.len();
     Page {
@@ -45,30 +62,65 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
 
 fn line_entry(index: usize, words: &str) -> Entry {
     let style = curve_style(index);
-    Entry { sign: Sign::Line { colour: style.colour, width_px: 2.2, dash: style.dash }, words: words.into() }
+    Entry {
+        sign: Sign::Line {
+            colour: style.colour,
+            width_px: 2.2,
+            dash: style.dash,
+        },
+        words: words.into(),
+    }
 }
 
 fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
     let points = |values: &[f64]| -> Vec<(f64, f64)> {
-        report.periods_s.iter().copied().zip(values.iter().copied()).filter(|point| point.0 > 0.0).collect()
+        report
+            .periods_s
+            .iter()
+            .copied()
+            .zip(values.iter().copied())
+            .filter(|point| point.0 > 0.0)
+            .collect()
     };
     let curve = points(&report.sa_g);
-    let mut plots = vec![line(&curve, curve_style(0).colour, 2.2, curve_style(0).dash)];
+    let mut plots = vec![line(
+        &curve,
+        curve_style(0).colour,
+        2.2,
+        curve_style(0).dash,
+    )];
     let mut highest = report.sa_g.iter().copied().fold(0.0, f64::max);
     if let Some(vertical) = &report.vertical_sa_g {
-        plots.push(line(&points(vertical), curve_style(1).colour, 2.2, curve_style(1).dash));
+        plots.push(line(
+            &points(vertical),
+            curve_style(1).colour,
+            2.2,
+            curve_style(1).dash,
+        ));
         highest = vertical.iter().copied().fold(highest, f64::max);
     }
-    let (mut from, mut to) = (curve.first().map_or(0.05, |point| point.0), curve.last().map_or(5.0, |point| point.0));
+    let (mut from, mut to) = (
+        curve.first().map_or(0.05, |point| point.0),
+        curve.last().map_or(5.0, |point| point.0),
+    );
     if from >= to {
         (from, to) = (0.5 * from, 2.0 * from);
     }
-    let corners = report.corner_periods_s.iter().copied().zip(report.corners_g.iter().copied());
+    let corners = report
+        .corner_periods_s
+        .iter()
+        .copied()
+        .zip(report.corners_g.iter().copied());
     let drawn: Vec<(f64, f64)> = corners.filter(|(t, _)| (from..=to).contains(t)).collect();
     if !drawn.is_empty() {
         plots.push(markers(&drawn, DARK, MarkerShape::Circle, 3.6));
     }
-    let x = Axis { from, to, step: None, label: "Period (s)".into() };
+    let x = Axis {
+        from,
+        to,
+        step: None,
+        label: "Period (s)".into(),
+    };
     let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
     let y_ticks = plain_ticks(y.to);
     let mut layout = axes(x, y).with_log_x();
@@ -78,13 +130,24 @@ fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
 }
 
 fn parts_panel(levels: &[PartsLevel]) -> Panel {
-    let points: Vec<(f64, f64)> = levels.iter().map(|level| (level.floor_acceleration_g, level.level_ratio)).collect();
+    let points: Vec<(f64, f64)> = levels
+        .iter()
+        .map(|level| (level.floor_acceleration_g, level.level_ratio))
+        .collect();
     let highest = points.iter().map(|point| point.0).fold(0.0, f64::max);
     let style = curve_style(2);
-    let plots = vec![line(&points, style.colour, 2.2, None), markers(&points, style.colour, style.marker, 3.2)];
+    let plots = vec![
+        line(&points, style.colour, 2.2, None),
+        markers(&points, style.colour, style.marker, 3.2),
+    ];
     let x = Axis::from_zero(1.02 * highest, "Acceleration of a rigid part (g)");
     let x_ticks = plain_ticks(x.to);
-    let y = Axis { from: 0.0, to: 1.0, step: Some(0.2), label: "Height of the floor z/h".into() };
+    let y = Axis {
+        from: 0.0,
+        to: 1.0,
+        step: Some(0.2),
+        label: "Height of the floor z/h".into(),
+    };
     let mut layout = axes(x, y);
     layout.x_tick_format = x_ticks;
     Panel { plots, layout }

@@ -16,7 +16,8 @@ use freestand::synthesis;
 
 pub use codes::DEFAULT_YEARS;
 pub use spectrum::{
-    CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum, usual_periods_s,
+    CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
+    usual_periods_s,
 };
 use words::Code;
 pub use words::period_code;
@@ -104,7 +105,11 @@ impl Target {
 
     /// The spectrum by AS 1170.4, if it is one.
     fn as1170_4(&self) -> Option<&As1170_4> {
-        if let CodeSpectrum::As1170_4(code) = &self.spectrum { Some(code) } else { None }
+        if let CodeSpectrum::As1170_4(code) = &self.spectrum {
+            Some(code)
+        } else {
+            None
+        }
     }
 
     /// The site class of AS 1170.4.
@@ -119,7 +124,10 @@ impl Target {
 
     /// The spectrum that asks more of parts: of two, the one with the larger acceleration of the ground.
     pub fn parts_spectrum(&self) -> &CodeSpectrum {
-        let larger = self.alternative.as_ref().filter(|other| other.sa_g(0.0) > self.spectrum.sa_g(0.0));
+        let larger = self
+            .alternative
+            .as_ref()
+            .filter(|other| other.sa_g(0.0) > self.spectrum.sa_g(0.0));
         larger.unwrap_or(&self.spectrum)
     }
 
@@ -140,14 +148,20 @@ impl Target {
             .key("site", self.spectrum.site_name())
             .key("place", self.place.map(Place::facts))
             .and(hazard_facts(Some(self)))
-            .key("minimum_kpz_governs", self.as1170_4().map(As1170_4::minimum_governs))
+            .key(
+                "minimum_kpz_governs",
+                self.as1170_4().map(As1170_4::minimum_governs),
+            )
             .key("facts", self.named_facts())
     }
 
     /// The facts for reports, each as a name and a value.
     pub fn named_facts(&self) -> Vec<Facts<'static>> {
-        let fact =
-            |(name, value): &(String, String)| Facts::default().key("name", name.clone()).key("value", value.clone());
+        let fact = |(name, value): &(String, String)| {
+            Facts::default()
+                .key("name", name.clone())
+                .key("value", value.clone())
+        };
         self.facts.iter().map(fact).collect()
     }
 
@@ -176,14 +190,17 @@ impl Target {
             ),
             CodeSpectrum::Asce7(code) => format!(
                 "{}SDS = {} g, SD1 = {} g{place}, TL = {} s",
-                code.site().map_or_else(String::new, |site| format!("site {}, ", site.name())),
+                code.site()
+                    .map_or_else(String::new, |site| format!("site {}, ", site.name())),
                 number(code.sds_g(), 4),
                 number(code.sd1_g(), 4),
                 number(code.long_period_s(), 4)
             ),
             CodeSpectrum::Nzs1170_5(code) => {
                 let near = match code.fault_distance_km() {
-                    Some(km) if code.is_near_fault() => format!(", a fault {} km away", number(km, 4)),
+                    Some(km) if code.is_near_fault() => {
+                        format!(", a fault {} km away", number(km, 4))
+                    }
                     _ => String::new(),
                 };
                 format!(
@@ -208,8 +225,16 @@ impl Target {
     fn place_in_brackets(&self) -> String {
         match self.place {
             None => String::new(),
-            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
-            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
+            Some(Place {
+                name,
+                confidence: Confidence::Read,
+                ..
+            }) => format!(" ({name})"),
+            Some(Place {
+                name,
+                confidence: Confidence::Approximate,
+                ..
+            }) => format!(" ({name}, approximate)"),
         }
     }
 
@@ -217,19 +242,39 @@ impl Target {
     pub fn title_words(&self) -> String {
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => {
-                let place = self.place_name().unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
+                let place = self
+                    .place_name()
+                    .unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
                 let years = code.return_period_years();
-                format!("a {years}-year earthquake: {place}, site class {}", code.site().name())
+                format!(
+                    "a {years}-year earthquake: {place}, site class {}",
+                    code.site().name()
+                )
             }
             CodeSpectrum::Nzs1170_5(code) => {
                 let years = code.return_period_years();
-                let place = self.place_name().unwrap_or_else(|| format!("NZS 1170.5, Z = {}", code.hazard_factor()));
-                format!("a {years}-year earthquake: {place}, site class {}", code.site().name())
+                let place = self
+                    .place_name()
+                    .unwrap_or_else(|| format!("NZS 1170.5, Z = {}", code.hazard_factor()));
+                format!(
+                    "a {years}-year earthquake: {place}, site class {}",
+                    code.site().name()
+                )
             }
-            CodeSpectrum::Table(_) => format!("an earthquake with the spectrum {}", self.file_name()),
+            CodeSpectrum::Table(_) => {
+                format!("an earthquake with the spectrum {}", self.file_name())
+            }
             CodeSpectrum::Eurocode8(_) | CodeSpectrum::Asce7(_) => match self.place_name() {
-                Some(place) => format!("an earthquake by {}: {place}, {}", self.spectrum.name(), self.site_words()),
-                None => format!("an earthquake by {}: {}", self.spectrum.name(), self.parameters()),
+                Some(place) => format!(
+                    "an earthquake by {}: {place}, {}",
+                    self.spectrum.name(),
+                    self.site_words()
+                ),
+                None => format!(
+                    "an earthquake by {}: {}",
+                    self.spectrum.name(),
+                    self.parameters()
+                ),
             },
         }
     }
@@ -249,7 +294,10 @@ impl Target {
     /// # Errors
     /// A table that is shorter and that does not extend beyond its ends.
     pub fn check_matched_band(&self) -> Result<(), Problem> {
-        let (from_s, to_s) = (self.spectrum.shortest_period_s(), self.spectrum.longest_period_s());
+        let (from_s, to_s) = (
+            self.spectrum.shortest_period_s(),
+            self.spectrum.longest_period_s(),
+        );
         if from_s <= 0.0 && to_s.is_none_or(|to_s| to_s >= synthesis::LONGEST_PERIOD_S) {
             return Ok(());
         }
@@ -276,7 +324,9 @@ impl Target {
         match &self.spectrum {
             CodeSpectrum::Table(table) if table.first_period_s() > 0.0 => {
                 let first_s = table.first_period_s();
-                let message = format!("`match_pga`: the table begins at {first_s} s and has no peak acceleration");
+                let message = format!(
+                    "`match_pga`: the table begins at {first_s} s and has no peak acceleration"
+                );
                 let hint = "add a row with a period of 0 s, the peak acceleration, or leave `match_pga` out";
                 Err(Problem::value(message, hint))
             }
@@ -287,7 +337,10 @@ impl Target {
     /// The name of the table's file.
     fn file_name(&self) -> String {
         let name = self.file.as_ref().and_then(|file| file.path.file_name());
-        name.map_or_else(|| "of the user".to_owned(), |name| name.to_string_lossy().into_owned())
+        name.map_or_else(
+            || "of the user".to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        )
     }
 }
 

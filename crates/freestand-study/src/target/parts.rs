@@ -39,12 +39,17 @@ impl Target {
         let code = words.get("code").and_then(Code::parse);
         if code == Some(Code::Table) {
             let hint = "name a code, such as `code = \"asce7\"`, or a place";
-            return Err(Problem::value("a table has no clause for parts", hint).of(&["code"]).into());
+            return Err(Problem::value("a table has no clause for parts", hint)
+                .of(&["code"])
+                .into());
         }
         if code == Some(Code::As1170_4) && !has_place && !has("hazard_factor") {
-            let problem = Problem::new(ProblemKind::Missing, "AS 1170.4 needs `hazard_factor` or a place")
-                .hint("give `hazard_factor = \"0.08\"`, or a place: freestand place list")
-                .of(&["hazard_factor", "code"]);
+            let problem = Problem::new(
+                ProblemKind::Missing,
+                "AS 1170.4 needs `hazard_factor` or a place",
+            )
+            .hint("give `hazard_factor = \"0.08\"`, or a place: freestand place list")
+            .of(&["hazard_factor", "code"]);
             return Err(problem.into());
         }
         if code == Some(Code::Asce7) && !has_place && !has("sds") && !has("ss") {
@@ -59,7 +64,11 @@ impl Target {
             for (known, missing) in [("sds", "sd1"), ("ss", "s1"), ("fa", "fv")] {
                 // Only with Fa: the tables give Fv for S1 alone.
                 let needs = known == "sds" || has("fa");
-                if let Some(text) = words.get(known).map(str::to_owned).filter(|_| needs && !has(missing)) {
+                if let Some(text) = words
+                    .get(known)
+                    .map(str::to_owned)
+                    .filter(|_| needs && !has(missing))
+                {
                     words.set(missing, text);
                     filled.push(missing);
                 }
@@ -70,10 +79,15 @@ impl Target {
         }
         match words::resolve(&words, "".as_ref()) {
             // The clauses use no long periods.
-            Ok(target) => Ok(Self { period_warnings: Vec::new(), ..target.of_larger_type() }),
+            Ok(target) => Ok(Self {
+                period_warnings: Vec::new(),
+                ..target.of_larger_type()
+            }),
             Err(mut problems) => {
                 // The value that stands in is wrong where the value that it repeats is.
-                problems.problems.retain(|problem| !problem.keys.first().is_some_and(|key| filled.contains(key)));
+                problems.problems.retain(|problem| {
+                    !problem.keys.first().is_some_and(|key| filled.contains(key))
+                });
                 Err(problems)
             }
         }
@@ -85,7 +99,12 @@ impl Target {
             return self;
         }
         let spectrum = self.parts_spectrum().clone();
-        Self { spectrum, alternative: None, warnings: self.place.and_then(Place::doubt).into_iter().collect(), ..self }
+        Self {
+            spectrum,
+            alternative: None,
+            warnings: self.place.and_then(Place::doubt).into_iter().collect(),
+            ..self
+        }
     }
 
     /// What the clauses for parts use of it: `S_DS = 1 g`, `site De, Z = 0.08 (Melbourne), 500
@@ -93,8 +112,14 @@ impl Target {
     pub fn parts_words(&self) -> String {
         match &self.spectrum {
             CodeSpectrum::Asce7(code) => {
-                let site = code.site().map_or_else(String::new, |site| format!("site {}, ", site.name()));
-                format!("{site}S_DS = {} g{}", number(code.sds_g(), 4), self.place_in_brackets())
+                let site = code
+                    .site()
+                    .map_or_else(String::new, |site| format!("site {}, ", site.name()));
+                format!(
+                    "{site}S_DS = {} g{}",
+                    number(code.sds_g(), 4),
+                    self.place_in_brackets()
+                )
             }
             _ => self.parameters(),
         }
@@ -104,7 +129,12 @@ impl Target {
 /// Keys of a hazard without a code.
 fn nameless(words: &Words) -> Problem {
     let first = words.entries().next();
-    let known = first.and_then(|(key, _)| Some((key, CODES.iter().find(|(_, code)| code.keys().contains(&key))?.1)));
+    let known = first.and_then(|(key, _)| {
+        Some((
+            key,
+            CODES.iter().find(|(_, code)| code.keys().contains(&key))?.1,
+        ))
+    });
     match known {
         Some((key, code)) => Problem::new(ProblemKind::Missing, format!("`{key}` needs a code or a place"))
             .hint(format!("give `code = \"{}\"`, or `place = \"Wellington\"`", code.name()))
@@ -125,12 +155,29 @@ mod tests {
     #[test]
     fn what_the_clauses_need_is_enough() {
         let words = |words| of(words).unwrap().parts_words();
-        assert_eq!(words(&[("code", "asce7"), ("sds", "1.2 g")]), "S_DS = 1.2 g");
-        assert_eq!(words(&[("code", "asce7"), ("ss", "1.5 g"), ("fa", "1.2")]), "S_DS = 1.2 g");
-        assert_eq!(words(&[("place", "Los Angeles")]), "site D, S_DS = 1.581 g (Los Angeles)");
+        assert_eq!(
+            words(&[("code", "asce7"), ("sds", "1.2 g")]),
+            "S_DS = 1.2 g"
+        );
+        assert_eq!(
+            words(&[("code", "asce7"), ("ss", "1.5 g"), ("fa", "1.2")]),
+            "S_DS = 1.2 g"
+        );
+        assert_eq!(
+            words(&[("place", "Los Angeles")]),
+            "site D, S_DS = 1.581 g (Los Angeles)"
+        );
         let melbourne = words(&[("place", "Melbourne")]);
-        assert_eq!(melbourne, "site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g");
-        let europe = [("code", "eurocode8"), ("site", "B"), ("ground_acceleration", "0.2 g"), ("spectrum_type", "1")];
+        assert_eq!(
+            melbourne,
+            "site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g"
+        );
+        let europe = [
+            ("code", "eurocode8"),
+            ("site", "B"),
+            ("ground_acceleration", "0.2 g"),
+            ("spectrum_type", "1"),
+        ];
         assert_eq!(words(&europe), "type 1, ground B, a_g = 0.2 g");
     }
 
@@ -139,14 +186,26 @@ mod tests {
         for (words, expected) in [
             (&[][..], "neither `code` nor `place`"),
             (&[("sds", "1 g")], "`sds` needs a code or a place"),
-            (&[("code", "as1170.4")], "AS 1170.4 needs `hazard_factor` or a place"),
+            (
+                &[("code", "as1170.4")],
+                "AS 1170.4 needs `hazard_factor` or a place",
+            ),
             (&[("code", "asce7")], "ASCE 7 needs `sds`"),
-            (&[("code", "nzs1170.5"), ("site", "C")], "NZS 1170.5 needs `hazard_factor`"),
+            (
+                &[("code", "nzs1170.5"), ("site", "C")],
+                "NZS 1170.5 needs `hazard_factor`",
+            ),
             (&[("code", "table")], "a table has no clause"),
             (&[("code", "asce8"), ("sds", "1 g")], "is not known"),
-            (&[("code", "asce7"), ("place", "Wellington")], "has values for NZS 1170.5, not for ASCE 7"),
+            (
+                &[("code", "asce7"), ("place", "Wellington")],
+                "has values for NZS 1170.5, not for ASCE 7",
+            ),
             (&[("place", "Wellinton")], "is not in the table of places"),
-            (&[("place", "Wellington"), ("sds", "1 g")], "`sds` is not part of NZS 1170.5"),
+            (
+                &[("place", "Wellington"), ("sds", "1 g")],
+                "`sds` is not part of NZS 1170.5",
+            ),
         ] {
             let error = of(words).unwrap_err();
             assert!(error.contains(expected), "{words:?}: {error}");

@@ -31,15 +31,31 @@ pub fn code_parts(
     levels_ratio: &[f64],
 ) -> Option<CodeParts> {
     let part = |&level_ratio: &f64| {
-        floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s })
+        floor_acceleration_g(
+            code,
+            &PartsQuestion {
+                level_ratio,
+                building_height_m,
+                building_period_s,
+            },
+        )
     };
-    let accel_g = levels_ratio.iter().map(part).collect::<Option<Vec<f64>>>()?;
-    Some(CodeParts { clause: clause(code)?, accel_g })
+    let accel_g = levels_ratio
+        .iter()
+        .map(part)
+        .collect::<Option<Vec<f64>>>()?;
+    Some(CodeParts {
+        clause: clause(code)?,
+        accel_g,
+    })
 }
 
 /// A spectrum at its periods.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct CodeSpectrumReport {
     /// The code with its parameters, on one line.
     #[serde(skip)]
@@ -59,7 +75,10 @@ pub struct CodeSpectrumReport {
 
 /// Accelerations of rigid parts over the height of a building.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct PartsReport {
     pub clause: &'static str,
     pub building_height_m: Option<f64>,
@@ -69,7 +88,10 @@ pub struct PartsReport {
 
 /// The acceleration of a rigid part on one level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+#[expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 pub struct PartsLevel {
     pub level_ratio: f64,
     pub height_m: Option<f64>,
@@ -95,22 +117,40 @@ pub fn code_spectrum(
 ) -> Result<CodeSpectrumReport, Problems> {
     let mut problems = Problems::default();
     let spectrum = &target.spectrum;
-    let (from_s, to_s) = (spectrum.shortest_period_s(), spectrum.longest_period_s().unwrap_or(f64::INFINITY));
+    let (from_s, to_s) = (
+        spectrum.shortest_period_s(),
+        spectrum.longest_period_s().unwrap_or(f64::INFINITY),
+    );
     let is_covered = |period_s: &f64| (from_s..=to_s).contains(period_s);
     if let Some(negative) = periods_s.iter().flatten().find(|&&period_s| period_s < 0.0) {
         let message = format!("`periods`: a period of {negative} s is negative");
         problems.push(Problem::value(message, "give periods of 0 s or more"));
-    } else if let Some(outside) = periods_s.iter().flatten().find(|period_s| !is_covered(period_s)) {
-        let message = format!("`periods`: {outside} s is outside the table, which covers {from_s} s to {to_s} s");
+    } else if let Some(outside) = periods_s
+        .iter()
+        .flatten()
+        .find(|period_s| !is_covered(period_s))
+    {
+        let message = format!(
+            "`periods`: {outside} s is outside the table, which covers {from_s} s to {to_s} s"
+        );
         let hint = "`beyond = \"hold\"` extends the table: constant Sa below it, constant displacement above it";
         problems.push(Problem::value(message, hint));
     }
-    let parts = parts.and_then(|(height_m, period_s)| problems.keep(parts_of(spectrum, height_m, period_s)));
+    let parts = parts
+        .and_then(|(height_m, period_s)| problems.keep(parts_of(spectrum, height_m, period_s)));
     let periods_s = periods_s.unwrap_or_else(|| {
         let usual_s = usual_periods_s();
         let last_s = usual_s.last().copied().unwrap_or(0.0);
-        let corners_s = spectrum.corner_periods_s().into_iter().filter(|&corner_s| corner_s <= last_s);
-        let mut all_s: Vec<f64> = usual_s.iter().copied().chain(corners_s).filter(is_covered).collect();
+        let corners_s = spectrum
+            .corner_periods_s()
+            .into_iter()
+            .filter(|&corner_s| corner_s <= last_s);
+        let mut all_s: Vec<f64> = usual_s
+            .iter()
+            .copied()
+            .chain(corners_s)
+            .filter(is_covered)
+            .collect();
         all_s.sort_by(f64::total_cmp);
         all_s.dedup();
         all_s
@@ -119,7 +159,12 @@ pub fn code_spectrum(
         CodeSpectrum::Table(_) => Vec::new(),
         _ => spectrum.corner_periods_s(),
     };
-    let at = |periods_s: &[f64]| periods_s.iter().map(|&period_s| spectrum.sa_g(period_s)).collect();
+    let at = |periods_s: &[f64]| {
+        periods_s
+            .iter()
+            .map(|&period_s| spectrum.sa_g(period_s))
+            .collect()
+    };
     problems.finish(Some(CodeSpectrumReport {
         title: target.one_line(),
         code: target.described(),
@@ -127,9 +172,12 @@ pub fn code_spectrum(
         corner_periods_s,
         sa_g: at(&periods_s),
         vertical_sa_g: match spectrum {
-            CodeSpectrum::Eurocode8(code) => {
-                Some(periods_s.iter().map(|&period_s| code.vertical_sa_g(period_s)).collect())
-            }
+            CodeSpectrum::Eurocode8(code) => Some(
+                periods_s
+                    .iter()
+                    .map(|&period_s| code.vertical_sa_g(period_s))
+                    .collect(),
+            ),
             _ => None,
         },
         periods_s,
@@ -143,20 +191,40 @@ fn parts_of(
     building_period_s: Option<f64>,
 ) -> Result<PartsReport, Problem> {
     let Some(clause) = clause(spectrum) else {
-        return Err(Problem::value("`parts`: a table has no clause for parts", "name a code with `code`"));
+        return Err(Problem::value(
+            "`parts`: a table has no clause for parts",
+            "name a code with `code`",
+        ));
     };
     let levels_ratio: [f64; 11] = std::array::from_fn(|tenth| tenth as f64 / 10.0);
-    let Some(parts) = code_parts(spectrum, building_height_m, building_period_s, &levels_ratio) else {
+    let Some(parts) = code_parts(
+        spectrum,
+        building_height_m,
+        building_period_s,
+        &levels_ratio,
+    ) else {
         let message = format!("`parts` needs `building_height` ({clause})");
-        return Err(Problem::value(message, "write `building_height = \"30 m\"`"));
+        return Err(Problem::value(
+            message,
+            "write `building_height = \"30 m\"`",
+        ));
     };
     let level = |(level_ratio, floor_acceleration_g)| PartsLevel {
         level_ratio,
         height_m: building_height_m.map(|height_m| level_ratio * height_m),
         floor_acceleration_g,
     };
-    let levels = levels_ratio.into_iter().zip(parts.accel_g).map(level).collect();
-    Ok(PartsReport { clause, building_height_m, building_period_s, levels })
+    let levels = levels_ratio
+        .into_iter()
+        .zip(parts.accel_g)
+        .map(level)
+        .collect();
+    Ok(PartsReport {
+        clause,
+        building_height_m,
+        building_period_s,
+        levels,
+    })
 }
 
 impl CodeSpectrumReport {
@@ -165,8 +233,13 @@ impl CodeSpectrumReport {
     /// # Errors
     /// The error of the CSV library.
     pub fn table(&self) -> Result<Table, Problem> {
-        let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &self.periods_s), ("sa_g", &self.sa_g)];
-        columns.extend(self.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));
+        let mut columns: Vec<(&str, &[f64])> =
+            vec![("period_s", &self.periods_s), ("sa_g", &self.sa_g)];
+        columns.extend(
+            self.vertical_sa_g
+                .as_deref()
+                .map(|vertical| ("vertical_sa_g", vertical)),
+        );
         table_of_columns(&columns)
     }
 }

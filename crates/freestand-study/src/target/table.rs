@@ -14,7 +14,10 @@ use freestand_input::words::number;
 use freestand_records::processing::{TargetSource, read_target};
 
 pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> {
-    let known = [("log-log", Interpolation::LogLog), ("linear", Interpolation::Linear)];
+    let known = [
+        ("log-log", Interpolation::LogLog),
+        ("linear", Interpolation::Linear),
+    ];
     let interpolation = one_of(reader, "interpolation", &known, Interpolation::LogLog);
     let known = [("refuse", OutOfRange::Refuse), ("hold", OutOfRange::Hold)];
     let out_of_range = one_of(reader, "beyond", &known, OutOfRange::Refuse);
@@ -23,17 +26,39 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
         return None;
     };
     let path = base_dir.join(name);
-    let source = TargetSource { path: path.clone(), range_s: None, damping_ratio: None };
-    let read = reader.problems.keep(read_target(&source).map_err(|problem| problem.of(&["spectrum"])))?;
+    let source = TargetSource {
+        path: path.clone(),
+        range_s: None,
+        damping_ratio: None,
+    };
+    let read = reader
+        .problems
+        .keep(read_target(&source).map_err(|problem| problem.of(&["spectrum"])))?;
     let refuse = |reader: &mut WordReader, message: String, hint: &str| {
-        reader.problems.push(Problem::value(message, hint).of(&["spectrum"]).in_file(&path));
+        reader.problems.push(
+            Problem::value(message, hint)
+                .of(&["spectrum"])
+                .in_file(&path),
+        );
     };
     if (read.damping_ratio - DAMPING_RATIO).abs() > 1e-6 {
-        let message = format!("the spectrum is for {} % damping", number(100.0 * read.damping_ratio, 6));
-        refuse(reader, message, "give a spectrum for 5 % damping: motions are matched at that");
+        let message = format!(
+            "the spectrum is for {} % damping",
+            number(100.0 * read.damping_ratio, 6)
+        );
+        refuse(
+            reader,
+            message,
+            "give a spectrum for 5 % damping: motions are matched at that",
+        );
         return None;
     }
-    let mut rows: Vec<(f64, f64)> = read.periods_s.iter().copied().zip(read.psa_m_s2.iter().copied()).collect();
+    let mut rows: Vec<(f64, f64)> = read
+        .periods_s
+        .iter()
+        .copied()
+        .zip(read.psa_m_s2.iter().copied())
+        .collect();
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     // -0 is 0, which the sort puts first either way.
     let periods_s: Vec<f64> = rows.iter().map(|row| row.0 + 0.0).collect();
@@ -42,11 +67,18 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
     let spectrum = match SpectrumTable::new(periods_s, sa_g, interpolation, out_of_range) {
         Ok(spectrum) => spectrum,
         Err(error) => {
-            refuse(reader, error.to_string(), "give two periods or more, each once");
+            refuse(
+                reader,
+                error.to_string(),
+                "give two periods or more, each once",
+            );
             return None;
         }
     };
-    let lines: String = rows.iter().map(|(period_s, psa)| format!("{},{psa}\n", period_s + 0.0)).collect();
+    let lines: String = rows
+        .iter()
+        .map(|(period_s, psa)| format!("{},{psa}\n", period_s + 0.0))
+        .collect();
     let mut warnings = Vec::new();
     if out_of_range == OutOfRange::Hold && spectrum.first_period_s() > 0.0 {
         warnings.push(format!(
@@ -69,8 +101,17 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
     })
 }
 
-fn one_of<T: Copy>(reader: &mut WordReader, key: &'static str, known: &[(&str, T)], default: T) -> Option<T> {
-    if reader.has(key) { reader.one_of(key, known) } else { Some(default) }
+fn one_of<T: Copy>(
+    reader: &mut WordReader,
+    key: &'static str,
+    known: &[(&str, T)],
+    default: T,
+) -> Option<T> {
+    if reader.has(key) {
+        reader.one_of(key, known)
+    } else {
+        Some(default)
+    }
 }
 
 fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {
@@ -89,7 +130,10 @@ fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {
         number(table.last_period_s(), 4)
     );
     [
-        ("Target", "a user's table, taken as elastic with 5 % damping".to_owned()),
+        (
+            "Target",
+            "a user's table, taken as elastic with 5 % damping".to_owned(),
+        ),
         ("File", name.to_owned()),
         ("Periods", periods),
         ("Between the periods", between.to_owned()),

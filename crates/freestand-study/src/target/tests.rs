@@ -16,7 +16,11 @@ fn target(pairs: Pairs) -> Target {
 /// Every problem: message and hint.
 fn problems(pairs: Pairs) -> Vec<String> {
     let shown = |one: Problem| format!("{one} | {}", one.hint.as_deref().unwrap_or("-"));
-    Target::resolve(&words(pairs), "".as_ref()).unwrap_err().into_iter().map(shown).collect()
+    Target::resolve(&words(pairs), "".as_ref())
+        .unwrap_err()
+        .into_iter()
+        .map(shown)
+        .collect()
 }
 
 fn in_file(name: &str, text: &str, pairs: Pairs) -> Result<Target, Problems> {
@@ -30,12 +34,22 @@ fn in_file(name: &str, text: &str, pairs: Pairs) -> Result<Target, Problems> {
 #[test]
 fn nothing_said_is_melbourne_on_deep_soil() {
     let target = target(&[]);
-    assert_eq!(target.one_line(), "AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g");
-    assert_eq!(target.title_words(), "a 500-year earthquake: Melbourne, site class De");
+    assert_eq!(
+        target.one_line(),
+        "AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g"
+    );
+    assert_eq!(
+        target.title_words(),
+        "a 500-year earthquake: Melbourne, site class De"
+    );
     // Nobody chose it, which is said.
     assert!(target.place_is_assumed && target.warnings[0].contains("no place is stated"));
     assert_eq!(
-        (target.kpz_g(), target.as1170_4().map(As1170_4::minimum_governs), target.warnings.len()),
+        (
+            target.kpz_g(),
+            target.as1170_4().map(As1170_4::minimum_governs),
+            target.warnings.len()
+        ),
         (Some(0.08), Some(false), 1)
     );
 }
@@ -46,7 +60,12 @@ fn nothing_said_is_melbourne_on_deep_soil() {
 fn every_code_by_its_words() {
     let cases: [(Pairs, f64, f64, &str); 6] = [
         (
-            &[("code", "AS 1170.4"), ("site", "ce"), ("hazard_factor", "11 %"), ("return_period_years", "2500")],
+            &[
+                ("code", "AS 1170.4"),
+                ("site", "ce"),
+                ("hazard_factor", "11 %"),
+                ("return_period_years", "2500"),
+            ],
             0.5,
             0.495,
             "site Ce, Z = 0.11, 2500 years, kpZ = 0.198 g",
@@ -76,7 +95,13 @@ fn every_code_by_its_words() {
             "type 2, ground not given, a_g = 0.1 g",
         ),
         (
-            &[("code", "asce7"), ("sds", "1 g"), ("sd1", "600 mg"), ("long_period", "8 s"), ("edition", "16")],
+            &[
+                ("code", "asce7"),
+                ("sds", "1 g"),
+                ("sd1", "600 mg"),
+                ("long_period", "8 s"),
+                ("edition", "16"),
+            ],
             2.0,
             0.3,
             "SDS = 1 g, SD1 = 0.6 g, TL = 8 s",
@@ -110,9 +135,18 @@ fn every_code_by_its_words() {
     for (pairs, period_s, sa_g, line) in cases {
         let target = target(pairs);
         // Accelerations come through m/s² and back: a few units of the last place.
-        assert!((target.spectrum.sa_g(period_s) - sa_g).abs() < 1e-14, "{line}: {}", target.spectrum.sa_g(period_s));
+        assert!(
+            (target.spectrum.sa_g(period_s) - sa_g).abs() < 1e-14,
+            "{line}: {}",
+            target.spectrum.sa_g(period_s)
+        );
         assert_eq!(target.parameters(), line);
-        assert!(target.facts.iter().all(|(name, value)| !name.is_empty() && !value.is_empty()));
+        assert!(
+            target
+                .facts
+                .iter()
+                .all(|(name, value)| !name.is_empty() && !value.is_empty())
+        );
         assert!(target.check_matched_band().is_ok());
     }
 }
@@ -128,15 +162,24 @@ fn what_is_not_confirmed_is_said_in_facts_and_warnings() {
     let hobart = target(&[("city", "hobart")]);
     assert_eq!(hobart.place_name().as_deref(), Some("Hobart"));
     assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"));
-    let otira =
-        target(&[("code", "nzs1170.5"), ("site", "B"), ("hazard_factor", "0.6"), ("return_period_years", "2500")]);
+    let otira = target(&[
+        ("code", "nzs1170.5"),
+        ("site", "B"),
+        ("hazard_factor", "0.6"),
+        ("return_period_years", "2500"),
+    ]);
     assert!(otira.warnings[0].contains("above the maximum of NZS 1170.5, so 0.7 governs"));
 }
 
 #[test]
 fn all_problems_are_told_at_once() {
     assert_eq!(
-        problems(&[("code", "ec8"), ("hazard_factor", "0.1"), ("site", "Q"), ("ground_acceleration", "0.1")]),
+        problems(&[
+            ("code", "ec8"),
+            ("hazard_factor", "0.1"),
+            ("site", "Q"),
+            ("ground_acceleration", "0.1")
+        ]),
         [
             "`hazard_factor` is not part of Eurocode 8 | leave it out, or name a code that has it: `code = \
              \"as1170.4\"` or `code = \"nzs1170.5\"`",
@@ -147,7 +190,11 @@ fn all_problems_are_told_at_once() {
         ]
     );
     assert_eq!(
-        problems(&[("code", "asce7"), ("sds", "-1 g"), ("return_period_years", "500")]),
+        problems(&[
+            ("code", "asce7"),
+            ("sds", "-1 g"),
+            ("return_period_years", "500")
+        ]),
         [
             "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \
              \"as1170.4\"` or `code = \"nzs1170.5\"`",
@@ -166,33 +213,75 @@ fn all_problems_are_told_at_once() {
 #[test]
 fn words_that_contradict_themselves() {
     let cases: [(Pairs, usize, &str); 10] = [
-        (&[("city", "Perth"), ("hazard_factor", "0.09")], 1, "exclude each other"),
-        (&[("city", "Melborne")], 1, "is not in the table of places"),
-        (&[("return_period_years", "475")], 1, "no factor for a return period of 475 years"),
-        (&[("return_period_years", "5e2")], 1, "must be a whole number"),
-        (&[("return_period_years", "99999999999999")], 1, "no factor for a return period"),
-        (&[("edition", "1993")], 1, "`edition` must be 2007"),
-        (&[("code", "asce7"), ("sds", "1 g"), ("ss", "1 g")], 1, "exclude each other"),
         (
-            &[("code", "asce7"), ("sds", "0.5 g"), ("sd1", "0.5 g"), ("long_period", "0.5 s")],
+            &[("city", "Perth"), ("hazard_factor", "0.09")],
+            1,
+            "exclude each other",
+        ),
+        (&[("city", "Melborne")], 1, "is not in the table of places"),
+        (
+            &[("return_period_years", "475")],
+            1,
+            "no factor for a return period of 475 years",
+        ),
+        (
+            &[("return_period_years", "5e2")],
+            1,
+            "must be a whole number",
+        ),
+        (
+            &[("return_period_years", "99999999999999")],
+            1,
+            "no factor for a return period",
+        ),
+        (&[("edition", "1993")], 1, "`edition` must be 2007"),
+        (
+            &[("code", "asce7"), ("sds", "1 g"), ("ss", "1 g")],
+            1,
+            "exclude each other",
+        ),
+        (
+            &[
+                ("code", "asce7"),
+                ("sds", "0.5 g"),
+                ("sd1", "0.5 g"),
+                ("long_period", "0.5 s"),
+            ],
             1,
             "TL must be at least TS",
         ),
         (
-            &[("code", "nzs1170.5"), ("site", "C"), ("hazard_factor", "0.4"), ("fault_distance", "-1 km")],
+            &[
+                ("code", "nzs1170.5"),
+                ("site", "C"),
+                ("hazard_factor", "0.4"),
+                ("fault_distance", "-1 km"),
+            ],
             1,
             "must be 0 or more",
         ),
-        (&[("spectrum", "x.csv"), ("site", "De")], 2, "`site` is not part of a user's table"),
+        (
+            &[("spectrum", "x.csv"), ("site", "De")],
+            2,
+            "`site` is not part of a user's table",
+        ),
     ];
     for (pairs, count, word) in cases {
         let got = problems(pairs);
         assert!(got.len() == count && got[0].contains(word), "{got:?}");
     }
-    let annex = [("code", "ec8"), ("spectrum_type", "1"), ("site", "A"), ("ground_acceleration", "1 m/s2")];
+    let annex = [
+        ("code", "ec8"),
+        ("spectrum_type", "1"),
+        ("site", "A"),
+        ("ground_acceleration", "1 m/s2"),
+    ];
     for corners in ["0.1 s, 0.4 s", "0.4 s, 0.1 s, 2 s", "0 s, 0.1 s, 2 s"] {
         let got = problems(&[&annex[..], &[("corner_periods", corners)]].concat());
-        assert!(got.len() == 1 && got[0].contains("three periods"), "{got:?}");
+        assert!(
+            got.len() == 1 && got[0].contains("three periods"),
+            "{got:?}"
+        );
     }
 }
 
@@ -202,10 +291,21 @@ fn a_table_is_its_file() {
     let table = in_file("uhs.csv", text, &[("interpolation", "linear")]).unwrap();
     // Halfway up: 3 m/s².
     assert!((table.spectrum.sa_g(0.25) - 3.0 / 9.80665).abs() < 1e-15);
-    assert_eq!(table.one_line(), "user's table, uhs.csv, 3 periods from 0 s to 5 s");
-    assert_eq!((table.code(), table.check_matched_band()), ("table", Ok(())));
+    assert_eq!(
+        table.one_line(),
+        "user's table, uhs.csv, 3 periods from 0 s to 5 s"
+    );
+    assert_eq!(
+        (table.code(), table.check_matched_band()),
+        ("table", Ok(()))
+    );
     // What a run leaves behind is the same table to the bit.
-    let again = in_file("again.csv", table.table_csv.as_deref().unwrap(), &[("interpolation", "linear")]).unwrap();
+    let again = in_file(
+        "again.csv",
+        table.table_csv.as_deref().unwrap(),
+        &[("interpolation", "linear")],
+    )
+    .unwrap();
     assert_eq!(again.spectrum, table.spectrum);
 }
 
@@ -223,7 +323,10 @@ fn a_short_table_is_refused_for_motions_or_held() {
     let held = in_file("short.csv", text, &[("beyond", "hold")]).unwrap();
     assert_eq!(held.check_matched_band(), Ok(()));
     // Constant Sa below, constant displacement beyond: a quarter at twice the period.
-    assert!((held.spectrum.sa_g(0.0) - 0.3).abs() < 1e-15 && (held.spectrum.sa_g(4.0) - 0.0125).abs() < 1e-15);
+    assert!(
+        (held.spectrum.sa_g(0.0) - 0.3).abs() < 1e-15
+            && (held.spectrum.sa_g(4.0) - 0.0125).abs() < 1e-15
+    );
     assert!(held.warnings[0].contains("begins at 0.1 s"));
 }
 
@@ -234,13 +337,24 @@ fn files_that_are_no_spectrum_for_5_per_cent() {
         assert_eq!(problems.len(), 1);
         problems.problems[0].message.clone()
     };
-    assert!(refused("T [s],PSA [g],damping [%]\n0.1,0.3,2\n2,0.05,2\n").contains("for 2 % damping"));
+    assert!(
+        refused("T [s],PSA [g],damping [%]\n0.1,0.3,2\n2,0.05,2\n").contains("for 2 % damping")
+    );
     assert!(refused("T [s],PSA [g]\n0.1,0.3\n").contains("at least two periods"));
-    assert!(refused("T [s],PSA [g]\n0.1,0.3\n0.1,0.2\n").contains("the period 0.1 s is listed twice"));
+    assert!(
+        refused("T [s],PSA [g]\n0.1,0.3\n0.1,0.2\n").contains("the period 0.1 s is listed twice")
+    );
     assert!(refused("T [s],PSA [g]\n0.1,-0.3\n0.2,0.2\n").contains("above 0"));
     let got = problems(&[("code", "table")]);
-    assert_eq!(got, ["a user's table needs `spectrum` | give `spectrum = \"target.csv\"`"]);
-    let got = problems(&[("spectrum", "gone.csv"), ("beyond", "holt"), ("interpolation", "cubic")]);
+    assert_eq!(
+        got,
+        ["a user's table needs `spectrum` | give `spectrum = \"target.csv\"`"]
+    );
+    let got = problems(&[
+        ("spectrum", "gone.csv"),
+        ("beyond", "holt"),
+        ("interpolation", "cubic"),
+    ]);
     assert_eq!(got.len(), 3, "{got:?}");
     assert!(got[1].contains("did you mean hold?"), "{got:?}");
 }
@@ -248,7 +362,12 @@ fn files_that_are_no_spectrum_for_5_per_cent() {
 /// A word that is forgotten in one of the lists would be refused, or read and never looked at.
 #[test]
 fn the_lists_of_words_agree() {
-    let mut of_codes: Vec<&str> = CODES.iter().flat_map(|(_, code)| code.keys()).copied().chain(["code"]).collect();
+    let mut of_codes: Vec<&str> = CODES
+        .iter()
+        .flat_map(|(_, code)| code.keys())
+        .copied()
+        .chain(["code"])
+        .collect();
     of_codes.sort_unstable();
     of_codes.dedup();
     let mut known = crate::options::TARGET_KEYS.map(|(key, _)| key);
@@ -256,8 +375,14 @@ fn the_lists_of_words_agree() {
     assert_eq!(of_codes, known);
     // A study reads each of them as a word of the spectrum.
     for key in known {
-        let (options, problems) = crate::options::parse(&format!("[ground]\n{key} = \"1\"\n"), None);
-        let read: Vec<&str> = options.ground.target.entries().map(|(key, _)| key).collect();
+        let (options, problems) =
+            crate::options::parse(&format!("[ground]\n{key} = \"1\"\n"), None);
+        let read: Vec<&str> = options
+            .ground
+            .target
+            .entries()
+            .map(|(key, _)| key)
+            .collect();
         assert_eq!((read, problems.len()), (vec![key], 0));
     }
 }
@@ -267,18 +392,42 @@ fn the_lists_of_words_agree() {
 #[test]
 fn a_place_brings_its_code_and_its_hazard() {
     let cases: [(&str, f64, &str); 4] = [
-        ("Sydney", 0.2944, "site De, Z = 0.08 (Sydney), 500 years, kpZ = 0.08 g"),
-        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away"),
-        ("Los Angeles", 1.5808, "site D, SDS = 1.581 g, SD1 = 0.7979 g (Los Angeles), TL = 8 s"),
-        ("athens", 0.48, "type 1, ground B, a_g = 0.16 g (Athens, approximate)"),
+        (
+            "Sydney",
+            0.2944,
+            "site De, Z = 0.08 (Sydney), 500 years, kpZ = 0.08 g",
+        ),
+        (
+            "wellington",
+            1.172,
+            "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away",
+        ),
+        (
+            "Los Angeles",
+            1.5808,
+            "site D, SDS = 1.581 g, SD1 = 0.7979 g (Los Angeles), TL = 8 s",
+        ),
+        (
+            "athens",
+            0.48,
+            "type 1, ground B, a_g = 0.16 g (Athens, approximate)",
+        ),
     ];
     for (place, sa_g, line) in cases {
         for key in ["place", "city"] {
             let target = target(&[(key, place)]);
             // Three products: a few ulp.
-            assert!((target.spectrum.sa_g(0.2) - sa_g).abs() < 1e-14, "{place}: {}", target.spectrum.sa_g(0.2));
+            assert!(
+                (target.spectrum.sa_g(0.2) - sa_g).abs() < 1e-14,
+                "{place}: {}",
+                target.spectrum.sa_g(0.2)
+            );
             assert_eq!(target.parameters(), line);
-            assert!(target.facts[1].0 == "Place" && target.facts[2].0 == "Hazard from", "{:?}", target.facts);
+            assert!(
+                target.facts[1].0 == "Place" && target.facts[2].0 == "Hazard from",
+                "{:?}",
+                target.facts
+            );
             assert!(target.check_matched_band().is_ok());
         }
     }
@@ -287,13 +436,27 @@ fn a_place_brings_its_code_and_its_hazard() {
     assert!(said("Athens")[0].contains("the national annex was not read"));
     assert!(said("Wellington").is_empty());
     assert!(said("Los Angeles")[0].contains("site-specific study"));
-    assert_eq!(target(&[("place", "Los Angeles")]).spectrum.name(), "ASCE 7-16");
-    let chosen = target(&[("place", "Chicago"), ("site", "E"), ("edition", "2022"), ("long_period", "12 s")]);
+    assert_eq!(
+        target(&[("place", "Los Angeles")]).spectrum.name(),
+        "ASCE 7-16"
+    );
+    let chosen = target(&[
+        ("place", "Chicago"),
+        ("site", "E"),
+        ("edition", "2022"),
+        ("long_period", "12 s"),
+    ]);
     // Fa 2.4 and Fv 4.2 of soft clay.
-    assert_eq!(chosen.parameters(), "site E, SDS = 0.1872 g, SD1 = 0.1764 g (Chicago), TL = 12 s");
+    assert_eq!(
+        chosen.parameters(),
+        "site E, SDS = 0.1872 g, SD1 = 0.1764 g (Chicago), TL = 12 s"
+    );
     assert!(chosen.warnings[0].contains("are those of ASCE 7-16"));
     let own = target(&[("place", "Chicago"), ("fa", "1.5"), ("fv", "2")]);
-    assert_eq!(own.parameters(), "SDS = 0.117 g, SD1 = 0.084 g (Chicago), TL = 8 s");
+    assert_eq!(
+        own.parameters(),
+        "SDS = 0.117 g, SD1 = 0.084 g (Chicago), TL = 8 s"
+    );
 }
 
 /// By hand. Bucharest, 0.3 g, S = 1, T_C = 1.6 s: 0.75 g up to 1.6 s and 0.6 g at 2 s, where the recommended
@@ -302,7 +465,8 @@ fn a_place_brings_its_code_and_its_hazard() {
 /// plateau 0.54873 g to 0.25 s. Nice, 0.163 g, ground B: S = 1.35, plateau 0.550125 g to 0.25 s.
 #[test]
 fn spectra_of_national_annexes() {
-    let near = |got: f64, expected: f64| assert!((got / expected - 1.0).abs() < 1e-4, "{got} {expected}");
+    let near =
+        |got: f64, expected: f64| assert!((got / expected - 1.0).abs() < 1e-4, "{got} {expected}");
     let bucharest = target(&[("place", "Bucharest")]);
     near(bucharest.spectrum.sa_g(1.5), 0.75);
     near(bucharest.spectrum.sa_g(2.0), 0.6);
@@ -320,7 +484,11 @@ fn spectra_of_national_annexes() {
     assert_eq!((&parts.spectrum, &parts.alternative), (other, &None));
     let second = target(&[("place", "Lisbon"), ("spectrum_type", "2")]);
     assert_eq!((&second.spectrum, &second.alternative), (other, &None));
-    assert!(target(&[("place", "Lisbon"), ("spectrum_type", "1")]).alternative.is_none());
+    assert!(
+        target(&[("place", "Lisbon"), ("spectrum_type", "1")])
+            .alternative
+            .is_none()
+    );
     let nice = target(&[("place", "Nice")]);
     near(nice.spectrum.sa_g(0.2), 0.550_125);
     near(nice.spectrum.sa_g(0.5), 0.275_062_5);
@@ -334,38 +502,92 @@ fn spectra_of_national_annexes() {
 #[test]
 fn the_fault_of_a_place_raises_long_periods() {
     let at = |words: Pairs| target(words).spectrum.sa_g(3.0);
-    let near = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-12, "{got} {expected}");
+    let near =
+        |got: f64, expected: f64| assert!((got - expected).abs() < 1e-12, "{got} {expected}");
     let far = at(&[("place", "Wellington"), ("fault_distance", "20 km")]);
     near(at(&[("place", "Wellington")]), 1.36 * far);
     near(at(&[("place", "Napier")]), far * 0.38 / 0.4);
-    near(at(&[("place", "Kaikoura"), ("fault_distance", "2 km")]), 1.36 * far * 0.42 / 0.4);
+    near(
+        at(&[("place", "Kaikoura"), ("fault_distance", "2 km")]),
+        1.36 * far * 0.42 / 0.4,
+    );
 }
 
 #[test]
 fn places_that_contradict_other_words() {
     let cases: [(Pairs, usize, &str); 8] = [
-        (&[("place", "Athens"), ("code", "nzs1170.5")], 1, "has values for Eurocode 8, not for NZS 1170.5"),
-        (&[("place", "Athens"), ("city", "Athens")], 1, "two names of the same key"),
-        (&[("place", "Athens"), ("ground_acceleration", "0.2 g")], 1, "exclude each other"),
-        (&[("place", "Reno"), ("sds", "1 g"), ("ss", "1 g")], 2, "exclude each other"),
-        (&[("place", "Reno"), ("site", "E")], 1, "11.4.8, requires a site-specific study"),
-        (&[("place", "Reno"), ("site", "F")], 1, "is not a class of ASCE 7"),
-        (&[("place", "Reno"), ("site", "D"), ("fa", "1")], 2, "exclude each other"),
-        (&[("place", "Oslo"), ("code", "ec8"), ("site", "Q")], 2, "is not in the table of places"),
+        (
+            &[("place", "Athens"), ("code", "nzs1170.5")],
+            1,
+            "has values for Eurocode 8, not for NZS 1170.5",
+        ),
+        (
+            &[("place", "Athens"), ("city", "Athens")],
+            1,
+            "two names of the same key",
+        ),
+        (
+            &[("place", "Athens"), ("ground_acceleration", "0.2 g")],
+            1,
+            "exclude each other",
+        ),
+        (
+            &[("place", "Reno"), ("sds", "1 g"), ("ss", "1 g")],
+            2,
+            "exclude each other",
+        ),
+        (
+            &[("place", "Reno"), ("site", "E")],
+            1,
+            "11.4.8, requires a site-specific study",
+        ),
+        (
+            &[("place", "Reno"), ("site", "F")],
+            1,
+            "is not a class of ASCE 7",
+        ),
+        (
+            &[("place", "Reno"), ("site", "D"), ("fa", "1")],
+            2,
+            "exclude each other",
+        ),
+        (
+            &[("place", "Oslo"), ("code", "ec8"), ("site", "Q")],
+            2,
+            "is not in the table of places",
+        ),
     ];
     for (pairs, count, word) in cases {
         let got = problems(pairs);
-        assert!(got.len() == count && got[0].contains(word), "{pairs:?}: {got:?}");
+        assert!(
+            got.len() == count && got[0].contains(word),
+            "{pairs:?}: {got:?}"
+        );
     }
     let got = problems(&[("place", "Welington"), ("site", "Q")]);
-    assert!(got[0].ends_with("did you mean \"Wellington\"?") && got[1].contains("NZS 1170.5"), "{got:?}");
+    assert!(
+        got[0].ends_with("did you mean \"Wellington\"?") && got[1].contains("NZS 1170.5"),
+        "{got:?}"
+    );
 }
 
 #[test]
 fn mapped_accelerations_with_a_site_class() {
-    let words = [("code", "asce7"), ("ss", "1.5 g"), ("s1", "0.6 g"), ("site", "C"), ("long_period", "8 s")];
+    let words = [
+        ("code", "asce7"),
+        ("ss", "1.5 g"),
+        ("s1", "0.6 g"),
+        ("site", "C"),
+        ("long_period", "8 s"),
+    ];
     let target = target(&words);
-    assert_eq!(target.parameters(), "site C, SDS = 1.2 g, SD1 = 0.56 g, TL = 8 s");
+    assert_eq!(
+        target.parameters(),
+        "site C, SDS = 1.2 g, SD1 = 0.56 g, TL = 8 s"
+    );
     let got = problems(&words[..3]);
-    assert!(got.iter().any(|one| one.contains("or `site = \"D\"`")), "{got:?}");
+    assert!(
+        got.iter().any(|one| one.contains("or `site = \"D\"`")),
+        "{got:?}"
+    );
 }

@@ -32,8 +32,15 @@ pub(super) enum Code {
 
 impl Code {
     pub(super) fn parse(text: &str) -> Option<Self> {
-        let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"-_".contains(*c)).collect();
-        CODES.iter().find(|(names, _)| names.contains(&plain.as_str())).map(|(_, code)| *code)
+        let plain: String = text
+            .to_lowercase()
+            .chars()
+            .filter(|c| !c.is_whitespace() && !"-_".contains(*c))
+            .collect();
+        CODES
+            .iter()
+            .find(|(names, _)| names.contains(&plain.as_str()))
+            .map(|(_, code)| *code)
     }
 
     pub(super) fn of(spectrum: &CodeSpectrum) -> Self {
@@ -47,7 +54,11 @@ impl Code {
     }
 
     pub(super) fn name(self) -> &'static str {
-        CODES.iter().find(|(_, code)| *code == self).and_then(|(names, _)| names.first().copied()).unwrap_or_default()
+        CODES
+            .iter()
+            .find(|(_, code)| *code == self)
+            .and_then(|(names, _)| names.first().copied())
+            .unwrap_or_default()
     }
 
     pub(super) fn title(self) -> &'static str {
@@ -63,7 +74,14 @@ impl Code {
     /// The keys that it takes, in addition to `code`.
     pub(super) fn keys(self) -> &'static [&'static str] {
         match self {
-            Self::As1170_4 => &["edition", "site", "place", "city", "hazard_factor", "return_period_years"],
+            Self::As1170_4 => &[
+                "edition",
+                "site",
+                "place",
+                "city",
+                "hazard_factor",
+                "return_period_years",
+            ],
             Self::Eurocode8 => &[
                 "edition",
                 "site",
@@ -75,10 +93,28 @@ impl Code {
                 "soil_factor",
                 "corner_periods",
             ],
-            Self::Asce7 => &["edition", "site", "place", "city", "sds", "sd1", "ss", "s1", "fa", "fv", "long_period"],
-            Self::Nzs1170_5 => {
-                &["edition", "site", "place", "city", "hazard_factor", "return_period_years", "fault_distance"]
-            }
+            Self::Asce7 => &[
+                "edition",
+                "site",
+                "place",
+                "city",
+                "sds",
+                "sd1",
+                "ss",
+                "s1",
+                "fa",
+                "fv",
+                "long_period",
+            ],
+            Self::Nzs1170_5 => &[
+                "edition",
+                "site",
+                "place",
+                "city",
+                "hazard_factor",
+                "return_period_years",
+                "fault_distance",
+            ],
             Self::Table => &["spectrum", "interpolation", "beyond"],
         }
     }
@@ -86,17 +122,19 @@ impl Code {
 
 pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems> {
     let mut reader = WordReader::new(words);
-    let target = place(&mut reader).and_then(|place| Some((code(&mut reader, place)?, place))).and_then(|found| {
-        let (code, place) = found;
-        check_keys(&mut reader, code);
-        match code {
-            Code::As1170_4 => codes::as1170_4(&mut reader, place),
-            Code::Eurocode8 => codes::eurocode8(&mut reader, place),
-            Code::Asce7 => codes::asce7(&mut reader, place),
-            Code::Nzs1170_5 => codes::nzs1170_5(&mut reader, place),
-            Code::Table => table::table(&mut reader, base_dir),
-        }
-    });
+    let target = place(&mut reader)
+        .and_then(|place| Some((code(&mut reader, place)?, place)))
+        .and_then(|found| {
+            let (code, place) = found;
+            check_keys(&mut reader, code);
+            match code {
+                Code::As1170_4 => codes::as1170_4(&mut reader, place),
+                Code::Eurocode8 => codes::eurocode8(&mut reader, place),
+                Code::Asce7 => codes::asce7(&mut reader, place),
+                Code::Nzs1170_5 => codes::nzs1170_5(&mut reader, place),
+                Code::Table => table::table(&mut reader, base_dir),
+            }
+        });
     reader.problems.finish(target)
 }
 
@@ -109,10 +147,16 @@ pub(super) fn place_key(reader: &WordReader) -> Option<&'static str> {
 /// place is noted, and another of the code stands in for it so that the other words are checked.
 fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
     if reader.has("place") && reader.has("city") {
-        reader.note(&["place", "city"], "`place` and `city` are two names of the same key", "keep `place`");
+        reader.note(
+            &["place", "city"],
+            "`place` and `city` are two names of the same key",
+            "keep `place`",
+        );
         return None;
     }
-    let Some(key) = place_key(reader) else { return Some(None) };
+    let Some(key) = place_key(reader) else {
+        return Some(None);
+    };
     let name = reader.words.get(key).unwrap_or_default();
     if let Some(found) = Place::find(name) {
         return Some(Some(found));
@@ -120,19 +164,34 @@ fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
     let near = near(name);
     let code = match reader.words.get("code") {
         Some(text) => Code::parse(text).map(Code::name),
-        None => near.first().and_then(|name| Place::find(name)).map(|place| place.hazard.code()),
+        None => near
+            .first()
+            .and_then(|name| Place::find(name))
+            .map(|place| place.hazard.code()),
     };
     let hint = match near.as_slice() {
-        [] => "freestand place list shows all places; for any other, give the hazard itself, such as \
+        [] => {
+            "freestand place list shows all places; for any other, give the hazard itself, such as \
                  `hazard_factor = \"0.08\"`"
-            .to_owned(),
+                .to_owned()
+        }
         names => {
             let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!("did you mean {}?", quoted.join(" or "))
         }
     };
-    reader.note(&[key], format!("`{key}` \"{}\" is not in the table of places", shorten(name)), hint);
-    places().iter().find(|place| Some(place.hazard.code()) == code).map(Some)
+    reader.note(
+        &[key],
+        format!(
+            "`{key}` \"{}\" is not in the table of places",
+            shorten(name)
+        ),
+        hint,
+    );
+    places()
+        .iter()
+        .find(|place| Some(place.hazard.code()) == code)
+        .map(Some)
 }
 
 /// The code: as named; otherwise a table if a file is named, or that of the place, or else
@@ -140,7 +199,11 @@ fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
 fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
     let of_place = place.and_then(|place| Code::parse(place.hazard.code()));
     let Some(text) = reader.words.get("code") else {
-        return Some(if reader.has("spectrum") { Code::Table } else { of_place.unwrap_or(Code::As1170_4) });
+        return Some(if reader.has("spectrum") {
+            Code::Table
+        } else {
+            of_place.unwrap_or(Code::As1170_4)
+        });
     };
     let found = Code::parse(text);
     if let (Some(found), Some(of_place), Some(place)) = (found, of_place, place)
@@ -149,8 +212,15 @@ fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
     {
         let key = place_key(reader).unwrap_or("place");
         let (title, known) = (found.title(), of_place.title());
-        let message = format!("`{key}` \"{}\" has values for {known}, not for {title}", place.name);
-        reader.note(&["code", key], message, "leave `code` out, or give the values of that code instead of the place");
+        let message = format!(
+            "`{key}` \"{}\" has values for {known}, not for {title}",
+            place.name
+        );
+        reader.note(
+            &["code", key],
+            message,
+            "leave `code` out, or give the values of that code instead of the place",
+        );
         return None;
     }
     if found.is_none() {
@@ -164,7 +234,13 @@ fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
 /// The name of the code that the words describe; AS 1170.4 where they name none. `None` for a code
 /// that is not known.
 pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
-    let place = || Some(Place::find(words.get("place").or_else(|| words.get("city"))?)?.hazard.code());
+    let place = || {
+        Some(
+            Place::find(words.get("place").or_else(|| words.get("city"))?)?
+                .hazard
+                .code(),
+        )
+    };
     match words.get("code") {
         Some(text) => Code::parse(text).map(Code::name),
         None if words.get("spectrum").is_some() => Some(Code::Table.name()),
@@ -187,7 +263,9 @@ pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
     if let Some(key) = ["place", "city"].iter().find(is_elsewhere) {
         return Some(key);
     }
-    let has_other_code = words.get("code").is_some_and(|text| Code::parse(text) != Some(Code::As1170_4));
+    let has_other_code = words
+        .get("code")
+        .is_some_and(|text| Code::parse(text) != Some(Code::As1170_4));
     match () {
         () if words.get("spectrum").is_some() => Some("spectrum"),
         () if has_other_code => Some("code"),
@@ -197,16 +275,30 @@ pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
 
 /// Refuses keys that the code does not take.
 fn check_keys(reader: &mut WordReader, code: Code) {
-    let strangers = reader.words.entries().filter(|(key, _)| *key != "code" && !code.keys().contains(key));
+    let strangers = reader
+        .words
+        .entries()
+        .filter(|(key, _)| *key != "code" && !code.keys().contains(key));
     for (key, _) in strangers {
-        let takers: Vec<&str> =
-            CODES.iter().filter(|(_, other)| other.keys().contains(&key)).map(|(_, other)| other.name()).collect();
+        let takers: Vec<&str> = CODES
+            .iter()
+            .filter(|(_, other)| other.keys().contains(&key))
+            .map(|(_, other)| other.name())
+            .collect();
         let hint = if code == Code::Table || takers == ["table"] {
-            "leave it out; a spectrum is either that of a code or the table in `spectrum`".to_owned()
+            "leave it out; a spectrum is either that of a code or the table in `spectrum`"
+                .to_owned()
         } else {
-            format!("leave it out, or name a code that has it: `code = \"{}\"`", takers.join("\"` or `code = \""))
+            format!(
+                "leave it out, or name a code that has it: `code = \"{}\"`",
+                takers.join("\"` or `code = \"")
+            )
         };
-        reader.note(&[key], format!("`{key}` is not part of {}", code.title()), hint);
+        reader.note(
+            &[key],
+            format!("`{key}` is not part of {}", code.title()),
+            hint,
+        );
     }
 }
 
@@ -226,5 +318,9 @@ pub(super) fn needed(
 
 pub(super) fn missing(reader: &mut WordReader, key: &'static str, code: Code, example: &str) {
     let message = format!("{} needs `{key}`", code.title());
-    reader.missing(&[key, "code"], message, format!("give `{key} = \"{example}\"`"));
+    reader.missing(
+        &[key, "code"],
+        message,
+        format!("give `{key} = \"{example}\"`"),
+    );
 }

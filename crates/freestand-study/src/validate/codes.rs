@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::part_forces::{
-    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Nzs1170_5Part, as1170_4_force, asce7_16_force,
-    asce7_22_force, eurocode8_force, nzs1170_5_force,
+    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Nzs1170_5Part, as1170_4_force,
+    asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
 };
 use freestand::code_spectrum::parts::{PartsQuestion, floor_acceleration_g};
 use freestand::code_spectrum::{
-    As1170_4, Asce7, Asce7Edition, CodeSpectrum, Edition, Eurocode8, FrameKind, GroundType, Nzs1170_5, SiteClass,
-    SpectrumType, SubsoilClass, fundamental_period_s,
+    As1170_4, Asce7, Asce7Edition, CodeSpectrum, Edition, Eurocode8, FrameKind, GroundType,
+    Nzs1170_5, SiteClass, SpectrumType, SubsoilClass, fundamental_period_s,
 };
 
 use super::{Check, check, defect};
@@ -26,8 +26,16 @@ pub(super) fn checks() -> Result<Vec<Check>, Problem> {
 /// Forces of parts on a roof, over their weight.
 fn forces() -> Vec<Check> {
     const BY_HAND: &str = "by hand";
-    let australia = As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 2.5, importance_ratio: 1.5 };
-    let america_16 = Asce7_16Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.5 };
+    let australia = As1170_4Part {
+        amplification_ratio: 1.0,
+        ductility_ratio: 2.5,
+        importance_ratio: 1.5,
+    };
+    let america_16 = Asce7_16Part {
+        amplification_ratio: 1.0,
+        response_ratio: 2.5,
+        importance_ratio: 1.5,
+    };
     let america_22 = Asce7_22Part {
         resonance_ratio: 1.0,
         strength_ratio: 1.5,
@@ -35,18 +43,58 @@ fn forces() -> Vec<Check> {
         importance_ratio: 1.0,
         is_at_grade: false,
     };
-    let europe =
-        Eurocode8Part { period_ratio: 0.0, amplification_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
-    let new_zealand = Nzs1170_5Part { spectral_ratio: 2.0, response_ratio: 1.0, risk_ratio: 1.0 };
+    let europe = Eurocode8Part {
+        period_ratio: 0.0,
+        amplification_ratio: 1.0,
+        importance_ratio: 1.5,
+        behaviour_ratio: 2.0,
+    };
+    let new_zealand = Nzs1170_5Part {
+        spectral_ratio: 2.0,
+        response_ratio: 1.0,
+        risk_ratio: 1.0,
+    };
     [
-        ("AS 1170.4, 0.264 × 1.5/2.5", as1170_4_force(0.264, &australia).force_ratio, 0.1584),
-        ("ASCE 7-16, 0.4 × 1 × 3 × 1.5/2.5", asce7_16_force(1.0, 3.0, &america_16).force_ratio, 0.72),
-        ("ASCE 7-22, 0.4 × 1 × 3.5/1.3/1.5", asce7_22_force(1.0, 3.5, &america_22).force_ratio, 1.4 / 1.95),
-        ("EN 1998-1, 0.24 × 2.5 × 1.5/2", eurocode8_force(0.24, 1.0, &europe).force_ratio, 0.45),
-        ("NZS 1170.5, 0.532 × 3 × 2", nzs1170_5_force(3.0 * 0.532, &new_zealand).force_ratio, 3.192),
-        ("NZS 1170.5, at most 3.6", nzs1170_5_force(3.0 * 0.7, &new_zealand).force_ratio, 3.6),
+        (
+            "AS 1170.4, 0.264 × 1.5/2.5",
+            as1170_4_force(0.264, &australia).force_ratio,
+            0.1584,
+        ),
+        (
+            "ASCE 7-16, 0.4 × 1 × 3 × 1.5/2.5",
+            asce7_16_force(1.0, 3.0, &america_16).force_ratio,
+            0.72,
+        ),
+        (
+            "ASCE 7-22, 0.4 × 1 × 3.5/1.3/1.5",
+            asce7_22_force(1.0, 3.5, &america_22).force_ratio,
+            1.4 / 1.95,
+        ),
+        (
+            "EN 1998-1, 0.24 × 2.5 × 1.5/2",
+            eurocode8_force(0.24, 1.0, &europe).force_ratio,
+            0.45,
+        ),
+        (
+            "NZS 1170.5, 0.532 × 3 × 2",
+            nzs1170_5_force(3.0 * 0.532, &new_zealand).force_ratio,
+            3.192,
+        ),
+        (
+            "NZS 1170.5, at most 3.6",
+            nzs1170_5_force(3.0 * 0.7, &new_zealand).force_ratio,
+            3.6,
+        ),
     ]
-    .map(|(name, computed, expected)| check(format!("force of a part, {name}"), computed, expected, ROUNDING, BY_HAND))
+    .map(|(name, computed, expected)| {
+        check(
+            format!("force of a part, {name}"),
+            computed,
+            expected,
+            ROUNDING,
+            BY_HAND,
+        )
+    })
     .to_vec()
 }
 
@@ -55,14 +103,35 @@ fn melbourne() -> Result<As1170_4, Problem> {
 }
 
 fn australia() -> Result<Vec<Check>, Problem> {
-    const CODE: &str = "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
+    const CODE: &str =
+        "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
     let spectrum = melbourne()?;
-    let mut checks: Vec<Check> = [(0.0, 0.088), (0.3, 0.2944), (1.0, 0.1584), (1.5, 0.1056), (2.0, 0.0594)]
-        .into_iter()
-        .map(|(t, sa)| check(format!("code spectrum, Sa({t} s) [g]"), spectrum.sa_g(t), sa, ROUNDING, CODE))
-        .collect();
+    let mut checks: Vec<Check> = [
+        (0.0, 0.088),
+        (0.3, 0.2944),
+        (1.0, 0.1584),
+        (1.5, 0.1056),
+        (2.0, 0.0594),
+    ]
+    .into_iter()
+    .map(|(t, sa)| {
+        check(
+            format!("code spectrum, Sa({t} s) [g]"),
+            spectrum.sa_g(t),
+            sa,
+            ROUNDING,
+            CODE,
+        )
+    })
+    .collect();
     let sd_mm = 1e3 * G0_M_S2 * spectrum.sa_g(4.0) * (4.0 / TAU).powi(2);
-    checks.push(check("code spectrum, Sd beyond 1.5 s [mm]", sd_mm, 59.0, 0.05, CODE));
+    checks.push(check(
+        "code spectrum, Sd beyond 1.5 s [mm]",
+        sd_mm,
+        59.0,
+        0.05,
+        CODE,
+    ));
     const PERIOD: &str = "AS 1170.4-2007, clause 6.2.3: 1.25 kt h^0.75";
     for (frame, kt, expected) in [
         (FrameKind::MomentSteel, 0.11, 4.22),
@@ -71,7 +140,13 @@ fn australia() -> Result<Vec<Check>, Problem> {
         (FrameKind::Other, 0.05, 1.92),
     ] {
         let t1 = fundamental_period_s(frame, 96.0).map_err(defect)?;
-        checks.push(check(format!("period of a tower of 96 m, kt = {kt} [s]"), t1, expected, 5e-3, PERIOD));
+        checks.push(check(
+            format!("period of a tower of 96 m, kt = {kt} [s]"),
+            t1,
+            expected,
+            5e-3,
+            PERIOD,
+        ));
     }
     Ok(checks)
 }
@@ -86,17 +161,62 @@ fn others() -> Result<Vec<Check>, Problem> {
     let america = Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)?;
     let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)?;
     let mut checks = Vec::new();
-    for (t, sa) in [(0.0, 0.24), (0.15, 0.6), (0.5, 0.6), (1.0, 0.3), (2.0, 0.15), (4.0, 0.0375)] {
-        checks.push(check(format!("Eurocode 8, type 1, ground B, Sa({t} s) [g]"), first.sa_g(t), sa, ROUNDING, EC8));
+    for (t, sa) in [
+        (0.0, 0.24),
+        (0.15, 0.6),
+        (0.5, 0.6),
+        (1.0, 0.3),
+        (2.0, 0.15),
+        (4.0, 0.0375),
+    ] {
+        checks.push(check(
+            format!("Eurocode 8, type 1, ground B, Sa({t} s) [g]"),
+            first.sa_g(t),
+            sa,
+            ROUNDING,
+            EC8,
+        ));
     }
-    for (t, sa) in [(0.0, 0.36), (0.1, 0.9), (0.3, 0.9), (1.2, 0.225), (2.4, 0.056_25)] {
-        checks.push(check(format!("Eurocode 8, type 2, ground D, Sa({t} s) [g]"), second.sa_g(t), sa, ROUNDING, EC8));
+    for (t, sa) in [
+        (0.0, 0.36),
+        (0.1, 0.9),
+        (0.3, 0.9),
+        (1.2, 0.225),
+        (2.4, 0.056_25),
+    ] {
+        checks.push(check(
+            format!("Eurocode 8, type 2, ground D, Sa({t} s) [g]"),
+            second.sa_g(t),
+            sa,
+            ROUNDING,
+            EC8,
+        ));
     }
-    for (t, sa) in [(0.0, 0.4), (0.12, 1.0), (0.6, 1.0), (2.0, 0.3), (8.0, 0.075), (16.0, 0.01875)] {
-        checks.push(check(format!("ASCE 7, Sa({t} s) [g]"), america.sa_g(t), sa, ROUNDING, ASCE));
+    for (t, sa) in [
+        (0.0, 0.4),
+        (0.12, 1.0),
+        (0.6, 1.0),
+        (2.0, 0.3),
+        (8.0, 0.075),
+        (16.0, 0.01875),
+    ] {
+        checks.push(check(
+            format!("ASCE 7, Sa({t} s) [g]"),
+            america.sa_g(t),
+            sa,
+            ROUNDING,
+            ASCE,
+        ));
     }
     // Half a unit of the last printed digit, times 0.4.
-    for (t, ch) in [(0.0, 1.33), (0.3, 2.93), (0.7, 1.55), (1.5, 0.88), (3.0, 0.44), (4.5, 0.20)] {
+    for (t, ch) in [
+        (0.0, 1.33),
+        (0.3, 2.93),
+        (0.7, 1.55),
+        (1.5, 0.88),
+        (3.0, 0.44),
+        (4.5, 0.20),
+    ] {
         let name = format!("NZS 1170.5, site C, Sa({t} s) [g]");
         checks.push(check(name, new_zealand.sa_g(t), 0.4 * ch, 0.4 * 0.005, NZS));
     }
@@ -106,21 +226,46 @@ fn others() -> Result<Vec<Check>, Problem> {
 /// A rigid part on the roof of a building of 96 m.
 fn floors() -> Result<Vec<Check>, Problem> {
     const PARTS: &str = "parts and components of each code, by hand";
-    let roof = PartsQuestion { level_ratio: 1.0, building_height_m: Some(96.0), building_period_s: None };
+    let roof = PartsQuestion {
+        level_ratio: 1.0,
+        building_height_m: Some(96.0),
+        building_period_s: None,
+    };
     let codes: [(&str, CodeSpectrum, f64); 4] = [
         ("AS 1170.4", melbourne()?.into(), 3.0 * 0.088),
         (
             "Eurocode 8",
-            Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).map_err(defect)?.into(),
+            Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0)
+                .map_err(defect)?
+                .into(),
             2.5 * 0.24,
         ),
-        ("ASCE 7-22", Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)?.into(), 3.5 * 0.4),
-        ("NZS 1170.5", Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)?.into(), 3.0 * 0.532),
+        (
+            "ASCE 7-22",
+            Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0)
+                .map_err(defect)?
+                .into(),
+            3.5 * 0.4,
+        ),
+        (
+            "NZS 1170.5",
+            Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None)
+                .map_err(defect)?
+                .into(),
+            3.0 * 0.532,
+        ),
     ];
     let mut checks = Vec::new();
     for (name, code, expected) in codes {
-        let accel_g = floor_acceleration_g(&code, &roof).ok_or_else(|| defect("a code without parts"))?;
-        checks.push(check(format!("{name}, a rigid part on the roof [g]"), accel_g, expected, ROUNDING, PARTS));
+        let accel_g =
+            floor_acceleration_g(&code, &roof).ok_or_else(|| defect("a code without parts"))?;
+        checks.push(check(
+            format!("{name}, a rigid part on the roof [g]"),
+            accel_g,
+            expected,
+            ROUNDING,
+            PARTS,
+        ));
     }
     Ok(checks)
 }

@@ -86,9 +86,22 @@ impl Validation {
 }
 
 /// Compares the difference of two numbers with a tolerance; a NaN never passes.
-pub fn check(name: impl Into<String>, computed: f64, expected: f64, tolerance: f64, reference: &'static str) -> Check {
+pub fn check(
+    name: impl Into<String>,
+    computed: f64,
+    expected: f64,
+    tolerance: f64,
+    reference: &'static str,
+) -> Check {
     let ok = (computed - expected).abs() <= tolerance;
-    Check { name: name.into(), computed, expected, tolerance, ok, reference }
+    Check {
+        name: name.into(),
+        computed,
+        expected,
+        tolerance,
+        ok,
+        reference,
+    }
 }
 
 /// Runs every check. A group that cannot be computed is an error, not a failed check.
@@ -122,21 +135,36 @@ pub fn validate() -> Result<Validation, Problem> {
         rocking::checks()?,
     ];
     let checks = groups.into_iter().flatten().collect();
-    Ok(Validation { table_one_gravity_m_s2: TABLE_ONE_GRAVITY_M_S2, table_one, checks })
+    Ok(Validation {
+        table_one_gravity_m_s2: TABLE_ONE_GRAVITY_M_S2,
+        table_one,
+        checks,
+    })
 }
 
 /// The problem of a standard case that a model refuses.
 pub fn defect(error: impl std::fmt::Display) -> Problem {
-    Problem::new(ProblemKind::Computation, format!("a standard case cannot be computed: {error}"))
-        .hint("this is a defect of freestand; please report it")
+    Problem::new(
+        ProblemKind::Computation,
+        format!("a standard case cannot be computed: {error}"),
+    )
+    .hint("this is a defect of freestand; please report it")
 }
 
 /// Table I: test, rise \[mm\], published and measured a_edge \[g\].
-const TABLE_ONE: [(u32, f64, f64, f64); 5] =
-    [(1, 16.0, 4.6, 4.0), (2, 16.0, 4.6, 4.1), (3, 27.0, 5.9, 6.0), (4, 27.0, 5.9, 6.3), (5, 32.0, 6.5, 7.0)];
+const TABLE_ONE: [(u32, f64, f64, f64); 5] = [
+    (1, 16.0, 4.6, 4.0),
+    (2, 16.0, 4.6, 4.1),
+    (3, 27.0, 5.9, 6.0),
+    (4, 27.0, 5.9, 6.3),
+    (5, 32.0, 6.5, 7.0),
+];
 
 fn table_one() -> Result<Vec<TableOneRow>, Problem> {
-    let landing = Landing::rocking(&Block::uniform(2.3, 0.6).map_err(defect)?, ImpactModel::Paper);
+    let landing = Landing::rocking(
+        &Block::uniform(2.3, 0.6).map_err(defect)?,
+        ImpactModel::Paper,
+    );
     let pads = Cushion::linear(4.38e6).map_err(defect)?;
     let g = TABLE_ONE_GRAVITY_M_S2;
     let row = |(test, rise_mm, published_g, measured_g): (u32, f64, f64, f64)| {
@@ -161,17 +189,26 @@ fn table_one() -> Result<Vec<TableOneRow>, Problem> {
 /// The first landing of the cabinet after its release on its pads, in units of 9.81 m/s².
 fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
     let block = Block::uniform(2.3, 0.6).map_err(defect)?;
-    let rotation_rad = block.right_pivot().rotation_at_rise_rad(cg_rise_m).ok_or_else(|| defect("no such rise"))?;
+    let rotation_rad = block
+        .right_pivot()
+        .rotation_at_rise_rad(cg_rise_m)
+        .ok_or_else(|| defect("no such rise"))?;
     let base = CompliantBase::new(140.0, damped(140.0, 4.38e6, damping_ratio)?);
     let options = CompliantOptions {
         gravity_m_s2: TABLE_ONE_GRAVITY_M_S2,
-        start: Start::Tilted { rotation_rad, omega_rad_s: 0.0 },
+        start: Start::Tilted {
+            rotation_rad,
+            omega_rad_s: 0.0,
+        },
         // The landing from 32 mm begins after acosh(1/0.41)/p = 0.62 s and lasts 19 ms.
         duration_s: Some(0.8),
         ..CompliantOptions::default()
     };
     let run = rock_compliant(&block, &base, Base::default(), &options).map_err(defect)?;
-    let first = run.touches.first().ok_or_else(|| defect("the cabinet never landed"))?;
+    let first = run
+        .touches
+        .first()
+        .ok_or_else(|| defect("the cabinet never landed"))?;
     Ok(first.peak_acceleration_m_s2 / TABLE_ONE_GRAVITY_M_S2)
 }
 
@@ -179,15 +216,26 @@ fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
 /// the table reports them without a check. The check compares with Eq. (5) by hand, to half a unit
 /// of the last digit.
 fn table_one_checks(rows: &[TableOneRow]) -> Vec<Check> {
-    const HAND: &str = "Al Abadi et al., Eqs. (5)-(7) with the inputs of Table I and g = 9.81 m/s², by hand";
+    const HAND: &str =
+        "Al Abadi et al., Eqs. (5)-(7) with the inputs of Table I and g = 9.81 m/s², by hand";
     const PRINTED: &str = "Al Abadi et al., Table I, a from Eq. (7), as printed";
     let mut checks = Vec::new();
-    for (row, a, a_edge, printed) in [(0, 10.102, 4.526, 10.1), (2, 13.123, 5.880, 13.1), (4, 14.287, 6.401, 14.3)]
-        .map(|(i, a, e, p)| (rows.get(i), a, e, p))
+    for (row, a, a_edge, printed) in [
+        (0, 10.102, 4.526, 10.1),
+        (2, 13.123, 5.880, 13.1),
+        (4, 14.287, 6.401, 14.3),
+    ]
+    .map(|(i, a, e, p)| (rows.get(i), a, e, p))
     {
         let Some(row) = row else { continue };
         let test = row.test;
-        checks.push(check(format!("Table I, test {test}: a by Eq. (7) [g]"), row.drop_acceleration_g, a, 5e-4, HAND));
+        checks.push(check(
+            format!("Table I, test {test}: a by Eq. (7) [g]"),
+            row.drop_acceleration_g,
+            a,
+            5e-4,
+            HAND,
+        ));
         checks.push(check(
             format!("Table I, test {test}: a_edge by Eq. (5) [g]"),
             row.edge_acceleration_g,
@@ -203,13 +251,31 @@ fn table_one_checks(rows: &[TableOneRow]) -> Vec<Check> {
             PRINTED,
         ));
     }
-    let mean = rows.iter().map(|row| row.measured_over_computed_ratio).sum::<f64>() / rows.len() as f64;
+    let mean = rows
+        .iter()
+        .map(|row| row.measured_over_computed_ratio)
+        .sum::<f64>()
+        / rows.len() as f64;
     // Half a unit of the third decimal that is known of each.
     const MEASURED: &str = "Al Abadi et al., Table I: measured over Eq. (5), over the five tests";
-    checks.push(check("Table I: mean of measured over computed", mean, 0.995, 5e-4, MEASURED));
-    let deviations = rows.iter().map(|row| (row.measured_over_computed_ratio - mean).powi(2));
+    checks.push(check(
+        "Table I: mean of measured over computed",
+        mean,
+        0.995,
+        5e-4,
+        MEASURED,
+    ));
+    let deviations = rows
+        .iter()
+        .map(|row| (row.measured_over_computed_ratio - mean).powi(2));
     let spread = (deviations.sum::<f64>() / rows.len() as f64).sqrt() / mean;
-    checks.push(check("Table I: coefficient of variation of measured over computed", spread, 0.085, 1e-3, MEASURED));
+    checks.push(check(
+        "Table I: coefficient of variation of measured over computed",
+        spread,
+        0.085,
+        1e-3,
+        MEASURED,
+    ));
     checks
 }
 
@@ -232,9 +298,16 @@ fn coefficient_checks() -> Result<Vec<Check>, Problem> {
         (2.0, [1.5492, 1.5000, 1.9365]),
     ] {
         let block = block_with(x)?;
-        let models = [ImpactModel::Paper, ImpactModel::Halted, ImpactModel::FreeCorner];
+        let models = [
+            ImpactModel::Paper,
+            ImpactModel::Halted,
+            ImpactModel::FreeCorner,
+        ];
         for ((model, expected), reference) in models.into_iter().zip(expected).zip(REFERENCE) {
-            let name = format!("a_edge/a at (d/R)² = {x}, {}", name_of(crate::shock::MODELS, model));
+            let name = format!(
+                "a_edge/a at (d/R)² = {x}, {}",
+                name_of(crate::shock::MODELS, model)
+            );
             // Half a unit of the fourth decimal, and rounding where the value ends on it.
             let computed = Landing::rocking(&block, model).amplification_ratio();
             checks.push(check(name, computed, expected, 5.001e-5, reference));
@@ -246,47 +319,128 @@ fn coefficient_checks() -> Result<Vec<Check>, Problem> {
 fn block_checks() -> Result<Vec<Check>, Problem> {
     let mut checks = Vec::new();
     const CEILING: &str = "Eq. (5) at the rise R(1 − cos α), 150 kg on 4380 N/mm, by hand";
-    for (height_m, thickness_m, expected) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)] {
-        let landing = Landing::rocking(&Block::uniform(height_m, thickness_m).map_err(defect)?, ImpactModel::Paper);
+    for (height_m, thickness_m, expected) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)]
+    {
+        let landing = Landing::rocking(
+            &Block::uniform(height_m, thickness_m).map_err(defect)?,
+            ImpactModel::Paper,
+        );
         let pads = Cushion::linear(4.38e6).map_err(defect)?;
-        let impact = landing.impact(150.0, &pads, landing.pivot.balance_rise_m(), freestand::G0_M_S2);
+        let impact = landing.impact(
+            150.0,
+            &pads,
+            landing.pivot.balance_rise_m(),
+            freestand::G0_M_S2,
+        );
         let name = format!("uplift ceiling of {height_m} m × {thickness_m} m [g]");
-        checks.push(check(name, impact.edge_acceleration_m_s2 / freestand::G0_M_S2, expected, 5e-3, CEILING));
+        checks.push(check(
+            name,
+            impact.edge_acceleration_m_s2 / freestand::G0_M_S2,
+            expected,
+            5e-3,
+            CEILING,
+        ));
     }
     const HOUSNER: &str = "Housner (1963): r = 1 − 1.5 sin²α";
     let at = |alpha: f64| Block::uniform(1.0, alpha.tan()).map_err(defect);
-    checks.push(check("Housner's r at α = 0.2", at(0.2)?.landing_ratio(), 0.940_795_745_5, 5e-11, HOUSNER));
+    checks.push(check(
+        "Housner's r at α = 0.2",
+        at(0.2)?.landing_ratio(),
+        0.940_795_745_5,
+        5e-11,
+        HOUSNER,
+    ));
     let three = Block::uniform(3.0, 1.0).map_err(defect)?;
-    checks.push(check("Housner's r at h/t = 3", three.landing_ratio(), 0.85, 1e-14, HOUSNER));
+    checks.push(check(
+        "Housner's r at h/t = 3",
+        three.landing_ratio(),
+        0.85,
+        1e-14,
+        HOUSNER,
+    ));
     let squat = Block::uniform(SQUAT_SLENDERNESS, 1.0).map_err(defect)?;
-    checks.push(check("Housner's r at h/t = 1/√2", squat.landing_ratio(), 0.0, 1e-14, HOUSNER));
+    checks.push(check(
+        "Housner's r at h/t = 1/√2",
+        squat.landing_ratio(),
+        0.0,
+        1e-14,
+        HOUSNER,
+    ));
     const FRICTION: &str = "impulses of the no-slip landing: H(1 − r)/(1 + r)";
     let needed = impact_friction_needed_ratio(&three, three.landing_ratio());
-    checks.push(check("friction needed in an impact, H = 3, Housner", needed, 0.243, 5e-4, FRICTION));
+    checks.push(check(
+        "friction needed in an impact, H = 3, Housner",
+        needed,
+        0.243,
+        5e-4,
+        FRICTION,
+    ));
     let five = Block::uniform(5.0, 1.0).map_err(defect)?;
     let needed = impact_friction_needed_ratio(&five, 0.63);
-    checks.push(check("friction needed in an impact, H = 5, r = 0.63", needed, 5.0 * 0.37 / 1.63, 1e-14, FRICTION));
+    checks.push(check(
+        "friction needed in an impact, H = 5, r = 0.63",
+        needed,
+        5.0 * 0.37 / 1.63,
+        1e-14,
+        FRICTION,
+    ));
     const SERIES: &str = "springs in series: 1/k = Σ 1/kᵢ";
     let mut layers = Vec::new();
     for stiffness_n_m in [4e6, 4e6, 2e6] {
         layers.push(Cushion::linear(stiffness_n_m).map_err(defect)?);
     }
-    let series = Cushion::in_series(&layers).map_err(defect)?.force_n(1e-3, 0.0) / 1e-3;
-    checks.push(check("4000, 4000 and 2000 N/mm in series [N/m]", series, 1e6, 1e-8, SERIES));
+    let series = Cushion::in_series(&layers)
+        .map_err(defect)?
+        .force_n(1e-3, 0.0)
+        / 1e-3;
+    checks.push(check(
+        "4000, 4000 and 2000 N/mm in series [N/m]",
+        series,
+        1e6,
+        1e-8,
+        SERIES,
+    ));
     Ok(checks)
 }
 
 fn shock_response_checks() -> Vec<Check> {
-    const HALF_SINE: &str = "undamped oscillator under a half-sine, closed form (Ayre, Shock and Vibration Handbook)";
-    let largest = (700..900).map(|i| half_sine_maximax_ratio(1e-3 * f64::from(i))).fold(0.0, f64::max);
-    let pulse = HalfSine { peak_acceleration: 1.0, duration_s: 0.01 };
-    let longer = HalfSine { duration_s: 0.02, ..pulse };
+    const HALF_SINE: &str =
+        "undamped oscillator under a half-sine, closed form (Ayre, Shock and Vibration Handbook)";
+    let largest = (700..900)
+        .map(|i| half_sine_maximax_ratio(1e-3 * f64::from(i)))
+        .fold(0.0, f64::max);
+    let pulse = HalfSine {
+        peak_acceleration: 1.0,
+        duration_s: 0.01,
+    };
+    let longer = HalfSine {
+        duration_s: 0.02,
+        ..pulse
+    };
     vec![
         // The steps of 0.001 in fT miss the maximum by its curvature, below 1e-5.
-        check("half-sine: largest amplification", largest, 1.768_46, 1.5e-5, HALF_SINE),
-        check("half-sine: amplification at fT = 1/2", half_sine_maximax_ratio(0.5), FRAC_PI_2, 1e-14, HALF_SINE),
+        check(
+            "half-sine: largest amplification",
+            largest,
+            1.768_46,
+            1.5e-5,
+            HALF_SINE,
+        ),
+        check(
+            "half-sine: amplification at fT = 1/2",
+            half_sine_maximax_ratio(0.5),
+            FRAC_PI_2,
+            1e-14,
+            HALF_SINE,
+        ),
         // 2b/(1−b²) sin of b = 1/2 at s = 2/3: √3.
-        check("half-sine: amplification at fT = 1", half_sine_maximax_ratio(1.0), 3f64.sqrt(), 1e-14, HALF_SINE),
+        check(
+            "half-sine: amplification at fT = 1",
+            half_sine_maximax_ratio(1.0),
+            3f64.sqrt(),
+            1e-14,
+            HALF_SINE,
+        ),
         check(
             "half-sine of twice the duration: severity",
             half_sine_severity_ratio(longer, pulse),
@@ -298,7 +452,8 @@ fn shock_response_checks() -> Vec<Check> {
 }
 
 fn building_checks() -> Result<Vec<Check>, Problem> {
-    const BEAM: &str = "Miranda and Taghavi (2005), checked with a finite-element beam of 200 to 400 elements";
+    const BEAM: &str =
+        "Miranda and Taghavi (2005), checked with a finite-element beam of 200 to 400 elements";
     let mut checks = Vec::new();
     for (alpha, ratios, participation) in [
         (0.0, [0.159_57, 0.056_99], [1.5660, -0.8679]),
@@ -315,36 +470,85 @@ fn building_checks() -> Result<Vec<Check>, Problem> {
         }
         for (i, (mode, expected)) in modes.iter().zip(participation).enumerate() {
             let name = format!("beam with α₀ = {alpha}: participation of mode {}", i + 1);
-            checks.push(check(name, mode.participation_ratio(), expected, 5.5e-5, BEAM));
+            checks.push(check(
+                name,
+                mode.participation_ratio(),
+                expected,
+                5.5e-5,
+                BEAM,
+            ));
         }
     }
     Ok(checks)
 }
 
 fn storey_checks() -> Result<Vec<Check>, Problem> {
-    const SHEAR: &str = "shear building of equal storeys, closed form: ω = 2√(k/m) sin((2i−1)π/(2(2n+1)))";
-    let storey = Storey { mass_kg: 4e5, stiffness_n_m: 9e8, height_m: 3.2 };
+    const SHEAR: &str =
+        "shear building of equal storeys, closed form: ω = 2√(k/m) sin((2i−1)π/(2(2n+1)))";
+    let storey = Storey {
+        mass_kg: 4e5,
+        stiffness_n_m: 9e8,
+        height_m: 3.2,
+    };
     let building = Building::shear(&[storey; 30], &Damping::Uniform(0.05), 5).map_err(defect)?;
     let mut checks = Vec::new();
     let modes = building.modes();
     // Half a unit of the last digit of the table.
-    for (i, (mode, expected)) in modes.iter().skip(1).zip([0.333_63, 0.200_53, 0.143_62, 0.112_10]).enumerate() {
+    for (i, (mode, expected)) in modes
+        .iter()
+        .skip(1)
+        .zip([0.333_63, 0.200_53, 0.143_62, 0.112_10])
+        .enumerate()
+    {
         let name = format!("shear building of 30 storeys: T{}/T1", i + 2);
-        checks.push(check(name, mode.period_s() / building.period_s(), expected, 5.5e-6, SHEAR));
+        checks.push(check(
+            name,
+            mode.period_s() / building.period_s(),
+            expected,
+            5.5e-6,
+            SHEAR,
+        ));
     }
-    for (i, (mode, expected)) in modes.iter().zip([1.272_54, -0.422_31, 0.251_14]).enumerate() {
-        let name = format!("shear building of 30 storeys: participation of mode {}", i + 1);
-        checks.push(check(name, mode.participation_ratio(), expected, 5.5e-6, SHEAR));
+    for (i, (mode, expected)) in modes
+        .iter()
+        .zip([1.272_54, -0.422_31, 0.251_14])
+        .enumerate()
+    {
+        let name = format!(
+            "shear building of 30 storeys: participation of mode {}",
+            i + 1
+        );
+        checks.push(check(
+            name,
+            mode.participation_ratio(),
+            expected,
+            5.5e-6,
+            SHEAR,
+        ));
     }
-    for (i, (mode, expected)) in modes.iter().zip([0.888_45, 0.310_85, -0.167_18]).enumerate() {
-        let name = format!("shear building of 30 storeys: share of mode {} at floor 15", i + 1);
+    for (i, (mode, expected)) in modes
+        .iter()
+        .zip([0.888_45, 0.310_85, -0.167_18])
+        .enumerate()
+    {
+        let name = format!(
+            "shear building of 30 storeys: share of mode {} at floor 15",
+            i + 1
+        );
         checks.push(check(name, mode.share_ratio(0.5), expected, 5.5e-6, SHEAR));
     }
     const RAYLEIGH: &str = "Rayleigh damping, closed form: ζ = a₀/(2ω) + a₁ω/2";
-    let rayleigh = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] };
+    let rayleigh = Damping::Rayleigh {
+        damping_ratio: 0.05,
+        modes: [1, 3],
+    };
     let ratios = rayleigh.ratios(&[4.0, 2.0, 1.0, 0.5]).map_err(defect)?;
     // Frequencies as 1, 2, 4, 8: a₁ω₁ = 0.02 and a₀/ω₁ = 0.08.
-    for (i, (ratio, expected)) in ratios.into_iter().zip([0.05, 0.04, 0.05, 0.085]).enumerate() {
+    for (i, (ratio, expected)) in ratios
+        .into_iter()
+        .zip([0.05, 0.04, 0.05, 0.085])
+        .enumerate()
+    {
         let name = format!("Rayleigh damping of 5 % at modes 1 and 3: mode {}", i + 1);
         checks.push(check(name, ratio, expected, 1e-15, RAYLEIGH));
     }
@@ -362,8 +566,20 @@ fn oscillator_checks() -> Result<Vec<Check>, Problem> {
     let overshoot = 1.0 + (-PI * zeta / (1.0f64 - zeta * zeta).sqrt()).exp();
     let value = |values: &[f64]| values.first().copied().unwrap_or(f64::NAN);
     Ok(vec![
-        check("sudden load, undamped: PSA over the load", value(&undamped.psa_m_s2), 2.0, 1e-12, STEP),
-        check("sudden load, 5 % damping: PSA over the load", value(&damped.psa_m_s2), overshoot, 1e-12, STEP),
+        check(
+            "sudden load, undamped: PSA over the load",
+            value(&undamped.psa_m_s2),
+            2.0,
+            1e-12,
+            STEP,
+        ),
+        check(
+            "sudden load, 5 % damping: PSA over the load",
+            value(&damped.psa_m_s2),
+            overshoot,
+            1e-12,
+            STEP,
+        ),
     ])
 }
 
@@ -376,11 +592,22 @@ mod tests {
         let validation = validate().unwrap();
         let failed: Vec<&Check> = validation.checks.iter().filter(|check| !check.ok).collect();
         assert!(failed.is_empty(), "{failed:#?}");
-        let mut names: Vec<&str> = validation.checks.iter().map(|check| check.name.as_str()).collect();
+        let mut names: Vec<&str> = validation
+            .checks
+            .iter()
+            .map(|check| check.name.as_str())
+            .collect();
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), validation.checks.len());
-        assert_eq!(validation.table_one.iter().map(|row| row.test).collect::<Vec<_>>(), [1, 2, 3, 4, 5]);
+        assert_eq!(
+            validation
+                .table_one
+                .iter()
+                .map(|row| row.test)
+                .collect::<Vec<_>>(),
+            [1, 2, 3, 4, 5]
+        );
     }
 
     #[test]

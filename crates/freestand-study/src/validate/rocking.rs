@@ -6,7 +6,9 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::Outcome;
-use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions, Until, rock, rock_observed};
+use freestand::rocking::{
+    Base, Restitution, RockingModel, RockingOptions, Until, rock, rock_observed,
+};
 
 use super::{Check, check, defect};
 use freestand_input::problem::Problem;
@@ -38,9 +40,24 @@ fn quarter_periods() -> Result<Vec<Check>, Problem> {
     // Half a unit of the eighth decimal that is known, and rounding.
     const DIGITS: f64 = 5.1e-9;
     for (model, alpha, name, values) in [
-        (RockingModel::Linearised, 0.2, "linearised", [0.467_145_31, 1.316_957_90, 2.993_222_85]),
-        (RockingModel::Rigid, 0.1, "rigid, α = 0.1", [0.467_472_82, 1.317_344_20, 2.993_448_88]),
-        (RockingModel::Rigid, 0.2, "rigid, α = 0.2", [0.468_457_83, 1.318_504_40, 2.994_127_36]),
+        (
+            RockingModel::Linearised,
+            0.2,
+            "linearised",
+            [0.467_145_31, 1.316_957_90, 2.993_222_85],
+        ),
+        (
+            RockingModel::Rigid,
+            0.1,
+            "rigid, α = 0.1",
+            [0.467_472_82, 1.317_344_20, 2.993_448_88],
+        ),
+        (
+            RockingModel::Rigid,
+            0.2,
+            "rigid, α = 0.2",
+            [0.468_457_83, 1.318_504_40, 2.994_127_36],
+        ),
     ] {
         for (phi, expected) in [0.1, 0.5, 0.9].into_iter().zip(values) {
             let block = block(alpha)?;
@@ -51,9 +68,18 @@ fn quarter_periods() -> Result<Vec<Check>, Problem> {
                 ..RockingOptions::default()
             };
             let history = rock(&block, Base::default(), &options).map_err(defect)?;
-            let first = history.impacts.first().map_or(f64::NAN, |impact| impact.time_s);
+            let first = history
+                .impacts
+                .first()
+                .map_or(f64::NAN, |impact| impact.time_s);
             let computed = frequency(&block) * first;
-            checks.push(check(format!("quarter period from φ₀ = {phi}, {name}"), computed, expected, DIGITS, HOUSNER));
+            checks.push(check(
+                format!("quarter period from φ₀ = {phi}, {name}"),
+                computed,
+                expected,
+                DIGITS,
+                HOUSNER,
+            ));
         }
     }
     Ok(checks)
@@ -81,27 +107,56 @@ fn decay() -> Result<Vec<Check>, Problem> {
         if outward(1e-9) > 0.0 && outward(high) < 0.0 {
             for _ in 0..60 {
                 let mid = 0.5 * (low + high);
-                if outward(mid) > 0.0 { low = mid } else { high = mid }
+                if outward(mid) > 0.0 {
+                    low = mid
+                } else {
+                    high = mid
+                }
             }
             peaks.push(segment.rotation(low).0.abs() / 0.2);
         }
     })
     .map_err(defect)?;
     let mut checks = Vec::new();
-    for (n, expected) in [0.420_356_31, 0.358_022_88, 0.307_493_61, 0.265_647_96].into_iter().enumerate() {
+    for (n, expected) in [0.420_356_31, 0.358_022_88, 0.307_493_61, 0.265_647_96]
+        .into_iter()
+        .enumerate()
+    {
         let computed = peaks.get(n).copied().unwrap_or(f64::NAN);
-        checks.push(check(format!("amplitude θ/α after impact {}", n + 1), computed, expected, 5.1e-9, ENERGY));
+        checks.push(check(
+            format!("amplitude θ/α after impact {}", n + 1),
+            computed,
+            expected,
+            5.1e-9,
+            ENERGY,
+        ));
     }
-    for (n, expected) in [1.318_504_4, 3.604_495_4, 5.632_523_4, 7.457_080_0].into_iter().enumerate() {
-        let computed = history.impacts.get(n).map_or(f64::NAN, |impact| p * impact.time_s);
-        checks.push(check(format!("p × time of impact {}", n + 1), computed, expected, 5.1e-8, HOUSNER));
+    for (n, expected) in [1.318_504_4, 3.604_495_4, 5.632_523_4, 7.457_080_0]
+        .into_iter()
+        .enumerate()
+    {
+        let computed = history
+            .impacts
+            .get(n)
+            .map_or(f64::NAN, |impact| p * impact.time_s);
+        checks.push(check(
+            format!("p × time of impact {}", n + 1),
+            computed,
+            expected,
+            5.1e-8,
+            HOUSNER,
+        ));
     }
     Ok(checks)
 }
 
 /// The amplitude between `low` and `high` at which `overturns` changes its answer; NaN if it does
 /// not.
-fn boundary(overturns: impl Fn(f64) -> Result<bool, Problem>, low: f64, high: f64) -> Result<f64, Problem> {
+fn boundary(
+    overturns: impl Fn(f64) -> Result<bool, Problem>,
+    low: f64,
+    high: f64,
+) -> Result<f64, Problem> {
     let (mut low, mut high) = (low, high);
     let at_low = overturns(low)?;
     if overturns(high)? == at_low {
@@ -109,7 +164,11 @@ fn boundary(overturns: impl Fn(f64) -> Result<bool, Problem>, low: f64, high: f6
     }
     while high - low > 1e-7 {
         let mid = 0.5 * (low + high);
-        if overturns(mid)? == at_low { low = mid } else { high = mid }
+        if overturns(mid)? == at_low {
+            low = mid
+        } else {
+            high = mid
+        }
     }
     Ok(0.5 * (low + high))
 }
@@ -126,7 +185,10 @@ fn velocity_impulse() -> Result<Vec<Check>, Problem> {
             until: Until::Time(20.0),
             ..RockingOptions::default()
         };
-        Ok(rock(&block, Base::default(), &options).map_err(defect)?.outcome == Outcome::Overturned)
+        Ok(rock(&block, Base::default(), &options)
+            .map_err(defect)?
+            .outcome
+            == Outcome::Overturned)
     };
     let expected = (8.0 / 3.0 * G0_M_S2 * pivot.balance_rise_m()).sqrt() / alpha.cos();
     const REFERENCE: &str = "V = √[(8/3) g R (1−cos α)]/cos α, by energy";
@@ -153,9 +215,16 @@ fn pulse_overturns(
     let alpha = 0.1_f64;
     let block = block(alpha)?;
     let omega = w * frequency(&block);
-    let unit = G0_M_S2 * if model == RockingModel::Linearised { alpha } else { alpha.tan() };
+    let unit = G0_M_S2
+        * if model == RockingModel::Linearised {
+            alpha
+        } else {
+            alpha.tan()
+        };
     let dt = half_cycles * PI / omega / f64::from(SAMPLES);
-    let samples = (0..=SAMPLES).map(|i| a * unit * (omega * dt * f64::from(i)).sin()).collect();
+    let samples = (0..=SAMPLES)
+        .map(|i| a * unit * (omega * dt * f64::from(i)).sin())
+        .collect();
     let motion = Motion::new(dt, samples).map_err(defect)?;
     let options = RockingOptions {
         model,
@@ -163,7 +232,10 @@ fn pulse_overturns(
         until: Until::Time(motion.duration_s() + 12.0),
         ..RockingOptions::default()
     };
-    let base = Base { horizontal: Some(&motion), vertical: None };
+    let base = Base {
+        horizontal: Some(&motion),
+        vertical: None,
+    };
     Ok(rock(&block, base, &options).map_err(defect)?.outcome == Outcome::Overturned)
 }
 
@@ -201,10 +273,15 @@ fn half_sine() -> Result<Vec<Check>, Problem> {
 }
 
 fn one_sine() -> Result<Vec<Check>, Problem> {
-    const REFERENCE: &str = "one-sine pulse, linearised, r = 0.9: overturns for A in [A1, A2] and above A3";
+    const REFERENCE: &str =
+        "one-sine pulse, linearised, r = 0.9: overturns for A in [A1, A2] and above A3";
     let mut checks = Vec::new();
-    for (w, [a1, a2, a3]) in [(2.0, [1.225_18, 2.314_40, 2.349_90]), (4.0, [1.795_44, 4.850_11, 5.238_96])] {
-        let overturns = |a| pulse_overturns(RockingModel::Linearised, Restitution::Value(0.9), w, 2.0, a);
+    for (w, [a1, a2, a3]) in [
+        (2.0, [1.225_18, 2.314_40, 2.349_90]),
+        (4.0, [1.795_44, 4.850_11, 5.238_96]),
+    ] {
+        let overturns =
+            |a| pulse_overturns(RockingModel::Linearised, Restitution::Value(0.9), w, 2.0, a);
         for (name, expected, low, high) in [
             ("A1", a1, 1.0, 0.5 * (a1 + a2)),
             ("A2", a2, 0.5 * (a1 + a2), 0.5 * (a2 + a3)),
@@ -212,7 +289,13 @@ fn one_sine() -> Result<Vec<Check>, Problem> {
         ] {
             // Half a unit of the fifth decimal, and the straight lines between samples.
             let computed = boundary(overturns, low, high)?;
-            checks.push(check(format!("one-sine pulse, w = {w}, {name}"), computed, expected, 7e-6, REFERENCE));
+            checks.push(check(
+                format!("one-sine pulse, w = {w}, {name}"),
+                computed,
+                expected,
+                7e-6,
+                REFERENCE,
+            ));
         }
     }
     Ok(checks)
@@ -222,11 +305,25 @@ fn friction() -> Result<Check, Problem> {
     let block = Block::uniform(3.0, 1.0).map_err(defect)?;
     let motion = Motion::new(1e-6, vec![0.5 * G0_M_S2; 2]).map_err(defect)?;
     let mut needed = 0.0_f64;
-    rock_observed(&block, Base { horizontal: Some(&motion), vertical: None }, &RockingOptions::default(), |segment| {
-        needed = needed.max(segment.friction_needed_ratio());
-    })
+    rock_observed(
+        &block,
+        Base {
+            horizontal: Some(&motion),
+            vertical: None,
+        },
+        &RockingOptions::default(),
+        |segment| {
+            needed = needed.max(segment.friction_needed_ratio());
+        },
+    )
     .map_err(defect)?;
     const REFERENCE: &str = "Shenton (1996): [A(H²+4)+3H]/[4H²+3HA+1]";
     // Half a unit of the fifth decimal.
-    Ok(check("friction at a step of 0.5 g, H = 3", needed, 0.373_49, 5.1e-6, REFERENCE))
+    Ok(check(
+        "friction at a step of 0.5 g, H = 3",
+        needed,
+        0.373_49,
+        5.1e-6,
+        REFERENCE,
+    ))
 }

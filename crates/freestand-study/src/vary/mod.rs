@@ -45,23 +45,39 @@ pub fn vary(
         tell(index, changes.len(), &change.words());
         match result_of(study, change, overrides, progress) {
             Ok(Some((varied, result))) => {
-                rows.extend(self::rows(change.key, &change.value, &varied, &result, base));
+                rows.extend(self::rows(
+                    change.key,
+                    &change.value,
+                    &varied,
+                    &result,
+                    base,
+                ));
             }
             // The user did not ask for this value.
             Ok(None) if change.is_default => {}
-            Ok(None) => rows.extend(rows_without(change, study, &NoResult::Unchanged(unchanged(change)))),
+            Ok(None) => rows.extend(rows_without(
+                change,
+                study,
+                &NoResult::Unchanged(unchanged(change)),
+            )),
             Err(error) if error.is_stopped() => return Err(error),
             Err(error) => {
                 let first = error.problems.first();
-                let reason = first.map_or_else(|| error.to_string(), |problem| problem.message.clone());
+                let reason =
+                    first.map_or_else(|| error.to_string(), |problem| problem.message.clone());
                 rows.extend(rows_without(change, study, &NoResult::Failed(reason)));
             }
         }
     }
     let mut defaults: Vec<&Change> = changes.iter().filter(|change| change.is_default).collect();
     defaults.dedup_by_key(|change| change.key);
-    for Change { key, .. } in defaults.iter().filter(|change| rows.iter().all(|row| row.parameter != change.key)) {
-        left_out.push(format!("{key} is not varied: none of its default values changes the model"));
+    for Change { key, .. } in defaults
+        .iter()
+        .filter(|change| rows.iter().all(|row| row.parameter != change.key))
+    {
+        left_out.push(format!(
+            "{key} is not varied: none of its default values changes the model"
+        ));
     }
     Ok(Sensitivity { rows, left_out })
 }
@@ -83,11 +99,33 @@ fn result_of(
 }
 
 fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result<Study, Problems> {
-    let toml = with_value(&study.toml, change.table, change.key, &change.value, change.in_place_of)?;
-    let base_dir = study.source.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+    let toml = with_value(
+        &study.toml,
+        change.table,
+        change.key,
+        &change.value,
+        change.in_place_of,
+    )?;
+    let base_dir = study
+        .source
+        .as_deref()
+        .and_then(Path::parent)
+        .unwrap_or(Path::new(""));
     // An overriding seed would take precedence over the changed one.
-    let seed = if change.key == "seed" { None } else { overrides.seed };
-    resolve_with(&toml, study.source.as_deref(), base_dir, &Overrides { seed, ..overrides.clone() })
+    let seed = if change.key == "seed" {
+        None
+    } else {
+        overrides.seed
+    };
+    resolve_with(
+        &toml,
+        study.source.as_deref(),
+        base_dir,
+        &Overrides {
+            seed,
+            ..overrides.clone()
+        },
+    )
 }
 
 /// What stays the same where a change does not affect the model.
@@ -99,9 +137,19 @@ fn unchanged(change: &Change) -> &'static str {
     }
 }
 
-fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &StudyResult) -> Vec<VariedLevel> {
-    let warnings: Vec<&str> =
-        result.warnings.iter().filter(|warning| !base.warnings.contains(warning)).map(String::as_str).collect();
+fn rows(
+    key: &str,
+    value: &str,
+    study: &Study,
+    result: &StudyResult,
+    base: &StudyResult,
+) -> Vec<VariedLevel> {
+    let warnings: Vec<&str> = result
+        .warnings
+        .iter()
+        .filter(|warning| !base.warnings.contains(warning))
+        .map(String::as_str)
+        .collect();
     let warnings = (!warnings.is_empty()).then(|| warnings.join("; "));
     let levels = result.levels.iter().zip(&base.levels);
     levels
@@ -118,12 +166,19 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 ..
             } = level_summary(level, study.objects.tolerance_m_s2);
             let medians = |of: &crate::result::LevelResult| -> Vec<Option<f64>> {
-                of.statistics.iter().map(|s| s.as_ref().and_then(|s| s.edge_acceleration_g[1].value())).collect()
+                of.statistics
+                    .iter()
+                    .map(|s| s.as_ref().and_then(|s| s.edge_acceleration_g[1].value()))
+                    .collect()
             };
-            let both: Vec<(f64, f64)> =
-                medians(level).into_iter().zip(medians(base)).filter_map(|(one, other)| Some((one?, other?))).collect();
-            let (varied_g, base_g): (f64, f64) =
-                both.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+            let both: Vec<(f64, f64)> = medians(level)
+                .into_iter()
+                .zip(medians(base))
+                .filter_map(|(one, other)| Some((one?, other?)))
+                .collect();
+            let (varied_g, base_g): (f64, f64) = both
+                .iter()
+                .fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
             VariedLevel {
                 parameter: key.to_owned(),
                 value: value.to_owned(),
@@ -135,7 +190,8 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 overturned_objects: Some(overturned_objects),
                 edge_acceleration_g_median,
                 edge_acceleration_g_max,
-                edge_acceleration_ratio: (!both.is_empty() && base_g >= MIN_MEAN_G * both.len() as f64)
+                edge_acceleration_ratio: (!both.is_empty()
+                    && base_g >= MIN_MEAN_G * both.len() as f64)
                     .then(|| varied_g / base_g),
                 compared_objects: Some(both.len()),
                 reason: None,

@@ -12,7 +12,8 @@ pub(super) fn is_same_model(one: &Study, other: &Study) -> bool {
     let mut levels = one.levels.iter().zip(&other.levels);
     one.directions_deg == other.directions_deg
         && both_given
-        && levels.all(|(a, b)| a.level_ratio == b.level_ratio && same_records(&a.motions, &b.motions))
+        && levels
+            .all(|(a, b)| a.level_ratio == b.level_ratio && same_records(&a.motions, &b.motions))
         && same_ground(&one.ground, &other.ground)
         && same_building(one, other)
         && plain(&one.objects) == plain(&other.objects)
@@ -36,8 +37,13 @@ fn same_spectrum(one: &Target, other: &Target) -> bool {
 }
 
 fn same_records(one: &[RecordedMotion], other: &[RecordedMotion]) -> bool {
-    let across = |record: &RecordedMotion| record.across.as_ref().map(|second| second.motion.clone());
-    one.len() == other.len() && one.iter().zip(other).all(|(a, b)| a.motion == b.motion && across(a) == across(b))
+    let across =
+        |record: &RecordedMotion| record.across.as_ref().map(|second| second.motion.clone());
+    one.len() == other.len()
+        && one
+            .iter()
+            .zip(other)
+            .all(|(a, b)| a.motion == b.motion && across(a) == across(b))
 }
 
 /// Once the modes are known, height and storeys only name the levels. A second axis matters only if
@@ -54,6 +60,13 @@ fn same_building(one: &Study, other: &Study) -> bool {
 }
 
 fn plain(objects: &Objects) -> Objects {
-    let cushion = EdgeCushion { notes: Vec::new(), ..objects.cushion.clone() };
-    Objects { cushion, cushion_file: None, ..objects.clone() }
+    let cushion = EdgeCushion {
+        notes: Vec::new(),
+        ..objects.cushion.clone()
+    };
+    Objects {
+        cushion,
+        cushion_file: None,
+        ..objects.clone()
+    }
 }

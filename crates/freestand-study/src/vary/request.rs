@@ -26,7 +26,11 @@ struct Key {
 }
 
 const fn key(table: &'static str, name: &'static str, in_place_of: &'static [&'static str]) -> Key {
-    Key { table, name, in_place_of }
+    Key {
+        table,
+        name,
+        in_place_of,
+    }
 }
 
 static KEYS: [Key; 23] = [
@@ -49,7 +53,17 @@ static KEYS: [Key; 23] = [
     key("ground", "fault_distance", &[]),
     key("ground", "scale", &[]),
     key("objects", "mass", &[]),
-    key("objects", "stiffness", &["cushion", "law", "pad_stiffness", "pads_per_edge", "series_stiffness"]),
+    key(
+        "objects",
+        "stiffness",
+        &[
+            "cushion",
+            "law",
+            "pad_stiffness",
+            "pads_per_edge",
+            "series_stiffness",
+        ],
+    ),
     key("objects", "restitution", &["restitution_factor"]),
     key("objects", "restitution_factor", &["restitution"]),
     key("objects", "accuracy", &[]),
@@ -82,7 +96,14 @@ impl Change {
 
 /// Damping, period, shear-flexure ratio, seed and site class, each with its default values.
 pub fn default_variations() -> Vec<Variation> {
-    DEFAULT_KEYS.iter().filter_map(|name| find(name)).map(|key| Variation { key, values: Vec::new() }).collect()
+    DEFAULT_KEYS
+        .iter()
+        .filter_map(|name| find(name))
+        .map(|key| Variation {
+            key,
+            values: Vec::new(),
+        })
+        .collect()
 }
 
 fn find(name: &str) -> Option<&'static Key> {
@@ -101,7 +122,9 @@ fn find(name: &str) -> Option<&'static Key> {
 /// assert!(parse_variation("colour").is_err());
 /// ```
 pub fn parse_variation(text: &str) -> Result<Variation, Problem> {
-    let (name, values) = text.split_once('=').map_or((text, None), |(name, values)| (name, Some(values)));
+    let (name, values) = text
+        .split_once('=')
+        .map_or((text, None), |(name, values)| (name, Some(values)));
     let name = name.trim().to_lowercase().replace(['-', ' '], "_");
     // The name of the table may come before the key.
     let bare = name.rsplit('.').next().unwrap_or(&name);
@@ -116,18 +139,28 @@ pub fn parse_variation(text: &str) -> Result<Variation, Problem> {
     };
     let values: Vec<String> = match values {
         None => Vec::new(),
-        Some(list) => list.split(',').map(|value| value.trim().to_owned()).collect(),
+        Some(list) => list
+            .split(',')
+            .map(|value| value.trim().to_owned())
+            .collect(),
     };
     if values.iter().any(String::is_empty) {
         let message = format!("\"{}\" has an empty value", shorten(text));
-        return Err(Problem::value(message, "separate values by single commas, as in \"damping = 2 %, 10 %\""));
+        return Err(Problem::value(
+            message,
+            "separate values by single commas, as in \"damping = 2 %, 10 %\"",
+        ));
     }
     Ok(Variation { key, values })
 }
 
 /// The changes that variations ask for, and one sentence for each variation that does not apply to
 /// this study under these overrides.
-pub fn changes(study: &Study, variations: &[Variation], overrides: &Overrides) -> (Vec<Change>, Vec<String>) {
+pub fn changes(
+    study: &Study,
+    variations: &[Variation],
+    overrides: &Overrides,
+) -> (Vec<Change>, Vec<String>) {
     let (mut changes, mut left_out) = (Vec::new(), Vec::new());
     for Variation { key, values } in variations {
         if let Some(reason) = inapplicable(study, key, overrides) {
@@ -135,7 +168,11 @@ pub fn changes(study: &Study, variations: &[Variation], overrides: &Overrides) -
             continue;
         }
         let is_default = values.is_empty();
-        let values = if is_default { default_values(study, key.name) } else { values.clone() };
+        let values = if is_default {
+            default_values(study, key.name)
+        } else {
+            values.clone()
+        };
         if values.is_empty() {
             left_out.push(format!(
                 "{} is not varied: it has no default values here; give some, as in \"{} = …\"",
@@ -168,7 +205,9 @@ fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'sta
                     .any(|(across, table)| !across && table.states_damping)
                     .then_some("the table states the damping of every mode"),
                 (Model::Beam { .. }, _) | (Model::Shear { .. }, "modes") => None,
-                (Model::Shear { .. } | Model::Table { .. }, _) => Some("the building comes from a table"),
+                (Model::Shear { .. } | Model::Table { .. }, _) => {
+                    Some("the building comes from a table")
+                }
             },
         },
         _ => None,
@@ -202,28 +241,49 @@ fn default_values(study: &Study, name: &str) -> Vec<String> {
         ("damping", Some(building), _) => {
             let percents = [2.0, 3.0, 5.0, 7.0, 10.0];
             let own = building.along.damping_ratio();
-            let differs = |percent: &f64| own.is_none_or(|own| (percent - 100.0 * own).abs() > 1e-9);
-            percents.into_iter().filter(differs).map(|p| format!("{p} %")).collect()
+            let differs =
+                |percent: &f64| own.is_none_or(|own| (percent - 100.0 * own).abs() > 1e-9);
+            percents
+                .into_iter()
+                .filter(differs)
+                .map(|p| format!("{p} %"))
+                .collect()
         }
         ("period", Some(building), _) => {
             let period_s = building.along.period_s();
-            [0.7, 0.85, 1.2, 1.5, 2.0].iter().map(|factor| format!("{} s", number(factor * period_s, 4))).collect()
+            [0.7, 0.85, 1.2, 1.5, 2.0]
+                .iter()
+                .map(|factor| format!("{} s", number(factor * period_s, 4)))
+                .collect()
         }
         ("shear_flexure", Some(building), _) => {
             let own = building.along.shear_flexure_ratio();
             let ratios = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
-            ratios.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
+            ratios
+                .into_iter()
+                .filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9))
+                .map(|a| a.to_string())
+                .collect()
         }
         ("seed", _, ground) => {
             let seed = ground.seed();
-            (1..=4).filter_map(|i| seed?.checked_add(i)).map(|seed| seed.to_string()).collect()
+            (1..=4)
+                .filter_map(|i| seed?.checked_add(i))
+                .map(|seed| seed.to_string())
+                .collect()
         }
         ("site", _, Ground::Simulated(simulated)) => {
             let own = simulated.request.site;
-            SiteClass::ALL.into_iter().filter(|class| *class != own).map(|class| class.name().to_owned()).collect()
+            SiteClass::ALL
+                .into_iter()
+                .filter(|class| *class != own)
+                .map(|class| class.name().to_owned())
+                .collect()
         }
         ("site", _, ground) => {
-            let Some(target) = ground.code_spectrum() else { return Vec::new() };
+            let Some(target) = ground.code_spectrum() else {
+                return Vec::new();
+            };
             let own = target.spectrum.site_name();
             let classes: Vec<&str> = match &target.spectrum {
                 CodeSpectrum::As1170_4(_) => SiteClass::ALL.map(SiteClass::name).to_vec(),
@@ -231,7 +291,11 @@ fn default_values(study: &Study, name: &str) -> Vec<String> {
                 CodeSpectrum::Nzs1170_5(_) => SubsoilClass::ALL.map(SubsoilClass::name).to_vec(),
                 CodeSpectrum::Asce7(_) | CodeSpectrum::Table(_) => Vec::new(),
             };
-            classes.into_iter().filter(|class| Some(*class) != own).map(str::to_owned).collect()
+            classes
+                .into_iter()
+                .filter(|class| Some(*class) != own)
+                .map(str::to_owned)
+                .collect()
         }
         _ => Vec::new(),
     }

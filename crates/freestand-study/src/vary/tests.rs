@@ -22,27 +22,53 @@ thicknesses = \"500 mm\"
 ";
 
 fn parsed(texts: &[&str]) -> Vec<Variation> {
-    texts.iter().map(|text| parse_variation(text).unwrap()).collect()
+    texts
+        .iter()
+        .map(|text| parse_variation(text).unwrap())
+        .collect()
 }
 
 fn sensitivity(texts: &[&str]) -> Sensitivity {
     let study = resolve(STUDY, None, "".as_ref()).unwrap();
     let base = run(&study, &no_progress).unwrap();
-    vary(&study, &base, &parsed(texts), &Overrides::default(), &|_, _, _| {}, &no_progress).unwrap()
+    vary(
+        &study,
+        &base,
+        &parsed(texts),
+        &Overrides::default(),
+        &|_, _, _| {},
+        &no_progress,
+    )
+    .unwrap()
 }
 
 /// A change gives the same bits as a study with the changed value: nothing else changes.
 #[test]
 fn a_variation_changes_one_value() {
     let result = sensitivity(&["damping = 2 %", "seed = 2"]);
-    let [base, softer, second] = &result.rows[..] else { panic!("{:?}", result.rows) };
-    let numbers = |row: &VariedLevel| (row.pfa_g_median, row.overturned_share, row.edge_acceleration_g_max);
+    let [base, softer, second] = &result.rows[..] else {
+        panic!("{:?}", result.rows)
+    };
+    let numbers = |row: &VariedLevel| {
+        (
+            row.pfa_g_median,
+            row.overturned_share,
+            row.edge_acceleration_g_max,
+        )
+    };
     assert_eq!((base.parameter.as_str(), base.value.as_str()), ("base", ""));
     let study = resolve(&STUDY.replace("0.05", "0.02"), None, "".as_ref()).unwrap();
     let alone = run(&study, &no_progress).unwrap();
-    assert_eq!(numbers(&rows("base", "", &study, &alone, &alone)[0]), numbers(softer));
+    assert_eq!(
+        numbers(&rows("base", "", &study, &alone, &alone)[0]),
+        numbers(softer)
+    );
     assert_ne!(numbers(base), numbers(second));
-    assert!(base.edge_acceleration_ratio.is_none_or(|ratio| ratio == 1.0), "{base:?}");
+    assert!(
+        base.edge_acceleration_ratio
+            .is_none_or(|ratio| ratio == 1.0),
+        "{base:?}"
+    );
     // Less damping, more acceleration at the roof.
     assert!(softer.pfa_g_median > base.pfa_g_median);
 }
@@ -52,7 +78,11 @@ fn reason(row: &VariedLevel) -> String {
 }
 
 /// A folder with a study and its files.
-fn in_folder(study: &str, files: &[(&str, &str)], overrides: &Overrides) -> (tempfile::TempDir, Study) {
+fn in_folder(
+    study: &str,
+    files: &[(&str, &str)],
+    overrides: &Overrides,
+) -> (tempfile::TempDir, Study) {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in files {
         std::fs::write(folder.path().join(name), text).unwrap();
@@ -64,7 +94,15 @@ fn in_folder(study: &str, files: &[(&str, &str)], overrides: &Overrides) -> (tem
 
 fn varied(study: &Study, texts: &[&str], overrides: &Overrides) -> Sensitivity {
     let base = run(study, &no_progress).unwrap();
-    vary(study, &base, &parsed(texts), overrides, &|_, _, _| {}, &no_progress).unwrap()
+    vary(
+        study,
+        &base,
+        &parsed(texts),
+        overrides,
+        &|_, _, _| {},
+        &no_progress,
+    )
+    .unwrap()
 }
 
 /// One motion, one object, one level.
@@ -75,9 +113,16 @@ fn quick(ground: &str, building: &str) -> String {
     )
 }
 
-const EUROCODE: &str = "count = 1\ncode = \"ec8\"\nspectrum_type = 1\nsite = \"C\"\nground_acceleration = \"0.2 g\"";
-const STOREYS: (&str, &str) = ("x.csv", "height [m],mass [t],stiffness [kN/mm]\n3,100,90\n3,80,90\n3,60,90\n");
-const PULSE: (&str, &str) = ("pulse.csv", "time [s],a [g]\n0,0\n0.1,0.4\n0.2,-0.4\n0.3,0\n0.4,0\n");
+const EUROCODE: &str =
+    "count = 1\ncode = \"ec8\"\nspectrum_type = 1\nsite = \"C\"\nground_acceleration = \"0.2 g\"";
+const STOREYS: (&str, &str) = (
+    "x.csv",
+    "height [m],mass [t],stiffness [kN/mm]\n3,100,90\n3,80,90\n3,60,90\n",
+);
+const PULSE: (&str, &str) = (
+    "pulse.csv",
+    "time [s],a [g]\n0,0\n0.1,0.4\n0.2,-0.4\n0.3,0\n0.4,0\n",
+);
 
 /// A change that does not reach the model is reported, not run: zero sensitivity would mislead.
 #[test]
@@ -85,36 +130,73 @@ fn what_does_not_reach_the_model_is_said() {
     let own = sensitivity(&["damping = 5 %", "seed = 1", "mass = 150 kg"]);
     let annex = format!("{EUROCODE}\nsoil_factor = 1.2\ncorner_periods = \"0.1 s, 0.4 s, 2 s\"");
     let (_one, annexed) = in_folder(&quick(&annex, ""), &[], &Overrides::default());
-    let (_two, least) = in_folder(&quick("count = 1\nhazard_factor = 0.04", ""), &[], &Overrides::default());
+    let (_two, least) = in_folder(
+        &quick("count = 1\nhazard_factor = 0.04", ""),
+        &[],
+        &Overrides::default(),
+    );
     let annex = varied(&annexed, &["site = B", "site"], &Overrides::default());
-    let least = varied(&least, &["hazard_factor = 0.05", "hazard_factor = 0.2"], &Overrides::default());
-    for (row, why) in own.rows[1..].iter().zip(["building has the same modes", "same spectrum", "objects and their"]) {
-        let Some(NoResult::Unchanged(what)) = row.reason else { panic!("{row:?}") };
+    let least = varied(
+        &least,
+        &["hazard_factor = 0.05", "hazard_factor = 0.2"],
+        &Overrides::default(),
+    );
+    for (row, why) in own.rows[1..].iter().zip([
+        "building has the same modes",
+        "same spectrum",
+        "objects and their",
+    ]) {
+        let Some(NoResult::Unchanged(what)) = row.reason else {
+            panic!("{row:?}")
+        };
         assert!(what.contains(why), "{what}");
         assert_eq!((row.pfa_g_median, row.uplift_share), (None, None));
     }
-    assert_eq!((own.rows.len(), annex.rows.len(), least.rows.len()), (4, 2, 3));
+    assert_eq!(
+        (own.rows.len(), annex.rows.len(), least.rows.len()),
+        (4, 2, 3)
+    );
     assert!(reason(&annex.rows[1]).contains("nothing changes: the motions have the same spectrum"));
     assert!(reason(&least.rows[1]).contains("nothing changes: the motions have the same spectrum"));
-    assert!(least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median);
+    assert!(
+        least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median
+    );
 
     // Default values without effect are left out, and that is reported once.
     let defaults = varied(&annexed, &["site"], &Overrides::default());
     assert_eq!(defaults.rows.len(), 1);
-    assert_eq!(defaults.left_out, ["site is not varied: none of its default values changes the model"]);
+    assert_eq!(
+        defaults.left_out,
+        ["site is not varied: none of its default values changes the model"]
+    );
 }
 
 #[test]
 fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
-    let modes = "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,3,-1.2,1\n";
+    let modes =
+        "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,3,-1.2,1\n";
     let files = [("m.csv", modes), PULSE];
-    let (folder, study) = in_folder(&quick("count = 1", "mode_table = \"m.csv\""), &files, &Overrides::default());
-    let (list, left_out) = changes(&study, &parsed(&["damping", "damping = 2 %", "period"]), &Overrides::default());
+    let (folder, study) = in_folder(
+        &quick("count = 1", "mode_table = \"m.csv\""),
+        &files,
+        &Overrides::default(),
+    );
+    let (list, left_out) = changes(
+        &study,
+        &parsed(&["damping", "damping = 2 %", "period"]),
+        &Overrides::default(),
+    );
     assert_eq!(list, []);
-    assert_eq!(left_out[0], "damping is not varied: the table states the damping of every mode");
+    assert_eq!(
+        left_out[0],
+        "damping is not varied: the table states the damping of every mode"
+    );
     assert_eq!(
         (&left_out[1], left_out[2].as_str()),
-        (&left_out[0], "period is not varied: the building comes from a table")
+        (
+            &left_out[0],
+            "period is not varied: the building comes from a table"
+        )
     );
 
     let motions = MotionFiles {
@@ -125,8 +207,17 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
         vertical: Default::default(),
         processing: Processing::default(),
     };
-    let overrides = Overrides { motions: Some(motions), ..Overrides::default() };
-    let study = resolve_with(&study.toml, study.source.as_deref(), folder.path(), &overrides).unwrap();
+    let overrides = Overrides {
+        motions: Some(motions),
+        ..Overrides::default()
+    };
+    let study = resolve_with(
+        &study.toml,
+        study.source.as_deref(),
+        folder.path(),
+        &overrides,
+    )
+    .unwrap();
     let (list, left_out) = changes(&study, &parsed(&["scale = 2", "seed"]), &overrides);
     assert_eq!((list.len(), left_out.len()), (0, 2));
     assert!(left_out[0].contains("[ground] is not used"), "{left_out:?}");
@@ -135,13 +226,26 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
 #[test]
 fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
     let building = "storey_table = \"x.csv\"\ndamping = \"5 %\"";
-    let (_folder, study) = in_folder(&quick("count = 1", building), &[STOREYS], &Overrides::default());
+    let (_folder, study) = in_folder(
+        &quick("count = 1", building),
+        &[STOREYS],
+        &Overrides::default(),
+    );
     let (list, left_out) = changes(&study, &default_variations(), &Overrides::default());
     let count = |key: &str| list.iter().filter(|change| change.key == key).count();
-    assert_eq!((count("damping"), count("seed"), count("site"), list.len()), (4, 4, 4, 12));
+    assert_eq!(
+        (count("damping"), count("seed"), count("site"), list.len()),
+        (4, 4, 4, 12)
+    );
     assert_eq!(left_out.len(), 2, "{left_out:?}");
-    let result = varied(&study, &["damping = 1 %", "modes = 1, 3"], &Overrides::default());
-    let [base, softer, one, all] = &result.rows[..] else { panic!("{:?}", result.rows) };
+    let result = varied(
+        &study,
+        &["damping = 1 %", "modes = 1, 3"],
+        &Overrides::default(),
+    );
+    let [base, softer, one, all] = &result.rows[..] else {
+        panic!("{:?}", result.rows)
+    };
     assert!(softer.pfa_g_median > base.pfa_g_median);
     assert!(one.reason.is_none() && one.pfa_g_median != base.pfa_g_median);
     assert!(reason(all).contains("the building has the same modes"));
@@ -151,32 +255,55 @@ fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
 #[test]
 fn rayleigh_damping_is_varied_without_its_own_value() {
     let building = "storey_table = \"x.csv\"\ndamping = \"5 %\"\nrayleigh_modes = [1, 2]";
-    let (_folder, study) = in_folder(&quick("count = 1", building), &[STOREYS], &Overrides::default());
+    let (_folder, study) = in_folder(
+        &quick("count = 1", building),
+        &[STOREYS],
+        &Overrides::default(),
+    );
     let result = varied(&study, &["damping"], &Overrides::default());
     let values: Vec<&str> = result.rows.iter().map(|row| row.value.as_str()).collect();
-    assert_eq!((values, result.left_out.len()), (vec!["", "2 %", "3 %", "7 %", "10 %"], 0));
+    assert_eq!(
+        (values, result.left_out.len()),
+        (vec!["", "2 %", "3 %", "7 %", "10 %"], 0)
+    );
     assert!(result.rows[1].pfa_g_median > result.rows[4].pfa_g_median);
 }
 
 #[test]
 fn ground_types_of_eurocode_8_are_varied() {
     let (_folder, study) = in_folder(&quick(EUROCODE, ""), &[], &Overrides::default());
-    let result = varied(&study, &["site", "importance_factor = 1, 1.4"], &Overrides::default());
+    let result = varied(
+        &study,
+        &["site", "importance_factor = 1, 1.4"],
+        &Overrides::default(),
+    );
     let values: Vec<&str> = result.rows.iter().map(|row| row.value.as_str()).collect();
     assert_eq!(values, ["", "A", "B", "D", "E", "1", "1.4"]);
     // Rock against the base on soft ground; 1 is the default importance.
     assert!(result.rows[1].pfa_g_median < result.rows[0].pfa_g_median);
-    assert!(result.rows[5].reason.is_some() && result.rows[6].pfa_g_median > result.rows[0].pfa_g_median);
+    assert!(
+        result.rows[5].reason.is_some()
+            && result.rows[6].pfa_g_median > result.rows[0].pfa_g_median
+    );
 }
 
 #[test]
 fn records_are_scaled_and_the_rest_of_the_ground_left() {
     let ground = "motions = [\"pulse.csv\"]";
-    let (_folder, study) = in_folder(&quick(ground, "period = \"1 s\""), &[PULSE], &Overrides::default());
+    let (_folder, study) = in_folder(
+        &quick(ground, "period = \"1 s\""),
+        &[PULSE],
+        &Overrides::default(),
+    );
     let (list, left_out) = changes(&study, &default_variations(), &Overrides::default());
-    assert!(list.iter().all(|change| change.table == "building") && left_out.len() == 2, "{left_out:?}");
+    assert!(
+        list.iter().all(|change| change.table == "building") && left_out.len() == 2,
+        "{left_out:?}"
+    );
     let result = varied(&study, &["scale = 1, 2"], &Overrides::default());
-    let [base, same, double] = &result.rows[..] else { panic!("{:?}", result.rows) };
+    let [base, same, double] = &result.rows[..] else {
+        panic!("{:?}", result.rows)
+    };
     assert!(same.reason.is_some());
     // The building is linear: to the last bits.
     let ratio = double.pfa_g_median.unwrap() / base.pfa_g_median.unwrap();
@@ -189,12 +316,26 @@ fn warnings_of_variations_are_kept() {
     let (_folder, study) = in_folder(&quick(EUROCODE, ""), &[], &Overrides::default());
     let mut base = run(&study, &no_progress).unwrap();
     let result = run(&study, &no_progress).unwrap();
-    assert!(rows("key", "1", &study, &result, &base)[0].warnings.is_none());
+    assert!(
+        rows("key", "1", &study, &result, &base)[0]
+            .warnings
+            .is_none()
+    );
     let mut more = result.clone();
     more.warnings.extend(["one".to_owned(), "two".to_owned()]);
-    assert_eq!(rows("key", "1", &study, &more, &base)[0].warnings.as_deref(), Some("one; two"));
+    assert_eq!(
+        rows("key", "1", &study, &more, &base)[0]
+            .warnings
+            .as_deref(),
+        Some("one; two")
+    );
     base.warnings.push("one".to_owned());
-    assert_eq!(rows("key", "1", &study, &more, &base)[0].warnings.as_deref(), Some("two"));
+    assert_eq!(
+        rows("key", "1", &study, &more, &base)[0]
+            .warnings
+            .as_deref(),
+        Some("two")
+    );
 }
 
 /// There is no ratio to a tiny shock: the fixture with its shocks a hundred times smaller.
@@ -211,7 +352,10 @@ fn a_ratio_needs_a_base() {
         }
     }
     let row = &rows("key", "1", &study, &result, &small)[1];
-    assert_eq!((row.edge_acceleration_ratio, row.compared_objects.is_some()), (None, true));
+    assert_eq!(
+        (row.edge_acceleration_ratio, row.compared_objects.is_some()),
+        (None, true)
+    );
 }
 
 #[test]
@@ -220,9 +364,15 @@ fn what_does_not_apply_is_said_and_what_fails_is_a_row() {
     assert_eq!(result.rows.len(), 3);
     assert!(result.rows[1].reason.is_none());
     let reason = reason(&result.rows[2]);
-    assert!(reason.contains("shear_flexure must be 0 or more"), "{reason}");
+    assert!(
+        reason.contains("shear_flexure must be 0 or more"),
+        "{reason}"
+    );
     assert_eq!(result.rows[2].pfa_g_median, None);
-    assert_eq!(result.left_out, ["scale is not varied: synthetic motions follow their target"]);
+    assert_eq!(
+        result.left_out,
+        ["scale is not varied: synthetic motions follow their target"]
+    );
 }
 
 #[test]
@@ -231,7 +381,9 @@ fn default_values_leave_out_the_studys_own() {
     let (changes, left_out) = changes(&study, &default_variations(), &Overrides::default());
     let words: Vec<String> = changes.iter().map(Change::words).collect();
     assert!(left_out.is_empty());
-    assert!(words.contains(&"damping = 2 %".to_owned()) && !words.contains(&"damping = 5 %".to_owned()));
+    assert!(
+        words.contains(&"damping = 2 %".to_owned()) && !words.contains(&"damping = 5 %".to_owned())
+    );
     assert!(words.contains(&"site = Ae".to_owned()) && !words.contains(&"site = De".to_owned()));
 }
 
@@ -240,13 +392,24 @@ fn a_stopped_run_stops_the_variations() {
     let study = resolve(STUDY, None, "".as_ref()).unwrap();
     let base = run(&study, &no_progress).unwrap();
     let stop = |_: Step| ControlFlow::Break(());
-    let error = vary(&study, &base, &parsed(&["damping"]), &Overrides::default(), &|_, _, _| {}, &stop).unwrap_err();
+    let error = vary(
+        &study,
+        &base,
+        &parsed(&["damping"]),
+        &Overrides::default(),
+        &|_, _, _| {},
+        &stop,
+    )
+    .unwrap_err();
     assert!(error.is_stopped(), "{error}");
 }
 
 #[test]
 fn variations_are_forgiving_in_spelling_and_strict_in_words() {
-    assert_eq!(parse_variation("building.shear-flexure = 0, 20"), parse_variation("shear_flexure=0,20"));
+    assert_eq!(
+        parse_variation("building.shear-flexure = 0, 20"),
+        parse_variation("shear_flexure=0,20")
+    );
     let hint = parse_variation("dampin").unwrap_err().hint.unwrap();
     assert!(hint.contains("damping"), "{hint}");
     assert!(parse_variation("damping = 2 %,, 5 %").is_err());

@@ -27,28 +27,50 @@ fn record(duration_s: f64) -> Motion {
         let phase = std::f64::consts::TAU * 0.15 * duration_s / rate * ((rate * x).exp() - 1.0);
         (std::f64::consts::PI * x).sin() * phase.sin()
     };
-    Motion::new(0.01, (0..=(duration_s * 100.0) as u32).map(sample).collect()).unwrap()
+    Motion::new(
+        0.01,
+        (0..=(duration_s * 100.0) as u32).map(sample).collect(),
+    )
+    .unwrap()
 }
 
 fn problems(folder: &Path, keys: &str) -> Vec<String> {
     let said = |problem: &Problem| problem.to_string();
-    match resolve(&format!("[ground]\n{keys}"), Some(Path::new("s.toml")), folder) {
+    match resolve(
+        &format!("[ground]\n{keys}"),
+        Some(Path::new("s.toml")),
+        folder,
+    ) {
         Ok(_) => Vec::new(),
         Err(error) => error.problems.iter().map(said).collect(),
     }
 }
 
 fn study(folder: &Path, keys: &str) -> Study {
-    resolve(&format!("[ground]\n{keys}"), Some(Path::new("s.toml")), folder).unwrap()
+    resolve(
+        &format!("[ground]\n{keys}"),
+        Some(Path::new("s.toml")),
+        folder,
+    )
+    .unwrap()
 }
 
 #[test]
 fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
     let folder = folder();
     for (keys, expected) in [
-        ("point_source = { distance = \"30 km\" }\n", "s.toml:2: point_source needs magnitude"),
-        ("point_source = { magnitude = 6 }\n", "s.toml:2: point_source needs distance"),
-        ("[ground.point_source]\nmagnitude = 6\ndistance = 30\n", "s.toml:4: distance: \"30\" needs a unit"),
+        (
+            "point_source = { distance = \"30 km\" }\n",
+            "s.toml:2: point_source needs magnitude",
+        ),
+        (
+            "point_source = { magnitude = 6 }\n",
+            "s.toml:2: point_source needs distance",
+        ),
+        (
+            "[ground.point_source]\nmagnitude = 6\ndistance = 30\n",
+            "s.toml:4: distance: \"30\" needs a unit",
+        ),
         (
             "[ground.point_source]\nmagnitude = 9\ndistance_km = 30\n",
             "s.toml:3: magnitude must be from 3 to 8.5, not 9",
@@ -65,7 +87,10 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
             "[ground.point_source]\nmagnitude = 6\ndistance_km = 30\nkapa = \"1 ms\"\n",
             "s.toml:5: unknown key kapa in [point_source]",
         ),
-        ("point_source = 6\n", "s.toml:2: point_source must be a table, not 6"),
+        (
+            "point_source = 6\n",
+            "s.toml:2: point_source must be a table, not 6",
+        ),
         (
             "city = \"Perth\"\npoint_source = { magnitude = 6, distance_km = 30 }\n",
             "s.toml:2: city needs pairs = true: a given magnitude and distance need no code",
@@ -82,7 +107,10 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
             "count = 251\npoint_source = { pairs = true }\n",
             "s.toml:2: count, the motions of each of four earthquakes, must be a whole number from 1 to 250, not 251",
         ),
-        ("[ground.point_source]\npairs = true\ndistance_km = 3\n", "s.toml:4: distance and pairs exclude each other"),
+        (
+            "[ground.point_source]\npairs = true\ndistance_km = 3\n",
+            "s.toml:4: distance and pairs exclude each other",
+        ),
         (
             "code = \"ec8\"\npoint_source = { pairs = true }\n",
             "s.toml:2: code: pairs = true searches for earthquakes that fit AS 1170.4 only",
@@ -100,7 +128,10 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
             "point_source = { magnitude = 6, distance_km = 30 }\nmotions = \"record.csv\"\n",
             "s.toml:3: point_source and motions exclude each other",
         ),
-        ("point_source = { magnitude = 6, distance_km = 30 }\nscale = 2\n", "s.toml:3: scale needs motions"),
+        (
+            "point_source = { magnitude = 6, distance_km = 30 }\nscale = 2\n",
+            "s.toml:3: scale needs motions",
+        ),
     ] {
         assert_eq!(problems(folder.path(), keys), [expected], "{keys}");
     }
@@ -111,8 +142,14 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
     let folder = folder();
     for (keys, expected) in [
         ("match = \"wavelet\"\n", "s.toml:2: match needs motions"),
-        ("motions = \"record.csv\"\nmatch = \"wavelets\"\n", "s.toml:3: match \"wavelets\" is not known"),
-        ("motions = \"record.csv\"\nsite = \"De\"\n", "s.toml:3: site and motions exclude each other"),
+        (
+            "motions = \"record.csv\"\nmatch = \"wavelets\"\n",
+            "s.toml:3: match \"wavelets\" is not known",
+        ),
+        (
+            "motions = \"record.csv\"\nsite = \"De\"\n",
+            "s.toml:3: site and motions exclude each other",
+        ),
         (
             "motions = \"record.csv\"\nseed = 3\nmatch = \"fft\"\n",
             "s.toml:4: seed and match exclude each other: a record has no random numbers",
@@ -136,11 +173,22 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
     ] {
         assert_eq!(problems(folder.path(), keys), [expected], "{keys}");
     }
-    let short = problems(folder.path(), "motions = [\"record.csv\", \"short.csv\"]\nmatch = \"fft\"\n");
-    assert!(short.len() == 1 && short[0].contains("short.csv: a motion of 4 s is too short"), "{short:?}");
+    let short = problems(
+        folder.path(),
+        "motions = [\"record.csv\", \"short.csv\"]\nmatch = \"fft\"\n",
+    );
+    assert!(
+        short.len() == 1 && short[0].contains("short.csv: a motion of 4 s is too short"),
+        "{short:?}"
+    );
     let text = "[ground]\nmatch = \"fft\"\n[building]\nlevels = [{ name = \"roof\", motions = [\"record.csv\"] }]\n";
-    let error = resolve(text, Some(Path::new("s.toml")), folder.path()).unwrap_err().to_string();
-    assert!(error.contains("s.toml:2: match has no effect: the study gives the motions of its floors"), "{error}");
+    let error = resolve(text, Some(Path::new("s.toml")), folder.path())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("s.toml:2: match has no effect: the study gives the motions of its floors"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -148,29 +196,60 @@ fn each_earthquake_has_its_motions_and_the_seed_of_the_command_line_wins() {
     let folder = folder();
     let text = "[ground]\nsite = \"De\"\ncount = 2\nseed = 3\n\
                 point_source = { pairs = true, stress_drop = \"30 MPa\", hard_rock = true }\n";
-    let overrides = Overrides { seed: Some(9), ..Overrides::default() };
+    let overrides = Overrides {
+        seed: Some(9),
+        ..Overrides::default()
+    };
     let study = resolve_with(text, None, folder.path(), &overrides).unwrap();
     let names = study.ground.names(&study.levels);
-    let Ground::Simulated(simulated) = &study.ground else { panic!() };
-    assert_eq!((names.len(), simulated.earthquakes.len(), study.ground.seed()), (8, 4, Some(9)));
-    assert!(names[7].starts_with("m7.0-") && names[7].ends_with("km-02"), "{names:?}");
+    let Ground::Simulated(simulated) = &study.ground else {
+        panic!()
+    };
+    assert_eq!(
+        (
+            names.len(),
+            simulated.earthquakes.len(),
+            study.ground.seed()
+        ),
+        (8, 4, Some(9))
+    );
+    assert!(
+        names[7].starts_with("m7.0-") && names[7].ends_with("km-02"),
+        "{names:?}"
+    );
     for (found, magnitude) in simulated.earthquakes.iter().zip([5.5, 6.0, 6.5, 7.0]) {
-        assert_eq!((found.source.magnitude, found.source.stress_drop_pa), (magnitude, 30e6));
+        assert_eq!(
+            (found.source.magnitude, found.source.stress_drop_pa),
+            (magnitude, 30e6)
+        );
         assert!(found.source.profile.is_none());
         // The search's tolerance.
         assert!((found.mean_ratio_to_rock_spectrum.unwrap() - 1.0).abs() < 2e-3);
     }
-    assert!(study.warnings.iter().any(|one| one.contains("no soil column")), "{:?}", study.warnings);
+    assert!(
+        study
+            .warnings
+            .iter()
+            .any(|one| one.contains("no soil column")),
+        "{:?}",
+        study.warnings
+    );
     assert_eq!(simulated.hazard.as_ref().unwrap().kpz_g(), Some(0.08));
 }
 
 #[test]
 fn what_can_be_varied_depends_on_the_ground() {
     let folder = folder();
-    let variations: Vec<_> =
-        ["seed", "site", "city = Perth", "scale = 2"].iter().map(|text| parse_variation(text).unwrap()).collect();
+    let variations: Vec<_> = ["seed", "site", "city = Perth", "scale = 2"]
+        .iter()
+        .map(|text| parse_variation(text).unwrap())
+        .collect();
     let varied = |keys: &str| {
-        let (changes, left_out) = changes(&study(folder.path(), keys), &variations, &Default::default());
+        let (changes, left_out) = changes(
+            &study(folder.path(), keys),
+            &variations,
+            &Default::default(),
+        );
         let mut names: Vec<&str> = changes.iter().map(|one| one.key).collect();
         names.dedup();
         (names, left_out)
@@ -184,10 +263,16 @@ fn what_can_be_varied_depends_on_the_ground() {
             "scale is not varied: simulated motions follow their source"
         ]
     );
-    assert_eq!(varied("count = 1\npoint_source = { pairs = true, magnitude = 6 }\n").0, ["seed", "site", "city"]);
+    assert_eq!(
+        varied("count = 1\npoint_source = { pairs = true, magnitude = 6 }\n").0,
+        ["seed", "site", "city"]
+    );
     let (names, left_out) = varied("motions = \"record.csv\"\nmatch = \"fft\"\n");
     assert_eq!(names, ["site", "city"]);
-    assert_eq!(left_out[0], "seed is not varied: the motions are matched records");
+    assert_eq!(
+        left_out[0],
+        "seed is not varied: the motions are matched records"
+    );
 }
 
 /// The record's own misfit is far larger: the spectrum of a sweep of 1 m/s² is no code's.
@@ -195,17 +280,27 @@ fn what_can_be_varied_depends_on_the_ground() {
 fn a_record_meets_the_target_by_either_method() {
     let folder = folder();
     for method in ["wavelet", "FFT"] {
-        let keys = format!("motions = \"record.csv\"\nhazard_factor = 0.12\nsite = \"Ce\"\nmatch = \"{method}\"\n");
+        let keys = format!(
+            "motions = \"record.csv\"\nhazard_factor = 0.12\nsite = \"Ce\"\nmatch = \"{method}\"\n"
+        );
         let study = study(folder.path(), &keys);
-        let Ground::Recorded(records) = &study.ground else { panic!() };
+        let Ground::Recorded(records) = &study.ground else {
+            panic!()
+        };
         let matched = records[0].matched.as_ref().unwrap();
         let spectrum = |period_s| matched.target.spectrum.sa_g(period_s);
         let before = freestand::synthesis::misfit(&record(20.0), spectrum).unwrap();
         let after = freestand::synthesis::misfit(&records[0].motion, spectrum).unwrap();
         // A tenth: records in docs/motions.md come to 2.5 to 3.5 %.
-        assert!(before.rms_ratio > 0.5 && after.rms_ratio < 0.1, "{method}: {before:?} {after:?}");
+        assert!(
+            before.rms_ratio > 0.5 && after.rms_ratio < 0.1,
+            "{method}: {before:?} {after:?}"
+        );
         assert!((after.rms_ratio - matched.misfit.rms_ratio).abs() < 1e-9);
         let words = records[0].processing.last().unwrap();
-        assert!(words.starts_with("matched to AS 1170.4-2007 (Amdt 1, 2), site Ce, Z = 0.12,"), "{words}");
+        assert!(
+            words.starts_with("matched to AS 1170.4-2007 (Amdt 1, 2), site Ce, Z = 0.12,"),
+            "{words}"
+        );
     }
 }

@@ -11,7 +11,9 @@
 
 use freestand_records::formats::ReadOptions;
 use freestand_records::processing::Processing;
-use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, SpectrumRequest, info, spectrum};
+use freestand_study::inspect::{
+    InfoReport, InfoRequest, MotionInfo, SpectrumRequest, info, spectrum,
+};
 use freestand_study::recorded::{MotionFiles, read_all};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -24,13 +26,19 @@ fn options(name: &str, folder: &Path) -> ReadOptions {
         _ => (None, None),
     };
     let station_xml = name.ends_with(".mseed").then(|| folder.join("CI.CLC.xml"));
-    ReadOptions { unit: unit.map(str::to_owned), dt_s, station_xml, ..ReadOptions::default() }
+    ReadOptions {
+        unit: unit.map(str::to_owned),
+        dt_s,
+        station_xml,
+        ..ReadOptions::default()
+    }
 }
 
 /// The folder, the records of the index, and how they are read.
 fn records() -> Option<(PathBuf, Vec<(Value, ReadOptions)>)> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let shared = std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace.join("../shared"), PathBuf::from);
+    let shared = std::env::var_os("FREESTAND_SHARED")
+        .map_or_else(|| workspace.join("../shared"), PathBuf::from);
     let folder = shared.join("records");
     let Ok(text) = std::fs::read(folder.join("index.json")) else {
         println!("skipped: recorded motions are not in $FREESTAND_SHARED/records (../shared)");
@@ -41,7 +49,12 @@ fn records() -> Option<(PathBuf, Vec<(Value, ReadOptions)>)> {
         .as_array()
         .unwrap()
         .iter()
-        .map(|record| (record.clone(), options(record["file"].as_str().unwrap(), &folder)))
+        .map(|record| {
+            (
+                record.clone(),
+                options(record["file"].as_str().unwrap(), &folder),
+            )
+        })
         .collect();
     assert_eq!(records.len(), 15);
     Some((folder, records))
@@ -61,7 +74,10 @@ fn files(path: PathBuf, read: ReadOptions, component: Option<String>) -> MotionF
 #[track_caller]
 fn assert_close(what: &str, found: f64, fact: &Value, relative: f64) {
     let fact = fact.as_f64().expect("a number");
-    assert!((found - fact).abs() <= relative * fact.abs(), "{what}: {found} is not {fact}");
+    assert!(
+        (found - fact).abs() <= relative * fact.abs(),
+        "{what}: {found} is not {fact}"
+    );
 }
 
 /// The facts have 7 significant digits: half of 1e-6 of the leading digit, and a few roundings.
@@ -69,10 +85,16 @@ const DIGITS: f64 = 6e-7;
 
 #[test]
 fn measures_of_real_records() {
-    let Some((folder, all)) = records() else { return };
+    let Some((folder, all)) = records() else {
+        return;
+    };
     for (record, options) in all {
         let name = record["file"].as_str().unwrap();
-        let request = InfoRequest { files: files(folder.join(name), options, None), block: None, keep_motions: false };
+        let request = InfoRequest {
+            files: files(folder.join(name), options, None),
+            block: None,
+            keep_motions: false,
+        };
         let InfoReport { motions, .. } = info(&request).unwrap();
         let channels = record["channels"].as_array().unwrap();
         assert_eq!(motions.len(), channels.len(), "{name}");
@@ -88,24 +110,50 @@ fn check(what: &str, one: &MotionInfo, fact: &Value) {
     let number = |name: &str| one[name].as_f64().unwrap();
     let mean_removed = fact["pga_basis"].as_str().unwrap().contains("mean removed");
     assert_eq!(
-        (one["is_raw"].as_bool(), one["processing"].as_array().map(Vec::len)),
+        (
+            one["is_raw"].as_bool(),
+            one["processing"].as_array().map(Vec::len)
+        ),
         (Some(mean_removed), Some(usize::from(mean_removed))),
         "{what}"
     );
-    let index = if mean_removed { &fact["pga_mean_removed_index"] } else { &fact["pga_as_given_index"] };
+    let index = if mean_removed {
+        &fact["pga_mean_removed_index"]
+    } else {
+        &fact["pga_as_given_index"]
+    };
     assert_eq!(one["pga_index"].as_u64(), index.as_u64(), "{what}");
     assert_eq!(one["npts"].as_u64(), fact["npts"].as_u64(), "{what}");
-    assert_close(what, number("pga_signed_m_s2"), &fact["pga_m_per_s2"], DIGITS);
+    assert_close(
+        what,
+        number("pga_signed_m_s2"),
+        &fact["pga_m_per_s2"],
+        DIGITS,
+    );
     let unit_m_s2 = fact["to_m_per_s2"].as_f64().unwrap();
-    assert_close(what, number("sum_abs_m_s2") / unit_m_s2, &fact["sum_abs"], DIGITS);
+    assert_close(
+        what,
+        number("sum_abs_m_s2") / unit_m_s2,
+        &fact["sum_abs"],
+        DIGITS,
+    );
     // A mean may be nothing but round-off of the sum.
     let mean = fact["mean"].as_f64().unwrap();
     assert!(
-        (number("mean_m_s2") / unit_m_s2 - mean).abs() <= DIGITS * mean.abs() + 1e-12 * number("pga_m_s2"),
+        (number("mean_m_s2") / unit_m_s2 - mean).abs()
+            <= DIGITS * mean.abs() + 1e-12 * number("pga_m_s2"),
         "{what}"
     );
-    let first = fact["first4"].as_array().unwrap().iter().zip(one["first_values_m_s2"].as_array().unwrap());
-    let last = fact["last2"].as_array().unwrap().iter().zip(one["last_values_m_s2"].as_array().unwrap());
+    let first = fact["first4"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(one["first_values_m_s2"].as_array().unwrap());
+    let last = fact["last2"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(one["last_values_m_s2"].as_array().unwrap());
     for (fact, value) in first.chain(last) {
         assert_close(what, value.as_f64().unwrap() / unit_m_s2, fact, DIGITS);
     }
@@ -114,15 +162,28 @@ fn check(what: &str, one: &MotionInfo, fact: &Value) {
     assert_close(what, number("cav_m_s"), &im["cav_m_per_s"], DIGITS);
     assert_close(what, number("d5_75_s"), &im["d5_75_s"], DIGITS);
     assert_close(what, number("d5_95_s"), &im["d5_95_s"], DIGITS);
-    assert_close(what, number("pgv_m_s"), &im["pgv_m_per_s_trapz_no_correction"], DIGITS);
+    assert_close(
+        what,
+        number("pgv_m_s"),
+        &im["pgv_m_per_s_trapz_no_correction"],
+        DIGITS,
+    );
     // Where every second counts they are two sums of the same terms, in another order.
-    assert!(number("cav_std_m_s") <= number("cav_m_s") * (1.0 + 1e-12), "{what}");
-    assert!(number("uniform_duration_s") <= number("bracketed_duration_s") * (1.0 + 1e-12), "{what}");
+    assert!(
+        number("cav_std_m_s") <= number("cav_m_s") * (1.0 + 1e-12),
+        "{what}"
+    );
+    assert!(
+        number("uniform_duration_s") <= number("bracketed_duration_s") * (1.0 + 1e-12),
+        "{what}"
+    );
 }
 
 #[test]
 fn spectra_of_real_records() {
-    let Some((folder, all)) = records() else { return };
+    let Some((folder, all)) = records() else {
+        return;
+    };
     for (record, options) in all {
         let name = record["file"].as_str().unwrap();
         let channels = record["channels"].as_array().unwrap();
@@ -131,7 +192,11 @@ fn spectra_of_real_records() {
             let read = read_all(&files(folder.join(name), options.clone(), component)).unwrap();
             let facts = fact["psa_5pct_m_per_s2"].as_object().unwrap();
             let periods_s: Vec<f64> = facts.keys().map(|period| period.parse().unwrap()).collect();
-            let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s, upsample: 1 };
+            let request = SpectrumRequest {
+                damping_ratios: vec![0.05],
+                periods_s,
+                upsample: 1,
+            };
             let report = spectrum(&read[0], &request).unwrap();
             for (psa_g, fact) in report.first.psa_g.iter().zip(facts.values()) {
                 assert_close(name, psa_g * freestand::G0_M_S2, fact, DIGITS);

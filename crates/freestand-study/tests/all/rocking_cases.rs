@@ -1,7 +1,11 @@
 //! The scalar solver and the kernel for many blocks against histories that were solved to 160 bits
 //! (`validation/rocking`).
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at broken data and says what it skips")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop at broken data and says what it skips"
+)]
 
 use std::fs;
 
@@ -9,7 +13,8 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::Outcome;
 use freestand::rocking::{
-    Accuracy, Base, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, rock, rock_many,
+    Accuracy, Base, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, rock,
+    rock_many,
 };
 use serde_json::Value;
 
@@ -32,7 +37,11 @@ fn solve(case: &Value, accuracy: Accuracy) -> Option<(Rocking, RockingSummary)> 
     let vertical = number(case, "scale_v").map(|_| motion(1, "scale_v"));
     let linearised = ["linearised", "free_rocking_lin"].contains(&case["group"].as_str().unwrap());
     let options = RockingOptions {
-        model: if linearised { RockingModel::Linearised } else { RockingModel::Rigid },
+        model: if linearised {
+            RockingModel::Linearised
+        } else {
+            RockingModel::Rigid
+        },
         restitution: number(case, "r").map_or(Restitution::Housner, Restitution::Value),
         gravity_m_s2: number(case, "g").unwrap_or(freestand::G0_M_S2),
         accuracy,
@@ -41,7 +50,10 @@ fn solve(case: &Value, accuracy: Accuracy) -> Option<(Rocking, RockingSummary)> 
         ..RockingOptions::default()
     };
     let block = Block::uniform(number(case, "h").unwrap(), number(case, "t").unwrap()).unwrap();
-    let base = Base { horizontal: Some(&horizontal), vertical: vertical.as_ref() };
+    let base = Base {
+        horizontal: Some(&horizontal),
+        vertical: vertical.as_ref(),
+    };
     let kernel = rock_many(&[block], base, &options).remove(0).unwrap();
     Some((rock(&block, base, &options).unwrap(), kernel))
 }
@@ -51,7 +63,11 @@ fn outcome(case: &Value) -> Outcome {
         Outcome::Overturned
     } else if number(case, "theta_max").unwrap() > 0.0 {
         let is_moving = case["final"]["at_rest"].as_bool() == Some(false);
-        if is_moving { Outcome::Unresolved } else { Outcome::Rocked }
+        if is_moving {
+            Outcome::Unresolved
+        } else {
+            Outcome::Rocked
+        }
     } else {
         Outcome::NoUplift
     }
@@ -73,24 +89,43 @@ fn check_summary(case: &Value, got: &RockingSummary, bound: f64) -> Result<f64, 
         return Err(format!("{:?} instead of {:?}", got.outcome, outcome(case)));
     }
     let (expected, peak) = (number(case, "theta_max").unwrap(), got.peak_rotation_rad);
-    let error = if expected == 0.0 { peak } else { peak / expected - 1.0 }.abs();
-    if error > bound { Err(format!("peak rotation {peak} instead of {expected}")) } else { Ok(error) }
+    let error = if expected == 0.0 {
+        peak
+    } else {
+        peak / expected - 1.0
+    }
+    .abs();
+    if error > bound {
+        Err(format!("peak rotation {peak} instead of {expected}"))
+    } else {
+        Ok(error)
+    }
 }
 
 /// The times that only the scalar solver keeps, and its impacts; the largest errors of impacts and of overturning \[s\].
 fn check_times(case: &Value, got: &Rocking, bounds: &Bounds) -> Result<(f64, f64), String> {
-    let overturn_s = number(case, "t_overturn").map_or(0.0, |t| (got.overturn_time_s.unwrap() - t).abs());
+    let overturn_s =
+        number(case, "t_overturn").map_or(0.0, |t| (got.overturn_time_s.unwrap() - t).abs());
     if overturn_s > bounds.overturn_s {
         return Err(format!("overturns {overturn_s:e} s apart"));
     }
     let impacts = case["impacts"].as_array().unwrap().iter().zip(&got.impacts);
-    let impact_s = impacts.map(|(e, got)| (got.time_s - number(e, "t").unwrap()).abs()).fold(0.0, f64::max);
+    let impact_s = impacts
+        .map(|(e, got)| (got.time_s - number(e, "t").unwrap()).abs())
+        .fold(0.0, f64::max);
     if impact_s > bounds.impact_s {
         return Err(format!("an impact {impact_s:e} s apart"));
     }
-    let counted = got.impacts.iter().filter(|i| i.omega_before_rad_s.abs() >= 1e-3).count();
+    let counted = got
+        .impacts
+        .iter()
+        .filter(|i| i.omega_before_rad_s.abs() >= 1e-3)
+        .count();
     if Some(counted as u64) != case["n_impacts"]["0.001"].as_u64() {
-        return Err(format!("{counted} impacts instead of {}", case["n_impacts"]["0.001"]));
+        return Err(format!(
+            "{counted} impacts instead of {}",
+            case["n_impacts"]["0.001"]
+        ));
     }
     let has_rocked = matches!(outcome(case), Outcome::Rocked | Outcome::Unresolved);
     if has_rocked && Some(got.at_rest) != case["final"]["at_rest"].as_bool() {
@@ -100,10 +135,16 @@ fn check_times(case: &Value, got: &Rocking, bounds: &Bounds) -> Result<(f64, f64
 }
 
 fn check(accuracy: Accuracy, bounds: &Bounds) {
-    let text = fs::read_to_string(workspace().join("validation/rocking/rocking_cases.json")).unwrap();
+    let text =
+        fs::read_to_string(workspace().join("validation/rocking/rocking_cases.json")).unwrap();
     let cases: Value = serde_json::from_str(&text).unwrap();
     let (mut done, mut sensitive, mut skipped) = (0, 0, 0);
-    let mut worst = Bounds { peak_relative: 0.0, impact_s: 0.0, overturn_s: 0.0, kernel_peak_relative: 0.0 };
+    let mut worst = Bounds {
+        peak_relative: 0.0,
+        impact_s: 0.0,
+        overturn_s: 0.0,
+        kernel_peak_relative: 0.0,
+    };
     let mut failures = Vec::new();
     for case in cases["cases"].as_array().unwrap() {
         let id = &case["id"];
@@ -118,8 +159,18 @@ fn check(accuracy: Accuracy, bounds: &Bounds) {
         done += 1;
         let summary = RockingSummary::from(&scalar);
         for (who, worst, summary, bound) in [
-            ("scalar", &mut worst.peak_relative, summary, bounds.peak_relative),
-            ("kernel", &mut worst.kernel_peak_relative, kernel, bounds.kernel_peak_relative),
+            (
+                "scalar",
+                &mut worst.peak_relative,
+                summary,
+                bounds.peak_relative,
+            ),
+            (
+                "kernel",
+                &mut worst.kernel_peak_relative,
+                kernel,
+                bounds.kernel_peak_relative,
+            ),
         ] {
             match check_summary(case, &summary, bound) {
                 Ok(error) => *worst = worst.max(error),
@@ -128,23 +179,36 @@ fn check(accuracy: Accuracy, bounds: &Bounds) {
         }
         match check_times(case, &scalar, bounds) {
             Ok((impact_s, overturn_s)) => {
-                (worst.impact_s, worst.overturn_s) = (worst.impact_s.max(impact_s), worst.overturn_s.max(overturn_s));
+                (worst.impact_s, worst.overturn_s) = (
+                    worst.impact_s.max(impact_s),
+                    worst.overturn_s.max(overturn_s),
+                );
             }
             Err(what) => failures.push(format!("{id}: {what}")),
         }
         if kernel.impact_count != summary.impact_count {
-            failures.push(format!("{id}: {} and {} impacts", kernel.impact_count, summary.impact_count));
+            failures.push(format!(
+                "{id}: {} and {} impacts",
+                kernel.impact_count, summary.impact_count
+            ));
         }
     }
     if skipped > 0 {
-        println!("skipped: {skipped} cases whose record is not in $FREESTAND_SHARED/cases/records (../shared)");
+        println!(
+            "skipped: {skipped} cases whose record is not in $FREESTAND_SHARED/cases/records (../shared)"
+        );
     }
     println!(
         "{accuracy:?}: {done} cases, {sensitive} sensitive ones left out; worst \
          peak rotation {:.1e}, by the kernel {:.1e}, impact {:.1e} s, overturning {:.1e} s",
         worst.peak_relative, worst.kernel_peak_relative, worst.impact_s, worst.overturn_s
     );
-    assert!(failures.is_empty(), "{}\n{}", failures.len(), failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{}\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
     // 365 cases need no record from outside; most of them are not sensitive.
     assert!(done >= 300, "only {done} cases ran");
 }
@@ -153,7 +217,12 @@ fn check(accuracy: Accuracy, bounds: &Bounds) {
 fn standard_accuracy_holds_every_case() {
     check(
         Accuracy::Standard,
-        &Bounds { peak_relative: 1e-12, impact_s: 5e-11, overturn_s: 3e-11, kernel_peak_relative: 1e-8 },
+        &Bounds {
+            peak_relative: 1e-12,
+            impact_s: 5e-11,
+            overturn_s: 3e-11,
+            kernel_peak_relative: 1e-8,
+        },
     );
 }
 
@@ -161,7 +230,12 @@ fn standard_accuracy_holds_every_case() {
 fn tight_accuracy_holds_every_case() {
     check(
         Accuracy::Tight,
-        &Bounds { peak_relative: 1.5e-13, impact_s: 2e-12, overturn_s: 8e-12, kernel_peak_relative: 1e-12 },
+        &Bounds {
+            peak_relative: 1.5e-13,
+            impact_s: 2e-12,
+            overturn_s: 8e-12,
+            kernel_peak_relative: 1e-12,
+        },
     );
 }
 
@@ -169,6 +243,11 @@ fn tight_accuracy_holds_every_case() {
 fn fast_accuracy_has_every_outcome() {
     check(
         Accuracy::Fast,
-        &Bounds { peak_relative: 8e-9, impact_s: 5e-7, overturn_s: 7e-6, kernel_peak_relative: 1e-6 },
+        &Bounds {
+            peak_relative: 8e-9,
+            impact_s: 5e-7,
+            overturn_s: 7e-6,
+            kernel_peak_relative: 1e-6,
+        },
     );
 }

@@ -53,15 +53,28 @@ impl Building {
             return Err(BuildingError::Damping { damping_ratio });
         }
         if !(shear_flexure_ratio >= 0.0 && shear_flexure_ratio.is_finite()) {
-            return Err(BuildingError::ShearFlexure { shear_flexure_ratio });
+            return Err(BuildingError::ShearFlexure {
+                shear_flexure_ratio,
+            });
         }
         if !(1..=MAX_MODES).contains(&modes) {
-            return Err(BuildingError::Modes { modes, at_most: MAX_MODES });
+            return Err(BuildingError::Modes {
+                modes,
+                at_most: MAX_MODES,
+            });
         }
         let alpha = shear_flexure_ratio;
         let first = eigenvalue(alpha, 1);
-        let modes = (1..=modes).map(|i| mode(period_s, damping_ratio, alpha, first, eigenvalue(alpha, i))).collect();
-        Ok(Self { model: Model::Beam { shear_flexure_ratio }, modes, floors_ratio: Vec::new() })
+        let modes = (1..=modes)
+            .map(|i| mode(period_s, damping_ratio, alpha, first, eigenvalue(alpha, i)))
+            .collect();
+        Ok(Self {
+            model: Model::Beam {
+                shear_flexure_ratio,
+            },
+            modes,
+            floors_ratio: Vec::new(),
+        })
     }
 }
 
@@ -92,7 +105,11 @@ fn eigenvalue(alpha: f64, number: usize) -> f64 {
         if middle <= low || middle >= high {
             return middle;
         }
-        if (characteristic(alpha, middle) > 0.0) == positive_below { low = middle } else { high = middle }
+        if (characteristic(alpha, middle) > 0.0) == positive_below {
+            low = middle
+        } else {
+            high = middle
+        }
     }
 }
 
@@ -127,7 +144,14 @@ impl BeamShape {
         let denominator = 0.5 * (1.0 + e * e) + r * r * cos * e;
         let eta = (r * r * sin * e + 0.5 * r * (1.0 - e * e)) / denominator;
         let p = 0.5 * r * (r * sin - r * r * cos - e) / denominator;
-        let mut shape = Self { gamma, beta, eta, p, q: 0.5 * (eta + r), roof: 1.0 };
+        let mut shape = Self {
+            gamma,
+            beta,
+            eta,
+            p,
+            q: 0.5 * (eta + r),
+            roof: 1.0,
+        };
         shape.roof = shape.raw(1.0);
         shape
     }
@@ -144,18 +168,28 @@ impl BeamShape {
 
     fn raw(&self, x: f64) -> f64 {
         let (sin, cos) = (self.gamma * x).sin_cos();
-        sin - self.eta * cos + self.p * (self.beta * (x - 1.0)).exp() + self.q * (-self.beta * x).exp()
+        sin - self.eta * cos
+            + self.p * (self.beta * (x - 1.0)).exp()
+            + self.q * (-self.beta * x).exp()
     }
 
     /// ∫φ dx over the height.
     fn integral(&self) -> f64 {
         let (sin, cos) = self.gamma.sin_cos();
-        (1.0 - cos - self.eta * sin) / self.gamma + (self.p + self.q) * -(-self.beta).exp_m1() / self.beta
+        (1.0 - cos - self.eta * sin) / self.gamma
+            + (self.p + self.q) * -(-self.beta).exp_m1() / self.beta
     }
 
     /// ∫φ² dx over the height: the ten products of the four terms, each in closed form.
     fn integral_of_square(&self) -> f64 {
-        let Self { gamma, beta, eta, p, q, .. } = *self;
+        let Self {
+            gamma,
+            beta,
+            eta,
+            p,
+            q,
+            ..
+        } = *self;
         let (sin, cos) = gamma.sin_cos();
         let e = (-beta).exp();
         let r = gamma / beta;
@@ -164,7 +198,10 @@ impl BeamShape {
         let (sin_sin, cos_cos, sin_cos) = (0.5 - swing, 0.5 + swing, sin * sin / (2.0 * gamma));
         let (grow_grow, grow_fall) = (-(-2.0 * beta).exp_m1() / (2.0 * beta), e);
         let (grow_sin, grow_cos) = ((sin - r * cos + r * e) * scale, (cos + r * sin - e) * scale);
-        let (fall_sin, fall_cos) = ((r - e * (sin + r * cos)) * scale, (1.0 + e * (r * sin - cos)) * scale);
+        let (fall_sin, fall_cos) = (
+            (r - e * (sin + r * cos)) * scale,
+            (1.0 + e * (r * sin - cos)) * scale,
+        );
         sin_sin + eta * eta * cos_cos - 2.0 * eta * sin_cos
             + (p * p + q * q) * grow_grow
             + 2.0 * p * q * grow_fall
@@ -235,18 +272,51 @@ mod tests {
     fn modes_are_those_of_the_finite_element_model() {
         // Every tolerance is half a unit of the last printed digit.
         let near = |value: f64, want: f64, unit: f64, what: &str, alpha: f64| {
-            assert!((value - want).abs() <= 0.5 * unit, "{what} at alpha {alpha}: {value}, table {want}");
+            assert!(
+                (value - want).abs() <= 0.5 * unit,
+                "{what} at alpha {alpha}: {value}, table {want}"
+            );
         };
         for row in &TABLE {
             let building = Building::beam(1.0, 0.05, row.alpha, 5).unwrap();
             for (i, mode) in building.modes().iter().enumerate() {
-                near(mode.eigenvalue().unwrap(), row.eigenvalues[i], 1e-5, "eigenvalue", row.alpha);
-                near(mode.participation_ratio(), row.participations[i], 1e-4, "participation", row.alpha);
+                near(
+                    mode.eigenvalue().unwrap(),
+                    row.eigenvalues[i],
+                    1e-5,
+                    "eigenvalue",
+                    row.alpha,
+                );
+                near(
+                    mode.participation_ratio(),
+                    row.participations[i],
+                    1e-4,
+                    "participation",
+                    row.alpha,
+                );
                 let mid_height = mode.participation_ratio() * mode.shape_ratio(0.5);
-                near(mid_height, row.at_mid_height[i], 1e-4, "at mid-height", row.alpha);
-                near(mode.effective_mass_ratio().unwrap(), row.masses[i], 1e-3, "effective mass", row.alpha);
+                near(
+                    mid_height,
+                    row.at_mid_height[i],
+                    1e-4,
+                    "at mid-height",
+                    row.alpha,
+                );
+                near(
+                    mode.effective_mass_ratio().unwrap(),
+                    row.masses[i],
+                    1e-3,
+                    "effective mass",
+                    row.alpha,
+                );
                 if i > 0 {
-                    near(mode.period_s(), row.period_ratios[i - 1], 1e-5, "period ratio", row.alpha);
+                    near(
+                        mode.period_s(),
+                        row.period_ratios[i - 1],
+                        1e-5,
+                        "period ratio",
+                        row.alpha,
+                    );
                 }
             }
         }
@@ -262,13 +332,23 @@ mod tests {
                 let n = 40_000;
                 let (mut area, mut square) = (0.0, 0.0);
                 for k in 0..=n {
-                    let weight = if k == 0 || k == n { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 } / (3.0 * n as f64);
+                    let weight = if k == 0 || k == n {
+                        1.0
+                    } else {
+                        2.0 + 2.0 * (k % 2) as f64
+                    } / (3.0 * n as f64);
                     let phi = mode.shape_ratio(k as f64 / n as f64);
                     area += weight * phi;
                     square += weight * phi * phi;
                 }
-                assert!((mode.participation_ratio() - area / square).abs() < 4e-9, "alpha {alpha}");
-                assert!((mode.effective_mass_ratio().unwrap() - area * area / square).abs() < 4e-9, "alpha {alpha}");
+                assert!(
+                    (mode.participation_ratio() - area / square).abs() < 4e-9,
+                    "alpha {alpha}"
+                );
+                assert!(
+                    (mode.effective_mass_ratio().unwrap() - area * area / square).abs() < 4e-9,
+                    "alpha {alpha}"
+                );
             }
         }
     }
@@ -279,34 +359,71 @@ mod tests {
             let building = Building::beam(1.0, 0.05, alpha, MAX_MODES).unwrap();
             let mut shorter_than = f64::INFINITY;
             for mode in building.modes() {
-                let ModeShape::Beam(shape) = mode.shape() else { unreachable!() };
-                assert!(mode.period_s() > 0.0 && mode.period_s() < shorter_than, "alpha {alpha}");
+                let ModeShape::Beam(shape) = mode.shape() else {
+                    unreachable!()
+                };
+                assert!(
+                    mode.period_s() > 0.0 && mode.period_s() < shorter_than,
+                    "alpha {alpha}"
+                );
                 shorter_than = mode.period_s();
                 // φ(0) from the formula: four terms of order 1 to 2, and φ(1) is at least 0.7 of
                 // that.
                 assert!(shape.value(0.0).abs() < 1e-14, "alpha {alpha}");
                 assert_eq!(mode.shape_ratio(1.0), 1.0);
                 // Fixed at the ground: φ'(0) = γ − βQ + βP e^(−β) = 0, each term up to γ or ηβ ≈ γ.
-                let BeamShape { gamma, beta, p, q, .. } = *shape;
+                let BeamShape {
+                    gamma, beta, p, q, ..
+                } = *shape;
                 let slope = gamma - beta * q + beta * p * (-beta).exp();
                 assert!(slope.abs() < 1e-14 * gamma, "alpha {alpha}: {slope}");
             }
-            let mass: f64 = building.modes().iter().filter_map(Mode::effective_mass_ratio).sum();
+            let mass: f64 = building
+                .modes()
+                .iter()
+                .filter_map(Mode::effective_mass_ratio)
+                .sum();
             // The modes beyond the fiftieth are missing: Σ 2/((i − ½)π)² ≈ 2/(50π²) = 0.0041 for a
             // shear beam, twice that, 0.0081, for a flexural one; 50 closed integrals are accurate
             // to 1e-12 together.
-            assert!(mass < 1.0 + 1e-12 && mass > 1.0 - 0.0082, "alpha {alpha}: {mass}");
+            assert!(
+                mass < 1.0 + 1e-12 && mass > 1.0 - 0.0082,
+                "alpha {alpha}: {mass}"
+            );
         }
     }
 
     #[test]
     fn what_is_not_a_building_is_refused() {
-        let building = |period_s, damping, alpha, modes| Building::beam(period_s, damping, alpha, modes).unwrap_err();
-        assert!(matches!(building(0.0, 0.05, 5.0, 3), BuildingError::Period { .. }));
-        assert!(matches!(building(1.0, 1.0, 5.0, 3), BuildingError::Damping { .. }));
-        assert!(matches!(building(1.0, 0.05, -1.0, 3), BuildingError::ShearFlexure { .. }));
-        assert!(matches!(building(1.0, 0.05, f64::INFINITY, 3), BuildingError::ShearFlexure { .. }));
-        assert!(matches!(building(1.0, 0.05, 5.0, 0), BuildingError::Modes { modes: 0, .. }));
-        assert!(matches!(building(1.0, 0.05, 5.0, 51), BuildingError::Modes { modes: 51, at_most: 50 }));
+        let building = |period_s, damping, alpha, modes| {
+            Building::beam(period_s, damping, alpha, modes).unwrap_err()
+        };
+        assert!(matches!(
+            building(0.0, 0.05, 5.0, 3),
+            BuildingError::Period { .. }
+        ));
+        assert!(matches!(
+            building(1.0, 1.0, 5.0, 3),
+            BuildingError::Damping { .. }
+        ));
+        assert!(matches!(
+            building(1.0, 0.05, -1.0, 3),
+            BuildingError::ShearFlexure { .. }
+        ));
+        assert!(matches!(
+            building(1.0, 0.05, f64::INFINITY, 3),
+            BuildingError::ShearFlexure { .. }
+        ));
+        assert!(matches!(
+            building(1.0, 0.05, 5.0, 0),
+            BuildingError::Modes { modes: 0, .. }
+        ));
+        assert!(matches!(
+            building(1.0, 0.05, 5.0, 51),
+            BuildingError::Modes {
+                modes: 51,
+                at_most: 50
+            }
+        ));
     }
 }

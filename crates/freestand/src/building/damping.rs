@@ -42,27 +42,50 @@ impl Damping {
     pub fn ratios(&self, periods_s: &[f64]) -> Result<Vec<f64>, BuildingError> {
         let is_one = |ratio: f64| (0.0..1.0).contains(&ratio);
         let ratios = match self {
-            Self::Uniform(damping_ratio) | Self::Rayleigh { damping_ratio, .. } if !is_one(*damping_ratio) => {
-                return Err(BuildingError::Damping { damping_ratio: *damping_ratio });
+            Self::Uniform(damping_ratio) | Self::Rayleigh { damping_ratio, .. }
+                if !is_one(*damping_ratio) =>
+            {
+                return Err(BuildingError::Damping {
+                    damping_ratio: *damping_ratio,
+                });
             }
             Self::Uniform(damping_ratio) => vec![*damping_ratio; periods_s.len()],
             Self::PerMode(ratios) if ratios.len() != periods_s.len() => {
-                return Err(BuildingError::DampingCount { ratios: ratios.len(), modes: periods_s.len() });
+                return Err(BuildingError::DampingCount {
+                    ratios: ratios.len(),
+                    modes: periods_s.len(),
+                });
             }
             Self::PerMode(ratios) => ratios.clone(),
-            Self::Rayleigh { damping_ratio, modes: [first, second] } => {
-                let period = |mode: usize| mode.checked_sub(1).and_then(|i| periods_s.get(i)).copied();
-                let wrong = BuildingError::RayleighModes { first: *first, second: *second, modes: periods_s.len() };
-                let (Some(one), Some(other)) = (period(*first), period(*second)) else { return Err(wrong) };
+            Self::Rayleigh {
+                damping_ratio,
+                modes: [first, second],
+            } => {
+                let period =
+                    |mode: usize| mode.checked_sub(1).and_then(|i| periods_s.get(i)).copied();
+                let wrong = BuildingError::RayleighModes {
+                    first: *first,
+                    second: *second,
+                    modes: periods_s.len(),
+                };
+                let (Some(one), Some(other)) = (period(*first), period(*second)) else {
+                    return Err(wrong);
+                };
                 if one == other {
                     return Err(wrong);
                 }
                 let rayleigh = Rayleigh::through(one, other, *damping_ratio);
-                periods_s.iter().map(|&period_s| rayleigh.damping_ratio(period_s)).collect()
+                periods_s
+                    .iter()
+                    .map(|&period_s| rayleigh.damping_ratio(period_s))
+                    .collect()
             }
         };
         match ratios.iter().position(|&ratio| !is_one(ratio)) {
-            Some(index) => Err(BuildingError::ModeDamping { mode: index + 1, damping_ratio: ratios[index] }),
+            Some(index) => Err(BuildingError::ModeDamping {
+                mode: index + 1,
+                damping_ratio: ratios[index],
+            }),
             None => Ok(ratios),
         }
     }
@@ -96,7 +119,10 @@ impl Rayleigh {
     pub fn through(period_s: f64, other_period_s: f64, damping_ratio: f64) -> Self {
         let (one, other) = (TAU / period_s, TAU / other_period_s);
         let stiffness_factor_s = 2.0 * damping_ratio / (one + other);
-        Self { mass_factor_per_s: stiffness_factor_s * one * other, stiffness_factor_s }
+        Self {
+            mass_factor_per_s: stiffness_factor_s * one * other,
+            stiffness_factor_s,
+        }
     }
 
     /// ζ at a period.
@@ -121,20 +147,47 @@ mod tests {
     #[test]
     fn what_is_no_damping_is_refused() {
         let ratios = |damping: Damping| damping.ratios(&[2.0, 1.0, 1.0, 0.001]).unwrap_err();
-        let rayleigh = |damping_ratio, modes| Damping::Rayleigh { damping_ratio, modes };
-        assert!(matches!(ratios(Damping::Uniform(1.0)), BuildingError::Damping { .. }));
-        assert!(matches!(ratios(Damping::Uniform(f64::NAN)), BuildingError::Damping { .. }));
-        assert!(matches!(ratios(rayleigh(-0.1, [1, 2])), BuildingError::Damping { .. }));
-        assert!(matches!(ratios(Damping::PerMode(vec![0.1])), BuildingError::DampingCount { ratios: 1, modes: 4 }));
+        let rayleigh = |damping_ratio, modes| Damping::Rayleigh {
+            damping_ratio,
+            modes,
+        };
+        assert!(matches!(
+            ratios(Damping::Uniform(1.0)),
+            BuildingError::Damping { .. }
+        ));
+        assert!(matches!(
+            ratios(Damping::Uniform(f64::NAN)),
+            BuildingError::Damping { .. }
+        ));
+        assert!(matches!(
+            ratios(rayleigh(-0.1, [1, 2])),
+            BuildingError::Damping { .. }
+        ));
+        assert!(matches!(
+            ratios(Damping::PerMode(vec![0.1])),
+            BuildingError::DampingCount {
+                ratios: 1,
+                modes: 4
+            }
+        ));
         let one_bad = Damping::PerMode(vec![0.1, 0.1, f64::INFINITY, 0.1]);
-        assert!(matches!(ratios(one_bad), BuildingError::ModeDamping { mode: 3, .. }));
+        assert!(matches!(
+            ratios(one_bad),
+            BuildingError::ModeDamping { mode: 3, .. }
+        ));
         for modes in [[1, 1], [0, 1], [1, 5], [2, 3]] {
             assert!(
-                matches!(ratios(rayleigh(0.05, modes)), BuildingError::RayleighModes { modes: 4, .. }),
+                matches!(
+                    ratios(rayleigh(0.05, modes)),
+                    BuildingError::RayleighModes { modes: 4, .. }
+                ),
                 "{modes:?}"
             );
         }
         // Mode 4 has 1000 times the frequency of mode 2: ζ ≈ 0.05·1000·2/3.
-        assert!(matches!(ratios(rayleigh(0.05, [1, 2])), BuildingError::ModeDamping { mode: 4, .. }));
+        assert!(matches!(
+            ratios(rayleigh(0.05, [1, 2])),
+            BuildingError::ModeDamping { mode: 4, .. }
+        ));
     }
 }

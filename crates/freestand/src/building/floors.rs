@@ -18,7 +18,11 @@ use crate::oscillator::{OscillatorState, OscillatorStep, step_of_period};
 /// assert_eq!(floor_motion(&ground, &building, 0.0)?, ground);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn floor_motion(ground: &Motion, building: &Building, level_ratio: f64) -> Result<Motion, BuildingError> {
+pub fn floor_motion(
+    ground: &Motion,
+    building: &Building,
+    level_ratio: f64,
+) -> Result<Motion, BuildingError> {
     check_level(level_ratio)?;
     let accel_m_s2 = floor_accelerations(ground, building, &[level_ratio])?.swap_remove(0);
     Ok(Motion::new(ground.dt_s(), accel_m_s2)?)
@@ -47,14 +51,27 @@ pub fn floor_motion(ground: &Motion, building: &Building, level_ratio: f64) -> R
 ///
 /// # Errors
 /// A level outside 0 to 1, or samples that overflow.
-pub fn floor_motions(ground: &Motion, building: &Building, levels_ratio: &[f64]) -> Result<Vec<Motion>, BuildingError> {
-    levels_ratio.iter().try_for_each(|&level_ratio| check_level(level_ratio))?;
+pub fn floor_motions(
+    ground: &Motion,
+    building: &Building,
+    levels_ratio: &[f64],
+) -> Result<Vec<Motion>, BuildingError> {
+    levels_ratio
+        .iter()
+        .try_for_each(|&level_ratio| check_level(level_ratio))?;
     let floors = floor_accelerations(ground, building, levels_ratio)?;
-    floors.into_iter().map(|accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?)).collect()
+    floors
+        .into_iter()
+        .map(|accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?))
+        .collect()
 }
 
 fn check_level(level_ratio: f64) -> Result<(), BuildingError> {
-    if (0.0..=1.0).contains(&level_ratio) { Ok(()) } else { Err(BuildingError::Level { level_ratio }) }
+    if (0.0..=1.0).contains(&level_ratio) {
+        Ok(())
+    } else {
+        Err(BuildingError::Level { level_ratio })
+    }
 }
 
 fn floor_accelerations(
@@ -62,13 +79,20 @@ fn floor_accelerations(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<Vec<f64>>, BuildingError> {
-    let levels: Vec<Shares> = levels_ratio.iter().map(|&level| Shares::new(building, level)).collect();
+    let levels: Vec<Shares> = levels_ratio
+        .iter()
+        .map(|&level| Shares::new(building, level))
+        .collect();
     let accel = ground.accel_m_s2();
-    let mut floors: Vec<Vec<f64>> =
-        levels.iter().map(|level| accel.iter().map(|a| level.residual * a).collect()).collect();
+    let mut floors: Vec<Vec<f64>> = levels
+        .iter()
+        .map(|level| accel.iter().map(|a| level.residual * a).collect())
+        .collect();
     follow(ground, building, |from, histories| {
         for (floor, level) in floors.iter_mut().zip(&levels) {
-            let Some(samples) = floor.get_mut(from..) else { continue };
+            let Some(samples) = floor.get_mut(from..) else {
+                continue;
+            };
             for (share, history) in level.modes.iter().zip(histories) {
                 add(samples, *share, &history.absolute_m_s2);
             }
@@ -119,11 +143,21 @@ pub fn floor_peaks(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<FloorPeaks>, BuildingError> {
-    levels_ratio.iter().try_for_each(|&level_ratio| check_level(level_ratio))?;
-    let levels: Vec<Shares> = levels_ratio.iter().map(|&level| Shares::new(building, level)).collect();
+    levels_ratio
+        .iter()
+        .try_for_each(|&level_ratio| check_level(level_ratio))?;
+    let levels: Vec<Shares> = levels_ratio
+        .iter()
+        .map(|&level| Shares::new(building, level))
+        .collect();
     let mut peaks: Vec<FloorPeaks> = levels_ratio
         .iter()
-        .map(|&level_ratio| FloorPeaks { level_ratio, accel_m_s2: 0.0, displacement_m: 0.0, drift_m: 0.0 })
+        .map(|&level_ratio| FloorPeaks {
+            level_ratio,
+            accel_m_s2: 0.0,
+            displacement_m: 0.0,
+            drift_m: 0.0,
+        })
         .collect();
     let accel = ground.accel_m_s2();
     let mut floor = Floor::default();
@@ -134,7 +168,14 @@ pub fn floor_peaks(
             raise(&mut peak.accel_m_s2, floor.absolute.iter().copied());
             raise(&mut peak.displacement_m, floor.displacement.iter().copied());
             let below = floor.below.iter().copied().chain(std::iter::repeat(0.0));
-            raise(&mut peak.drift_m, floor.displacement.iter().zip(below).map(|(here, below)| here - below));
+            raise(
+                &mut peak.drift_m,
+                floor
+                    .displacement
+                    .iter()
+                    .zip(below)
+                    .map(|(here, below)| here - below),
+            );
         }
     })?;
     let all = |peak: &FloorPeaks| [peak.accel_m_s2, peak.displacement_m, peak.drift_m];
@@ -153,9 +194,16 @@ struct Shares {
 
 impl Shares {
     fn new(building: &Building, level_ratio: f64) -> Self {
-        let modes: Vec<f64> = building.modes.iter().map(|mode| mode.share_ratio(level_ratio)).collect();
+        let modes: Vec<f64> = building
+            .modes
+            .iter()
+            .map(|mode| mode.share_ratio(level_ratio))
+            .collect();
         let residual = 1.0 - modes.iter().sum::<f64>();
-        Self { residual, modes: if level_ratio > 0.0 { modes } else { Vec::new() } }
+        Self {
+            residual,
+            modes: if level_ratio > 0.0 { modes } else { Vec::new() },
+        }
     }
 }
 
@@ -169,10 +217,13 @@ struct Floor {
 
 impl Floor {
     fn move_to(&mut self, level: &Shares, ground: &[f64], histories: &[History]) {
-        let samples = histories.first().map_or(0, |history| history.absolute_m_s2.len());
+        let samples = histories
+            .first()
+            .map_or(0, |history| history.absolute_m_s2.len());
         std::mem::swap(&mut self.below, &mut self.displacement);
         self.absolute.clear();
-        self.absolute.extend(ground.iter().take(samples).map(|a| level.residual * a));
+        self.absolute
+            .extend(ground.iter().take(samples).map(|a| level.residual * a));
         self.displacement.clear();
         self.displacement.resize(samples, 0.0);
         for (share, history) in level.modes.iter().zip(histories) {
@@ -212,27 +263,43 @@ const BLOCK: usize = 256;
 
 /// Calculates the oscillators of all modes once, block by block; `each` receives the index of the
 /// block's first sample.
-fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[History])) -> Result<(), BuildingError> {
-    let mut histories = building
-        .modes
-        .iter()
-        .map(|mode| {
-            // The building and the motion are valid, so the only error left is a period too short
-            // for its ω².
-            let step = step_of_period(mode.period_s, mode.damping_ratio, ground.dt_s())
-                .map_err(|_| BuildingError::Period { period_s: mode.period_s })?;
-            let new = || Vec::with_capacity(BLOCK);
-            let state = OscillatorState::default();
-            Ok(History { step, state, absolute_m_s2: new(), displacement_m: new() })
-        })
-        .collect::<Result<Vec<_>, BuildingError>>()?;
+fn follow(
+    ground: &Motion,
+    building: &Building,
+    mut each: impl FnMut(usize, &[History]),
+) -> Result<(), BuildingError> {
+    let mut histories =
+        building
+            .modes
+            .iter()
+            .map(|mode| {
+                // The building and the motion are valid, so the only error left is a period too short
+                // for its ω².
+                let step = step_of_period(mode.period_s, mode.damping_ratio, ground.dt_s())
+                    .map_err(|_| BuildingError::Period {
+                        period_s: mode.period_s,
+                    })?;
+                let new = || Vec::with_capacity(BLOCK);
+                let state = OscillatorState::default();
+                Ok(History {
+                    step,
+                    state,
+                    absolute_m_s2: new(),
+                    displacement_m: new(),
+                })
+            })
+            .collect::<Result<Vec<_>, BuildingError>>()?;
     let accel = ground.accel_m_s2();
     for from in (0..accel.len()).step_by(BLOCK) {
         let to = accel.len().min(from + BLOCK);
         let samples = &accel[from.saturating_sub(1)..to];
         let (together, alone) = histories.as_chunks_mut::<TOGETHER>();
-        together.iter_mut().for_each(|histories| advance(histories, samples, from == 0));
-        alone.iter_mut().for_each(|history| advance(std::array::from_mut(history), samples, from == 0));
+        together
+            .iter_mut()
+            .for_each(|histories| advance(histories, samples, from == 0));
+        alone
+            .iter_mut()
+            .for_each(|history| advance(std::array::from_mut(history), samples, from == 0));
         each(from, &histories);
     }
     Ok(())
@@ -272,7 +339,13 @@ mod tests {
     use crate::oscillator::absolute_acceleration_history_m_s2;
 
     fn shaking() -> Motion {
-        Motion::new(0.01, (0..500).map(|k| (0.07 * k as f64).sin() * 2.0 + (0.9 * k as f64).cos()).collect()).unwrap()
+        Motion::new(
+            0.01,
+            (0..500)
+                .map(|k| (0.07 * k as f64).sin() * 2.0 + (0.9 * k as f64).cos())
+                .collect(),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -293,7 +366,10 @@ mod tests {
         let levels_ratio = [1.0, 0.0, 0.5, 0.1];
         let together = floor_motions(&shaking(), &building, &levels_ratio).unwrap();
         for (motion, level_ratio) in together.iter().zip(levels_ratio) {
-            assert_eq!(*motion, floor_motion(&shaking(), &building, level_ratio).unwrap());
+            assert_eq!(
+                *motion,
+                floor_motion(&shaking(), &building, level_ratio).unwrap()
+            );
         }
     }
 
@@ -305,7 +381,12 @@ mod tests {
         // the oscillators are at rest.
         let building = Building::beam(1e-5, 0.3, 5.0, 5).unwrap();
         let floor = floor_motion(&shaking(), &building, 0.7).unwrap();
-        for (a, b) in floor.accel_m_s2().iter().zip(shaking().accel_m_s2()).skip(1) {
+        for (a, b) in floor
+            .accel_m_s2()
+            .iter()
+            .zip(shaking().accel_m_s2())
+            .skip(1)
+        {
             assert!((a - b).abs() < 1.2e-4, "{a} {b}");
         }
     }
@@ -315,18 +396,30 @@ mod tests {
     #[test]
     fn blocks_change_no_bit() {
         let samples = 2 * BLOCK + 77;
-        let ground = Motion::new(0.01, (0..samples).map(|k| (0.3 * k as f64).sin()).collect()).unwrap();
+        let ground =
+            Motion::new(0.01, (0..samples).map(|k| (0.3 * k as f64).sin()).collect()).unwrap();
         let building = Building::beam(0.7, 0.02, 5.0, 4).unwrap();
         let level = 0.6;
-        let residual = 1.0 - building.modes().iter().map(|mode| mode.share_ratio(level)).sum::<f64>();
+        let residual = 1.0
+            - building
+                .modes()
+                .iter()
+                .map(|mode| mode.share_ratio(level))
+                .sum::<f64>();
         let mut expected: Vec<f64> = ground.accel_m_s2().iter().map(|a| residual * a).collect();
         for mode in building.modes() {
-            let history = absolute_acceleration_history_m_s2(&ground, mode.period_s(), 0.02).unwrap();
+            let history =
+                absolute_acceleration_history_m_s2(&ground, mode.period_s(), 0.02).unwrap();
             for (sample, absolute) in expected.iter_mut().zip(history) {
                 *sample += mode.share_ratio(level) * absolute;
             }
         }
-        assert_eq!(floor_motion(&ground, &building, level).unwrap().accel_m_s2(), expected);
+        assert_eq!(
+            floor_motion(&ground, &building, level)
+                .unwrap()
+                .accel_m_s2(),
+            expected
+        );
     }
 
     #[test]
@@ -346,7 +439,9 @@ mod tests {
         // difference.
         for pair in peaks.windows(2) {
             let (low, high) = (pair[0].displacement_m, pair[1].displacement_m);
-            assert!(pair[1].drift_m <= low + high && pair[1].drift_m >= (high - low) * (1.0 - 1e-12));
+            assert!(
+                pair[1].drift_m <= low + high && pair[1].drift_m >= (high - low) * (1.0 - 1e-12)
+            );
         }
     }
 
@@ -355,10 +450,15 @@ mod tests {
     fn one_mode_moves_as_its_oscillator() {
         let building = Building::beam(0.8, 0.03, 5.0, 1).unwrap();
         let peaks = floor_peaks(&shaking(), &building, &[0.5, 1.0]).unwrap();
-        let sd = crate::oscillator::response_spectrum(&shaking(), 0.03, &[0.8]).unwrap().sd_m[0];
+        let sd = crate::oscillator::response_spectrum(&shaking(), 0.03, &[0.8])
+            .unwrap()
+            .sd_m[0];
         for peak in peaks {
             let share = building.modes()[0].share_ratio(peak.level_ratio);
-            assert!((peak.displacement_m / (share * sd) - 1.0).abs() < 1e-13, "two roundings of each sample");
+            assert!(
+                (peak.displacement_m / (share * sd) - 1.0).abs() < 1e-13,
+                "two roundings of each sample"
+            );
         }
     }
 
@@ -366,8 +466,14 @@ mod tests {
     fn levels_outside_the_building_are_refused() {
         let fine = Building::beam(1.0, 0.05, 5.0, 3).unwrap();
         for level_ratio in [-0.1, 1.1, f64::NAN] {
-            assert!(matches!(floor_motion(&shaking(), &fine, level_ratio), Err(BuildingError::Level { .. })));
-            assert!(matches!(floor_peaks(&shaking(), &fine, &[level_ratio]), Err(BuildingError::Level { .. })));
+            assert!(matches!(
+                floor_motion(&shaking(), &fine, level_ratio),
+                Err(BuildingError::Level { .. })
+            ));
+            assert!(matches!(
+                floor_peaks(&shaking(), &fine, &[level_ratio]),
+                Err(BuildingError::Level { .. })
+            ));
         }
     }
 }

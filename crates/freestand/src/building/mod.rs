@@ -81,7 +81,9 @@ impl std::fmt::Display for ModeQuantity {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildingError {
     /// The fundamental period is out of range.
-    #[error("the fundamental period must be positive and at most {MAX_PERIOD_S} s, not {period_s} s")]
+    #[error(
+        "the fundamental period must be positive and at most {MAX_PERIOD_S} s, not {period_s} s"
+    )]
     Period {
         /// The period that was given, or that of the mode that is too short.
         period_s: f64,
@@ -109,7 +111,9 @@ pub enum BuildingError {
         modes: usize,
     },
     /// The modes of Rayleigh damping are not two existing modes with different periods.
-    #[error("Rayleigh damping needs two modes of different periods among the first {modes}, not {first} and {second}")]
+    #[error(
+        "Rayleigh damping needs two modes of different periods among the first {modes}, not {first} and {second}"
+    )]
     RayleighModes {
         /// The first of the two modes, counted from 1.
         first: usize,
@@ -167,7 +171,9 @@ pub enum BuildingError {
         level_ratio: f64,
     },
     /// A mode of a modal table does not have one value for each floor.
-    #[error("the number of values of mode {mode} is {values}, but the number of floors is {floors}")]
+    #[error(
+        "the number of values of mode {mode} is {values}, but the number of floors is {floors}"
+    )]
     ShapeLength {
         /// The mode, from 1.
         mode: usize,
@@ -238,9 +244,18 @@ pub struct FloorShape {
 
 impl FloorShape {
     fn value(&self, level_ratio: f64) -> f64 {
-        let above = self.levels_ratio.partition_point(|&level| level < level_ratio);
-        let at = |index: usize| Some((*self.levels_ratio.get(index)?, *self.values_ratio.get(index)?));
-        let Some((high, top)) = at(above) else { return self.values_ratio.last().copied().unwrap_or(0.0) };
+        let above = self
+            .levels_ratio
+            .partition_point(|&level| level < level_ratio);
+        let at = |index: usize| {
+            Some((
+                *self.levels_ratio.get(index)?,
+                *self.values_ratio.get(index)?,
+            ))
+        };
+        let Some((high, top)) = at(above) else {
+            return self.values_ratio.last().copied().unwrap_or(0.0);
+        };
         if high == level_ratio {
             return top;
         }
@@ -344,13 +359,18 @@ impl Building {
     /// Damping ratio of every mode; `None` where they differ.
     pub fn damping_ratio(&self) -> Option<f64> {
         let first = self.modes[0].damping_ratio;
-        self.modes.iter().all(|mode| mode.damping_ratio == first).then_some(first)
+        self.modes
+            .iter()
+            .all(|mode| mode.damping_ratio == first)
+            .then_some(first)
     }
 
     /// `α = H √(GA/EI)` of a beam.
     pub fn shear_flexure_ratio(&self) -> Option<f64> {
         match self.model {
-            Model::Beam { shear_flexure_ratio } => Some(shear_flexure_ratio),
+            Model::Beam {
+                shear_flexure_ratio,
+            } => Some(shear_flexure_ratio),
             Model::Shear { .. } | Model::Table { .. } => None,
         }
     }
@@ -395,12 +415,22 @@ impl Building {
     /// assert!((building.period_s() - 0.78).abs() < 1e-12 && building.damping_ratio() == Some(0.025));
     /// # Ok::<(), freestand::building::BuildingError>(())
     /// ```
-    pub fn with_factors(mut self, period_factor: f64, damping_factor: f64) -> Result<Self, BuildingError> {
+    pub fn with_factors(
+        mut self,
+        period_factor: f64,
+        damping_factor: f64,
+    ) -> Result<Self, BuildingError> {
         for (i, mode) in self.modes.iter_mut().enumerate() {
-            let (period_s, damping_ratio) = (mode.period_s * period_factor, mode.damping_ratio * damping_factor);
+            let (period_s, damping_ratio) = (
+                mode.period_s * period_factor,
+                mode.damping_ratio * damping_factor,
+            );
             check_period(period_s)?;
             if !(0.0..1.0).contains(&damping_ratio) {
-                return Err(BuildingError::ModeDamping { mode: i + 1, damping_ratio });
+                return Err(BuildingError::ModeDamping {
+                    mode: i + 1,
+                    damping_ratio,
+                });
             }
             (mode.period_s, mode.damping_ratio) = (period_s, damping_ratio);
         }
@@ -409,5 +439,9 @@ impl Building {
 }
 
 fn check_period(period_s: f64) -> Result<(), BuildingError> {
-    if period_s > 0.0 && period_s <= MAX_PERIOD_S { Ok(()) } else { Err(BuildingError::Period { period_s }) }
+    if period_s > 0.0 && period_s <= MAX_PERIOD_S {
+        Ok(())
+    } else {
+        Err(BuildingError::Period { period_s })
+    }
 }

@@ -1,6 +1,9 @@
 //! A shear building: rigid floors on storey springs, one degree of freedom per storey.
 
-use super::{Building, BuildingError, Damping, FloorShape, Mode, ModeShape, Model, StoreyQuantity, check_period};
+use super::{
+    Building, BuildingError, Damping, FloorShape, Mode, ModeShape, Model, StoreyQuantity,
+    check_period,
+};
 use std::f64::consts::TAU;
 
 /// The largest number of storeys of a shear building.
@@ -57,17 +60,26 @@ impl Building {
     /// assert!((1.0 / building.modes()[0].shape_ratio(0.5) - 1.618034).abs() < 1e-6);
     /// # Ok::<(), freestand::building::BuildingError>(())
     /// ```
-    pub fn shear(storeys: &[Storey], damping: &Damping, modes: usize) -> Result<Self, BuildingError> {
+    pub fn shear(
+        storeys: &[Storey],
+        damping: &Damping,
+        modes: usize,
+    ) -> Result<Self, BuildingError> {
         check(storeys)?;
         if !(1..=storeys.len()).contains(&modes) {
-            return Err(BuildingError::Modes { modes, at_most: storeys.len() });
+            return Err(BuildingError::Modes {
+                modes,
+                at_most: storeys.len(),
+            });
         }
         let levels_ratio = levels(storeys);
         let mass_kg: f64 = storeys.iter().map(|storey| storey.mass_kg).sum();
         let mut modes: Vec<Mode> = natural_modes(storeys)
             .into_iter()
             .take(modes)
-            .map(|(omega_rad_s, vector)| mode(storeys, mass_kg, &levels_ratio, omega_rad_s, &vector))
+            .map(|(omega_rad_s, vector)| {
+                mode(storeys, mass_kg, &levels_ratio, omega_rad_s, &vector)
+            })
             .collect();
         let periods_s: Vec<f64> = modes.iter().map(Mode::period_s).collect();
         for &period_s in &periods_s {
@@ -76,13 +88,21 @@ impl Building {
         for (mode, ratio) in modes.iter_mut().zip(damping.ratios(&periods_s)?) {
             mode.damping_ratio = ratio;
         }
-        Ok(Self { model: Model::Shear { storeys: storeys.len() }, modes, floors_ratio: levels_ratio })
+        Ok(Self {
+            model: Model::Shear {
+                storeys: storeys.len(),
+            },
+            modes,
+            floors_ratio: levels_ratio,
+        })
     }
 }
 
 fn check(storeys: &[Storey]) -> Result<(), BuildingError> {
     if !(1..=MAX_STOREYS).contains(&storeys.len()) {
-        return Err(BuildingError::Storeys { storeys: storeys.len() });
+        return Err(BuildingError::Storeys {
+            storeys: storeys.len(),
+        });
     }
     for (i, storey) in storeys.iter().enumerate() {
         for (quantity, value) in [
@@ -91,7 +111,11 @@ fn check(storeys: &[Storey]) -> Result<(), BuildingError> {
             (StoreyQuantity::Height, storey.height_m),
         ] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(BuildingError::Storey { storey: i + 1, quantity, value });
+                return Err(BuildingError::Storey {
+                    storey: i + 1,
+                    quantity,
+                    value,
+                });
             }
         }
     }
@@ -100,8 +124,13 @@ fn check(storeys: &[Storey]) -> Result<(), BuildingError> {
     let omega2 = |below: &Storey, above: &Storey| above.stiffness_n_m / below.mass_kg;
     let pairs = storeys.windows(2).map(|pair| omega2(&pair[0], &pair[1]));
     let own = storeys.iter().map(|storey| omega2(storey, storey));
-    match pairs.chain(own).find(|omega2| !(*omega2 > 0.0 && omega2.is_finite())) {
-        Some(omega2) => Err(BuildingError::Period { period_s: TAU / omega2.sqrt() }),
+    match pairs
+        .chain(own)
+        .find(|omega2| !(*omega2 > 0.0 && omega2.is_finite()))
+    {
+        Some(omega2) => Err(BuildingError::Period {
+            period_s: TAU / omega2.sqrt(),
+        }),
         None => Ok(()),
     }
 }
@@ -118,20 +147,43 @@ fn levels(storeys: &[Storey]) -> Vec<f64> {
 }
 
 /// The mode of circular frequency ω and unit vector v = M^½ φ.
-fn mode(storeys: &[Storey], mass_kg: f64, levels_ratio: &[f64], omega_rad_s: f64, vector: &[f64]) -> Mode {
-    let mut values_ratio: Vec<f64> = vector.iter().zip(storeys).map(|(v, storey)| v / storey.mass_kg.sqrt()).collect();
-    let largest = values_ratio.iter().fold(0.0, |a: f64, b| if b.abs() > a.abs() { *b } else { a });
+fn mode(
+    storeys: &[Storey],
+    mass_kg: f64,
+    levels_ratio: &[f64],
+    omega_rad_s: f64,
+    vector: &[f64],
+) -> Mode {
+    let mut values_ratio: Vec<f64> = vector
+        .iter()
+        .zip(storeys)
+        .map(|(v, storey)| v / storey.mass_kg.sqrt())
+        .collect();
+    let largest = values_ratio
+        .iter()
+        .fold(0.0, |a: f64, b| if b.abs() > a.abs() { *b } else { a });
     let roof = values_ratio.last().copied().unwrap_or(0.0);
-    let unit = if roof.abs() >= STILL_ROOF * largest.abs() { roof } else { largest };
+    let unit = if roof.abs() >= STILL_ROOF * largest.abs() {
+        roof
+    } else {
+        largest
+    };
     values_ratio.iter_mut().for_each(|value| *value /= unit);
     // Γ = Σmφ/Σmφ² for φ = M^−½ v/unit and |v| = 1.
-    let excitation: f64 = vector.iter().zip(storeys).map(|(v, storey)| v * storey.mass_kg.sqrt()).sum();
+    let excitation: f64 = vector
+        .iter()
+        .zip(storeys)
+        .map(|(v, storey)| v * storey.mass_kg.sqrt())
+        .sum();
     Mode {
         period_s: TAU / omega_rad_s,
         damping_ratio: 0.0,
         participation_ratio: excitation * unit,
         effective_mass_ratio: Some(excitation / mass_kg * excitation),
-        shape: ModeShape::Floors(FloorShape { levels_ratio: levels_ratio.to_vec(), values_ratio }),
+        shape: ModeShape::Floors(FloorShape {
+            levels_ratio: levels_ratio.to_vec(),
+            values_ratio,
+        }),
     }
 }
 
@@ -171,7 +223,9 @@ fn natural_modes(storeys: &[Storey]) -> Vec<(f64, Vec<f64>)> {
         let mut turned = false;
         for q in 1..n {
             let (before, rest) = columns.split_at_mut(q);
-            let Some(other) = rest.first_mut() else { continue };
+            let Some(other) = rest.first_mut() else {
+                continue;
+            };
             for one in before {
                 turned |= turn(one, other, orthogonal);
             }
@@ -222,7 +276,14 @@ mod tests {
     const UNIFORM: Damping = Damping::Uniform(0.05);
 
     fn equal(n: usize) -> Vec<Storey> {
-        vec![Storey { mass_kg: 4e5, stiffness_n_m: 9e8, height_m: 3.2 }; n]
+        vec![
+            Storey {
+                mass_kg: 4e5,
+                stiffness_n_m: 9e8,
+                height_m: 3.2
+            };
+            n
+        ]
     }
 
     fn omega(mode: &Mode) -> f64 {
@@ -234,7 +295,11 @@ mod tests {
         let building = Building::shear(&equal(30), &UNIFORM, 5).unwrap();
         let modes = building.modes();
         // Half a unit of the last printed digit.
-        for (mode, ratio) in modes.iter().skip(1).zip([0.33363, 0.20053, 0.14362, 0.11210]) {
+        for (mode, ratio) in modes
+            .iter()
+            .skip(1)
+            .zip([0.33363, 0.20053, 0.14362, 0.11210])
+        {
             assert!((mode.period_s() / building.period_s() - ratio).abs() < 5.1e-6);
         }
         for (mode, participation) in modes.iter().zip([1.27254, -0.42231, 0.25114]) {
@@ -255,7 +320,10 @@ mod tests {
                 let angle = (2 * i + 1) as f64 * PI / (2 * n + 1) as f64;
                 // n rotations of each column in ten sweeps, ε each: 200·10·1.1e-16 = 2e-13, with a
                 // margin.
-                assert!((omega(mode) / (2.0 * unit * (0.5 * angle).sin()) - 1.0).abs() < 1e-12, "{n} {i}");
+                assert!(
+                    (omega(mode) / (2.0 * unit * (0.5 * angle).sin()) - 1.0).abs() < 1e-12,
+                    "{n} {i}"
+                );
                 let roof = (angle * n as f64).sin();
                 // Two vectors whose product is not below `orthogonal` are mixed by that over the
                 // gap between their frequencies, from both neighbours, by a few times that; a unit
@@ -267,7 +335,10 @@ mod tests {
                 for (j, &level) in building.floors_ratio().iter().enumerate() {
                     let expected = (angle * (j + 1) as f64).sin() / roof;
                     let error = (mode.shape_ratio(level) - expected).abs();
-                    assert!(error < mixed / (roof * roof), "{n} {i} {j}: {error} {mixed} {roof}");
+                    assert!(
+                        error < mixed / (roof * roof),
+                        "{n} {i} {j}: {error} {mixed} {roof}"
+                    );
                 }
             }
         }
@@ -310,9 +381,17 @@ mod tests {
 
     #[test]
     fn any_storeys_have_orthogonal_modes_that_carry_all_the_mass() {
-        for (n, decades, seed) in [(2, 6.0, 1), (5, 6.0, 2), (12, 6.0, 3), (40, 6.0, 4), (60, 1.0, 5), (25, 0.0, 6)] {
+        for (n, decades, seed) in [
+            (2, 6.0, 1),
+            (5, 6.0, 2),
+            (12, 6.0, 3),
+            (40, 6.0, 4),
+            (60, 1.0, 5),
+            (25, 0.0, 6),
+        ] {
             let storeys = trouble(n, decades, seed);
-            let building = Building::shear(&storeys, &UNIFORM, n).unwrap_or_else(|error| panic!("{n}: {error}"));
+            let building = Building::shear(&storeys, &UNIFORM, n)
+                .unwrap_or_else(|error| panic!("{n}: {error}"));
             let modes = building.modes();
             let mass: f64 = modes.iter().filter_map(Mode::effective_mass_ratio).sum();
             // Each pair is orthogonal to (n + 8) ε at most; a sum over n of them.
@@ -326,15 +405,22 @@ mod tests {
             for (i, a) in modes.iter().enumerate() {
                 let product = |b: &Mode| -> f64 {
                     let floors = building.floors_ratio().iter().zip(&storeys);
-                    floors.map(|(&x, storey)| storey.mass_kg * a.shape_ratio(x) * b.shape_ratio(x)).sum()
+                    floors
+                        .map(|(&x, storey)| storey.mass_kg * a.shape_ratio(x) * b.shape_ratio(x))
+                        .sum()
                 };
                 let own = product(a);
                 for b in &modes[..i] {
                     let theirs: f64 = {
                         let floors = building.floors_ratio().iter().zip(&storeys);
-                        floors.map(|(&x, storey)| storey.mass_kg * b.shape_ratio(x).powi(2)).sum()
+                        floors
+                            .map(|(&x, storey)| storey.mass_kg * b.shape_ratio(x).powi(2))
+                            .sum()
                     };
-                    assert!(product(b).abs() < 1e-12 * (own * theirs).sqrt(), "{n}: modes not orthogonal");
+                    assert!(
+                        product(b).abs() < 1e-12 * (own * theirs).sqrt(),
+                        "{n}: modes not orthogonal"
+                    );
                 }
             }
         }
@@ -345,11 +431,24 @@ mod tests {
         for seed in 1..20 {
             let n = 3 + 2 * seed as usize;
             let storeys = trouble(n, 3.0, seed);
-            for (i, mode) in Building::shear(&storeys, &UNIFORM, n).unwrap().modes().iter().enumerate() {
+            for (i, mode) in Building::shear(&storeys, &UNIFORM, n)
+                .unwrap()
+                .modes()
+                .iter()
+                .enumerate()
+            {
                 // The count itself is accurate to ε·ω_max²/ω² of ω², and the stiffnesses and the
                 // masses differ by 10³.
-                assert_eq!(below(&storeys, omega(mode) * (1.0 - 1e-7)), i, "{n} mode {i}");
-                assert_eq!(below(&storeys, omega(mode) * (1.0 + 1e-7)), i + 1, "{n} mode {i}");
+                assert_eq!(
+                    below(&storeys, omega(mode) * (1.0 - 1e-7)),
+                    i,
+                    "{n} mode {i}"
+                );
+                assert_eq!(
+                    below(&storeys, omega(mode) * (1.0 + 1e-7)),
+                    i + 1,
+                    "{n} mode {i}"
+                );
             }
         }
     }
@@ -359,8 +458,16 @@ mod tests {
     #[test]
     fn nearly_equal_frequencies_are_told_apart() {
         for mu in [1e-2, 1e-6, 1e-12] {
-            let storey = Storey { mass_kg: 1e6, stiffness_n_m: 1e8, height_m: 3.0 };
-            let light = Storey { mass_kg: 1e6 * mu, stiffness_n_m: 1e8 * mu, height_m: 3.0 };
+            let storey = Storey {
+                mass_kg: 1e6,
+                stiffness_n_m: 1e8,
+                height_m: 3.0,
+            };
+            let light = Storey {
+                mass_kg: 1e6 * mu,
+                stiffness_n_m: 1e8 * mu,
+                height_m: 3.0,
+            };
             let building = Building::shear(&[storey, light], &UNIFORM, 2).unwrap();
             let spread = (mu + 0.25 * mu * mu).sqrt();
             for (mode, sign) in building.modes().iter().zip([-1.0, 1.0]) {
@@ -370,7 +477,10 @@ mod tests {
                 // φ(floor)/φ(roof) = 1 − ω² m/k = −(μ/2 ± spread); of two nearly equal vectors,
                 // each contains ε/spread of the other.
                 let expected = -(0.5 * mu + sign * spread);
-                assert!((mode.shape_ratio(0.5) / expected - 1.0).abs() < 1e-14 / spread, "{mu}");
+                assert!(
+                    (mode.shape_ratio(0.5) / expected - 1.0).abs() < 1e-14 / spread,
+                    "{mu}"
+                );
             }
         }
     }
@@ -382,13 +492,22 @@ mod tests {
 
     /// Absolute floor accelerations and relative displacements by fourth-order Runge–Kutta steps of
     /// the matrices.
-    fn integrated(storeys: &[Storey], mass_factor: f64, stiffness_factor: f64, ground: &Motion) -> Vec<[Vec<f64>; 2]> {
+    fn integrated(
+        storeys: &[Storey],
+        mass_factor: f64,
+        stiffness_factor: f64,
+        ground: &Motion,
+    ) -> Vec<[Vec<f64>; 2]> {
         let n = storeys.len();
         let springs = |x: &[f64]| -> Vec<f64> {
             let drift = |j: usize| x[j] - if j > 0 { x[j - 1] } else { 0.0 };
             (0..n)
                 .map(|j| {
-                    let above = if j + 1 < n { storeys[j + 1].stiffness_n_m * drift(j + 1) } else { 0.0 };
+                    let above = if j + 1 < n {
+                        storeys[j + 1].stiffness_n_m * drift(j + 1)
+                    } else {
+                        0.0
+                    };
                     (storeys[j].stiffness_n_m * drift(j) - above) / storeys[j].mass_kg
                 })
                 .collect()
@@ -396,11 +515,16 @@ mod tests {
         // −M⁻¹(C u̇ + K u), C = a₀ M + a₁ K.
         let absolute = |u: &[f64], v: &[f64]| -> Vec<f64> {
             let (elastic, viscous) = (springs(u), springs(v));
-            (0..n).map(|j| -(elastic[j] + stiffness_factor * viscous[j] + mass_factor * v[j])).collect()
+            (0..n)
+                .map(|j| -(elastic[j] + stiffness_factor * viscous[j] + mass_factor * v[j]))
+                .collect()
         };
         let derivative = |ground: f64, y: &[f64]| -> Vec<f64> {
             let (u, v) = y.split_at(n);
-            v.iter().copied().chain(absolute(u, v).into_iter().map(|a| a - ground)).collect()
+            v.iter()
+                .copied()
+                .chain(absolute(u, v).into_iter().map(|a| a - ground))
+                .collect()
         };
         const SUBSTEPS: u32 = 40;
         let h = ground.dt_s() / f64::from(SUBSTEPS);
@@ -415,8 +539,11 @@ mod tests {
             }
             let Some(to) = samples.get(k + 1) else { break };
             for i in 0..SUBSTEPS {
-                let at = |more: f64| from + (to - from) * (f64::from(i) + more) / f64::from(SUBSTEPS);
-                let moved = |k: &[f64], by: f64| -> Vec<f64> { y.iter().zip(k).map(|(y, k)| y + by * k).collect() };
+                let at =
+                    |more: f64| from + (to - from) * (f64::from(i) + more) / f64::from(SUBSTEPS);
+                let moved = |k: &[f64], by: f64| -> Vec<f64> {
+                    y.iter().zip(k).map(|(y, k)| y + by * k).collect()
+                };
                 let k1 = derivative(at(0.0), &y);
                 let k2 = derivative(at(0.5), &moved(&k1, 0.5 * h));
                 let k3 = derivative(at(0.5), &moved(&k2, 0.5 * h));
@@ -431,9 +558,22 @@ mod tests {
 
     #[test]
     fn all_modes_together_are_the_matrices_integrated_in_time() {
-        let soft = |mass_kg, stiffness_n_m| Storey { mass_kg, stiffness_n_m, height_m: 3.0 };
-        let storeys = [soft(4e5, 9e7), soft(3e5, 6e8), soft(3e5, 2e8), soft(2e5, 2e8), soft(5e4, 1e8)];
-        let damping = Damping::Rayleigh { damping_ratio: 0.07, modes: [1, 3] };
+        let soft = |mass_kg, stiffness_n_m| Storey {
+            mass_kg,
+            stiffness_n_m,
+            height_m: 3.0,
+        };
+        let storeys = [
+            soft(4e5, 9e7),
+            soft(3e5, 6e8),
+            soft(3e5, 2e8),
+            soft(2e5, 2e8),
+            soft(5e4, 1e8),
+        ];
+        let damping = Damping::Rayleigh {
+            damping_ratio: 0.07,
+            modes: [1, 3],
+        };
         let building = Building::shear(&storeys, &damping, 5).unwrap();
         let periods: Vec<f64> = building.modes().iter().map(Mode::period_s).collect();
         let (one, three) = (TAU / periods[0], TAU / periods[2]);
@@ -462,10 +602,22 @@ mod tests {
         let of = |error| matches!(error, BuildingError::Storey { storey: 2, .. });
         assert!(of(with(|s| s.mass_kg = 0.0)) && of(with(|s| s.mass_kg = f64::NAN)));
         assert!(of(with(|s| s.stiffness_n_m = -1.0)) && of(with(|s| s.height_m = f64::INFINITY)));
-        assert!(matches!(with(|s| s.stiffness_n_m = f64::MIN_POSITIVE), BuildingError::Period { .. }));
-        assert!(matches!(with(|s| s.stiffness_n_m = 1.0), BuildingError::Period { .. }));
-        assert!(matches!(Building::shear(&[], &UNIFORM, 1), Err(BuildingError::Storeys { storeys: 0 })));
-        assert!(matches!(Building::shear(&equal(201), &UNIFORM, 1), Err(BuildingError::Storeys { .. })));
+        assert!(matches!(
+            with(|s| s.stiffness_n_m = f64::MIN_POSITIVE),
+            BuildingError::Period { .. }
+        ));
+        assert!(matches!(
+            with(|s| s.stiffness_n_m = 1.0),
+            BuildingError::Period { .. }
+        ));
+        assert!(matches!(
+            Building::shear(&[], &UNIFORM, 1),
+            Err(BuildingError::Storeys { storeys: 0 })
+        ));
+        assert!(matches!(
+            Building::shear(&equal(201), &UNIFORM, 1),
+            Err(BuildingError::Storeys { .. })
+        ));
         for modes in [0, 4] {
             let error = Building::shear(&equal(3), &UNIFORM, modes).unwrap_err();
             assert!(matches!(error, BuildingError::Modes { at_most: 3, .. }));

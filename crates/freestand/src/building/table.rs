@@ -1,7 +1,8 @@
 //! A building described by the modes of the user's own model.
 
 use super::{
-    Building, BuildingError, Damping, FloorShape, MAX_MODES, Mode, ModeQuantity, ModeShape, Model, check_period,
+    Building, BuildingError, Damping, FloorShape, MAX_MODES, Mode, ModeQuantity, ModeShape, Model,
+    check_period,
 };
 
 /// One mode of a modal table.
@@ -86,10 +87,17 @@ impl Building {
     /// assert_eq!(building.modes()[0].share_ratio(0.5), 0.5);
     /// # Ok::<(), freestand::building::BuildingError>(())
     /// ```
-    pub fn from_modes(levels_ratio: &[f64], modes: &[TableMode], damping: &Damping) -> Result<Self, BuildingError> {
+    pub fn from_modes(
+        levels_ratio: &[f64],
+        modes: &[TableMode],
+        damping: &Damping,
+    ) -> Result<Self, BuildingError> {
         check_floors(levels_ratio)?;
         if !(1..=MAX_MODES).contains(&modes.len()) {
-            return Err(BuildingError::Modes { modes: modes.len(), at_most: MAX_MODES });
+            return Err(BuildingError::Modes {
+                modes: modes.len(),
+                at_most: MAX_MODES,
+            });
         }
         for (i, mode) in modes.iter().enumerate() {
             check_mode(i + 1, mode, levels_ratio.len())?;
@@ -104,7 +112,9 @@ impl Building {
         } else {
             damping.ratios(&periods_s)?
         };
-        let roof = |mode: &&TableMode| mode.participation_ratio * mode.shape_ratio.last().copied().unwrap_or(0.0);
+        let roof = |mode: &&TableMode| {
+            mode.participation_ratio * mode.shape_ratio.last().copied().unwrap_or(0.0)
+        };
         let sum_ratio: f64 = sorted.iter().map(roof).sum();
         if !POSSIBLE_ROOF_SHARE.contains(&sum_ratio) {
             return Err(BuildingError::RoofShare { sum_ratio });
@@ -121,7 +131,9 @@ impl Building {
             }),
         });
         Ok(Self {
-            model: Model::Table { floors: levels_ratio.len() },
+            model: Model::Table {
+                floors: levels_ratio.len(),
+            },
             modes: modes.collect(),
             floors_ratio: levels_ratio.to_vec(),
         })
@@ -151,32 +163,66 @@ fn check_floors(levels_ratio: &[f64]) -> Result<(), BuildingError> {
     let mut below = 0.0;
     for (i, &level_ratio) in levels_ratio.iter().enumerate() {
         if !(level_ratio > below && level_ratio <= 1.0) {
-            return Err(BuildingError::Floor { floor: i + 1, level_ratio });
+            return Err(BuildingError::Floor {
+                floor: i + 1,
+                level_ratio,
+            });
         }
         below = level_ratio;
     }
-    if below == 1.0 { Ok(()) } else { Err(BuildingError::Floor { floor: levels_ratio.len(), level_ratio: below }) }
+    if below == 1.0 {
+        Ok(())
+    } else {
+        Err(BuildingError::Floor {
+            floor: levels_ratio.len(),
+            level_ratio: below,
+        })
+    }
 }
 
 fn check_mode(number: usize, mode: &TableMode, floors: usize) -> Result<(), BuildingError> {
     if mode.shape_ratio.len() != floors {
-        return Err(BuildingError::ShapeLength { mode: number, values: mode.shape_ratio.len(), floors });
+        return Err(BuildingError::ShapeLength {
+            mode: number,
+            values: mode.shape_ratio.len(),
+            floors,
+        });
     }
-    let wrong = |quantity, expected, value| Err(BuildingError::ModeValue { mode: number, quantity, expected, value });
+    let wrong = |quantity, expected, value| {
+        Err(BuildingError::ModeValue {
+            mode: number,
+            quantity,
+            expected,
+            value,
+        })
+    };
     if !(mode.period_s > 0.0 && mode.period_s.is_finite()) {
         return wrong(ModeQuantity::Period, "positive and finite", mode.period_s);
     }
     if !mode.participation_ratio.is_finite() {
-        return wrong(ModeQuantity::Participation, "finite", mode.participation_ratio);
+        return wrong(
+            ModeQuantity::Participation,
+            "finite",
+            mode.participation_ratio,
+        );
     }
     if let Some(&value) = mode.shape_ratio.iter().find(|value| !value.is_finite()) {
         return wrong(ModeQuantity::Shape, "finite", value);
     }
-    if let Some(value) = mode.effective_mass_ratio.filter(|value| !(0.0..=1.0).contains(value)) {
+    if let Some(value) = mode
+        .effective_mass_ratio
+        .filter(|value| !(0.0..=1.0).contains(value))
+    {
         return wrong(ModeQuantity::EffectiveMass, "a ratio from 0 to 1", value);
     }
-    match mode.damping_ratio.filter(|ratio| !(0.0..1.0).contains(ratio)) {
-        Some(damping_ratio) => Err(BuildingError::ModeDamping { mode: number, damping_ratio }),
+    match mode
+        .damping_ratio
+        .filter(|ratio| !(0.0..1.0).contains(ratio))
+    {
+        Some(damping_ratio) => Err(BuildingError::ModeDamping {
+            mode: number,
+            damping_ratio,
+        }),
         None => Ok(()),
     }
 }
@@ -190,8 +236,17 @@ mod tests {
     const UNIFORM: Damping = Damping::Uniform(0.05);
 
     fn tower() -> Building {
-        let storey = |mass_kg| Storey { mass_kg, stiffness_n_m: 2e8, height_m: 3.0 };
-        Building::shear(&[storey(3e5), storey(2e5), storey(2e5), storey(1e5)], &UNIFORM, 4).unwrap()
+        let storey = |mass_kg| Storey {
+            mass_kg,
+            stiffness_n_m: 2e8,
+            height_m: 3.0,
+        };
+        Building::shear(
+            &[storey(3e5), storey(2e5), storey(2e5), storey(1e5)],
+            &UNIFORM,
+            4,
+        )
+        .unwrap()
     }
 
     /// The modes of a building as a table, each with its own normalisation.
@@ -203,7 +258,11 @@ mod tests {
                 damping_ratio: None,
                 participation_ratio: mode.participation_ratio() / unit,
                 effective_mass_ratio: mode.effective_mass_ratio(),
-                shape_ratio: building.floors_ratio().iter().map(|&x| unit * mode.shape_ratio(x)).collect(),
+                shape_ratio: building
+                    .floors_ratio()
+                    .iter()
+                    .map(|&x| unit * mode.shape_ratio(x))
+                    .collect(),
             })
             .collect()
     }
@@ -215,7 +274,11 @@ mod tests {
         modes.swap(0, 2);
         let from_table = Building::from_modes(building.floors_ratio(), &modes, &UNIFORM).unwrap();
         assert_eq!(from_table.doubts(), []);
-        let ground = Motion::new(0.01, (0..300).map(|k| (0.11 * f64::from(k)).sin()).collect()).unwrap();
+        let ground = Motion::new(
+            0.01,
+            (0..300).map(|k| (0.11 * f64::from(k)).sin()).collect(),
+        )
+        .unwrap();
         let levels = [0.0, 0.1, 0.5, 0.77, 1.0];
         let floors = |building| floor_motions(&ground, building, &levels).unwrap();
         // Powers of two divide without rounding: bit for bit, in the order of the periods.
@@ -242,17 +305,27 @@ mod tests {
     fn factors_and_shapes_of_different_units_are_doubted() {
         let building = tower();
         let mut modes = table(&building, [1.0; 4]);
-        let doubts =
-            |modes: &[TableMode]| Building::from_modes(building.floors_ratio(), modes, &UNIFORM).unwrap().doubts();
+        let doubts = |modes: &[TableMode]| {
+            Building::from_modes(building.floors_ratio(), modes, &UNIFORM)
+                .unwrap()
+                .doubts()
+        };
         for mode in &mut modes {
             mode.participation_ratio *= 2.0;
         }
-        assert!(matches!(doubts(&modes)[..], [ModalDoubt::RoofShare { sum_ratio }] if sum_ratio > 1.9));
+        assert!(
+            matches!(doubts(&modes)[..], [ModalDoubt::RoofShare { sum_ratio }] if sum_ratio > 1.9)
+        );
         for factor in [1000.0f64.sqrt(), 0.01, -1.0] {
             let mut modes = table(&building, [1.0; 4]);
-            modes.iter_mut().for_each(|mode| mode.participation_ratio *= factor);
+            modes
+                .iter_mut()
+                .for_each(|mode| mode.participation_ratio *= factor);
             let refused = Building::from_modes(building.floors_ratio(), &modes, &UNIFORM);
-            assert!(matches!(refused, Err(BuildingError::RoofShare { .. })), "{factor}");
+            assert!(
+                matches!(refused, Err(BuildingError::RoofShare { .. })),
+                "{factor}"
+            );
         }
         let modes = table(&building, [1.0; 4]);
         assert!(
@@ -264,7 +337,13 @@ mod tests {
     fn what_is_no_modal_table_is_refused() {
         let good = table(&tower(), [1.0; 4]);
         let levels = tower().floors_ratio().to_vec();
-        for floors in [&[0.0, 0.5, 0.7, 1.0][..], &[0.2, 0.2, 0.7, 1.0], &[0.2, 0.5, 0.7, 0.9], &[], &[0.5, f64::NAN]] {
+        for floors in [
+            &[0.0, 0.5, 0.7, 1.0][..],
+            &[0.2, 0.2, 0.7, 1.0],
+            &[0.2, 0.5, 0.7, 0.9],
+            &[],
+            &[0.5, f64::NAN],
+        ] {
             let error = Building::from_modes(floors, &good, &UNIFORM).unwrap_err();
             assert!(matches!(error, BuildingError::Floor { .. }), "{floors:?}");
         }
@@ -274,12 +353,26 @@ mod tests {
             Building::from_modes(&levels, &modes, &UNIFORM).unwrap_err()
         };
         let value = |error| matches!(error, BuildingError::ModeValue { mode: 2, .. });
-        assert!(value(with(|m| m.period_s = 0.0)) && value(with(|m| m.participation_ratio = f64::NAN)));
+        assert!(
+            value(with(|m| m.period_s = 0.0)) && value(with(|m| m.participation_ratio = f64::NAN))
+        );
         assert!(value(with(|m| m.shape_ratio[0] = f64::INFINITY)));
         assert!(value(with(|m| m.effective_mass_ratio = Some(78.0))));
-        assert!(matches!(with(|m| m.damping_ratio = Some(5.0)), BuildingError::ModeDamping { mode: 2, .. }));
-        assert!(matches!(with(|m| m.shape_ratio.truncate(1)), BuildingError::ShapeLength { mode: 2, .. }));
-        assert!(matches!(with(|m| m.period_s = 101.0), BuildingError::Period { .. }));
-        assert!(matches!(Building::from_modes(&levels, &[], &UNIFORM), Err(BuildingError::Modes { .. })));
+        assert!(matches!(
+            with(|m| m.damping_ratio = Some(5.0)),
+            BuildingError::ModeDamping { mode: 2, .. }
+        ));
+        assert!(matches!(
+            with(|m| m.shape_ratio.truncate(1)),
+            BuildingError::ShapeLength { mode: 2, .. }
+        ));
+        assert!(matches!(
+            with(|m| m.period_s = 101.0),
+            BuildingError::Period { .. }
+        ));
+        assert!(matches!(
+            Building::from_modes(&levels, &[], &UNIFORM),
+            Err(BuildingError::Modes { .. })
+        ));
     }
 }

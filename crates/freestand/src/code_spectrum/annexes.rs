@@ -60,7 +60,12 @@ impl NationalAnnex {
     /// let lisbon = NationalAnnex::Portugal.shape(SpectrumType::Type1, GroundType::B, 1.5 / 9.80665);
     /// assert!((lisbon.soil_factor_ratio - 1.291_667).abs() < 1e-6);
     /// ```
-    pub fn shape(self, spectrum_type: SpectrumType, ground: GroundType, ground_acceleration_g: f64) -> SpectrumShape {
+    pub fn shape(
+        self,
+        spectrum_type: SpectrumType,
+        ground: GroundType,
+        ground_acceleration_g: f64,
+    ) -> SpectrumShape {
         match self {
             Self::France => france(ground),
             Self::Portugal => portugal(spectrum_type, ground, ground_acceleration_g * G0_M_S2),
@@ -82,10 +87,19 @@ fn france(ground: GroundType) -> SpectrumShape {
         GroundType::D => (1.6, 0.10, 0.60, 1.5),
         GroundType::E => (1.8, 0.08, 0.45, 1.25),
     };
-    SpectrumShape { soil_factor_ratio, tb_s, tc_s, td_s }
+    SpectrumShape {
+        soil_factor_ratio,
+        tb_s,
+        tc_s,
+        td_s,
+    }
 }
 
-fn portugal(spectrum_type: SpectrumType, ground: GroundType, ground_acceleration_m_s2: f64) -> SpectrumShape {
+fn portugal(
+    spectrum_type: SpectrumType,
+    ground: GroundType,
+    ground_acceleration_m_s2: f64,
+) -> SpectrumShape {
     let largest = match ground {
         GroundType::A => 1.0,
         GroundType::B => 1.35,
@@ -100,7 +114,12 @@ fn portugal(spectrum_type: SpectrumType, ground: GroundType, ground_acceleration
         (SpectrumType::Type2, GroundType::D) => 0.3,
         (SpectrumType::Type2, _) => 0.25,
     };
-    SpectrumShape { soil_factor_ratio: largest - (largest - 1.0) * share, tb_s: 0.1, tc_s, td_s: 2.0 }
+    SpectrumShape {
+        soil_factor_ratio: largest - (largest - 1.0) * share,
+        tb_s: 0.1,
+        tc_s,
+        td_s: 2.0,
+    }
 }
 
 #[cfg(test)]
@@ -111,20 +130,46 @@ mod tests {
     /// 1 from 4 m/s² on. Nice on ground C: 1.5, 0.06, 0.4, 2.
     #[test]
     fn annexes_as_published() {
-        let at = |kind, ground, m_s2: f64| NationalAnnex::Portugal.shape(kind, ground, m_s2 / G0_M_S2);
-        let near = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-12, "{got} {expected}");
-        near(at(SpectrumType::Type1, GroundType::D, 1.0).soil_factor_ratio, 2.0);
-        near(at(SpectrumType::Type1, GroundType::D, 2.5).soil_factor_ratio, 1.5);
-        near(at(SpectrumType::Type2, GroundType::C, 4.5).soil_factor_ratio, 1.0);
+        let at =
+            |kind, ground, m_s2: f64| NationalAnnex::Portugal.shape(kind, ground, m_s2 / G0_M_S2);
+        let near =
+            |got: f64, expected: f64| assert!((got - expected).abs() < 1e-12, "{got} {expected}");
+        near(
+            at(SpectrumType::Type1, GroundType::D, 1.0).soil_factor_ratio,
+            2.0,
+        );
+        near(
+            at(SpectrumType::Type1, GroundType::D, 2.5).soil_factor_ratio,
+            1.5,
+        );
+        near(
+            at(SpectrumType::Type2, GroundType::C, 4.5).soil_factor_ratio,
+            1.0,
+        );
         near(at(SpectrumType::Type2, GroundType::B, 1.7).tc_s, 0.25);
         near(at(SpectrumType::Type1, GroundType::D, 1.5).tc_s, 0.8);
         let nice = NationalAnnex::France.shape(SpectrumType::Type1, GroundType::C, 0.163);
-        assert_eq!(nice, SpectrumShape { soil_factor_ratio: 1.5, tb_s: 0.06, tc_s: 0.4, td_s: 2.0 });
+        assert_eq!(
+            nice,
+            SpectrumShape {
+                soil_factor_ratio: 1.5,
+                tb_s: 0.06,
+                tc_s: 0.4,
+                td_s: 2.0
+            }
+        );
         for ground in GroundType::ALL {
             let shape = NationalAnnex::France.shape(SpectrumType::Type2, ground, 0.1);
-            assert!(shape.tb_s < shape.tc_s && shape.tc_s < shape.td_s && shape.soil_factor_ratio >= 1.0);
+            assert!(
+                shape.tb_s < shape.tc_s
+                    && shape.tc_s < shape.td_s
+                    && shape.soil_factor_ratio >= 1.0
+            );
         }
-        let rest = NationalAnnex::Romania { corner_period_s: 0.7 }.shape(SpectrumType::Type1, GroundType::B, 0.2);
+        let rest = NationalAnnex::Romania {
+            corner_period_s: 0.7,
+        }
+        .shape(SpectrumType::Type1, GroundType::B, 0.2);
         near(rest.tb_s, 0.14);
         near(rest.td_s, 3.0);
     }

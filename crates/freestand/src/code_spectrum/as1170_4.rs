@@ -84,7 +84,10 @@ impl SiteClass {
         Self::ALL
             .into_iter()
             .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(|| CodeSpectrumError::SiteClass { name: name.to_owned(), known: "Ae, Be, Ce, De, Ee" })
+            .ok_or_else(|| CodeSpectrumError::SiteClass {
+                name: name.to_owned(),
+                known: "Ae, Be, Ce, De, Ee",
+            })
     }
 
     /// Spectral shape factor Ch(T), 5 % damping, as a ratio to the rock (Be) acceleration at T = 0.
@@ -107,7 +110,13 @@ impl SiteClass {
     /// assert_eq!(SiteClass::De.shape_factor_ratio(1.0), 1.98);
     /// ```
     pub fn shape_factor_ratio(self, period_s: f64) -> f64 {
-        let Shape { zero, rise, plateau, velocity, displacement } = self.shape();
+        let Shape {
+            zero,
+            rise,
+            plateau,
+            velocity,
+            displacement,
+        } = self.shape();
         match period_s {
             t if (0.0..=PLATEAU_START_S).contains(&t) => zero + rise * t,
             t if t > PLATEAU_START_S && t <= DISPLACEMENT_START_S => (velocity / t).min(plateau),
@@ -124,7 +133,13 @@ impl SiteClass {
             Self::De => (1.1, 25.8, 3.68, 1.98, 2.97),
             Self::Ee => (1.1, 25.8, 3.68, 3.08, 4.62),
         };
-        Shape { zero, rise, plateau, velocity, displacement }
+        Shape {
+            zero,
+            rise,
+            plateau,
+            velocity,
+            displacement,
+        }
     }
 }
 
@@ -159,7 +174,13 @@ const PROBABILITY_FACTORS: [(u32, f64); 12] = [
 ];
 
 /// AS 1170.4, Table 3.3 (Amendment 2): return period \[years\] and smallest value of kp·Z.
-const MINIMUM_KPZ: [(u32, f64); 5] = [(500, 0.08), (1000, 0.10), (1500, 0.12), (2000, 0.14), (2500, 0.15)];
+const MINIMUM_KPZ: [(u32, f64); 5] = [
+    (500, 0.08),
+    (1000, 0.10),
+    (1500, 0.12),
+    (2000, 0.14),
+    (2500, 0.15),
+];
 
 /// Probability factor kp of a return period; the period must be in the code's table.
 ///
@@ -174,12 +195,17 @@ const MINIMUM_KPZ: [(u32, f64); 5] = [(500, 0.08), (1000, 0.10), (1500, 0.12), (
 /// assert_eq!(freestand::code_spectrum::probability_factor(2500), Ok(1.8));
 /// ```
 pub fn probability_factor(return_period_years: u32) -> Result<f64, CodeSpectrumError> {
-    PROBABILITY_FACTORS.iter().find(|&&(years, _)| years == return_period_years).map(|&(_, kp)| kp).ok_or_else(|| {
-        CodeSpectrumError::ReturnPeriod {
+    PROBABILITY_FACTORS
+        .iter()
+        .find(|&&(years, _)| years == return_period_years)
+        .map(|&(_, kp)| kp)
+        .ok_or_else(|| CodeSpectrumError::ReturnPeriod {
             return_period_years,
-            known_years: PROBABILITY_FACTORS.iter().map(|&(years, _)| years).collect(),
-        }
-    })
+            known_years: PROBABILITY_FACTORS
+                .iter()
+                .map(|&(years, _)| years)
+                .collect(),
+        })
 }
 
 /// Return periods \[years\] and their probability factors kp, both rising.
@@ -196,7 +222,10 @@ pub fn probability_factors() -> &'static [(u32, f64)] {
 /// # Reference
 /// AS 1170.4—2007 Amendment 2, Table 3.3.
 pub fn minimum_kpz(return_period_years: u32) -> Option<f64> {
-    MINIMUM_KPZ.iter().find(|&&(years, _)| years == return_period_years).map(|&(_, least)| least)
+    MINIMUM_KPZ
+        .iter()
+        .find(|&&(years, _)| years == return_period_years)
+        .map(|&(_, least)| least)
 }
 
 /// An elastic site spectrum of AS 1170.4, 5 % damping: `Sa(T) = kpZ · Ch(T)` in g.
@@ -291,7 +320,9 @@ impl As1170_4 {
 
     /// Beginning and end of the plateau, and beginning of constant displacement \[s\].
     pub fn corner_periods_s(&self) -> [f64; 3] {
-        let Shape { plateau, velocity, .. } = self.site.shape();
+        let Shape {
+            plateau, velocity, ..
+        } = self.site.shape();
         [PLATEAU_START_S, velocity / plateau, DISPLACEMENT_START_S]
     }
 
@@ -313,43 +344,45 @@ mod tests {
 
     #[test]
     fn shape_factors_are_those_of_table_6_4() {
-        const PERIODS_S: [f64; 21] =
-            [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.5, 1.7, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0];
+        const PERIODS_S: [f64; 21] = [
+            0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.5, 1.7, 2.0, 2.5, 3.0,
+            3.5, 4.0, 4.5, 5.0,
+        ];
         // AS 1170.4—2007, Table 6.4.
         let table = [
             (
                 SiteClass::Ae,
                 [
-                    0.8, 2.35, 2.35, 2.35, 1.76, 1.41, 1.17, 1.01, 0.88, 0.78, 0.70, 0.59, 0.47, 0.37, 0.26, 0.17,
-                    0.12, 0.086, 0.066, 0.052, 0.042,
+                    0.8, 2.35, 2.35, 2.35, 1.76, 1.41, 1.17, 1.01, 0.88, 0.78, 0.70, 0.59, 0.47,
+                    0.37, 0.26, 0.17, 0.12, 0.086, 0.066, 0.052, 0.042,
                 ],
             ),
             (
                 SiteClass::Be,
                 [
-                    1.0, 2.94, 2.94, 2.94, 2.20, 1.76, 1.47, 1.26, 1.10, 0.98, 0.88, 0.73, 0.59, 0.46, 0.33, 0.21,
-                    0.15, 0.11, 0.083, 0.065, 0.053,
+                    1.0, 2.94, 2.94, 2.94, 2.20, 1.76, 1.47, 1.26, 1.10, 0.98, 0.88, 0.73, 0.59,
+                    0.46, 0.33, 0.21, 0.15, 0.11, 0.083, 0.065, 0.053,
                 ],
             ),
             (
                 SiteClass::Ce,
                 [
-                    1.3, 3.68, 3.68, 3.68, 3.12, 2.50, 2.08, 1.79, 1.56, 1.39, 1.25, 1.04, 0.83, 0.65, 0.47, 0.30,
-                    0.21, 0.15, 0.12, 0.093, 0.075,
+                    1.3, 3.68, 3.68, 3.68, 3.12, 2.50, 2.08, 1.79, 1.56, 1.39, 1.25, 1.04, 0.83,
+                    0.65, 0.47, 0.30, 0.21, 0.15, 0.12, 0.093, 0.075,
                 ],
             ),
             (
                 SiteClass::De,
                 [
-                    1.1, 3.68, 3.68, 3.68, 3.68, 3.68, 3.30, 2.83, 2.48, 2.20, 1.98, 1.65, 1.32, 1.03, 0.74, 0.48,
-                    0.33, 0.24, 0.19, 0.15, 0.12,
+                    1.1, 3.68, 3.68, 3.68, 3.68, 3.68, 3.30, 2.83, 2.48, 2.20, 1.98, 1.65, 1.32,
+                    1.03, 0.74, 0.48, 0.33, 0.24, 0.19, 0.15, 0.12,
                 ],
             ),
             (
                 SiteClass::Ee,
                 [
-                    1.1, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.42, 3.08, 2.57, 2.05, 1.60, 1.16, 0.74,
-                    0.51, 0.38, 0.29, 0.23, 0.18,
+                    1.1, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.68, 3.42, 3.08, 2.57, 2.05,
+                    1.60, 1.16, 0.74, 0.51, 0.38, 0.29, 0.23, 0.18,
                 ],
             ),
         ];
@@ -361,18 +394,34 @@ mod tests {
                 // digits (0.88 stands for anything up to 0.885) for half a digit, 0.57 %, which is
                 // added.
                 let half_unit = if printed < 0.1 { 0.0005 } else { 0.005 };
-                assert!((got - printed).abs() <= half_unit + 0.0057 * printed, "{class:?} {period_s}: {got} {printed}");
+                assert!(
+                    (got - printed).abs() <= half_unit + 0.0057 * printed,
+                    "{class:?} {period_s}: {got} {printed}"
+                );
             }
         }
     }
 
     #[test]
     fn corners_are_where_the_branches_meet() {
-        let ends_s = [(SiteClass::Ae, 0.2996), (SiteClass::Be, 0.2993), (SiteClass::Ce, 0.3397)];
-        for (class, end_s) in ends_s.into_iter().chain([(SiteClass::De, 0.5380), (SiteClass::Ee, 0.8370)]) {
+        let ends_s = [
+            (SiteClass::Ae, 0.2996),
+            (SiteClass::Be, 0.2993),
+            (SiteClass::Ce, 0.3397),
+        ];
+        for (class, end_s) in ends_s
+            .into_iter()
+            .chain([(SiteClass::De, 0.5380), (SiteClass::Ee, 0.8370)])
+        {
             let plateau = class.shape_factor_ratio(0.2);
             let spectrum = As1170_4::new(Edition::default(), class, 0.08, 500).unwrap();
-            assert_eq!([spectrum.corner_periods_s()[0], spectrum.corner_periods_s()[2]], [0.1, 1.5]);
+            assert_eq!(
+                [
+                    spectrum.corner_periods_s()[0],
+                    spectrum.corner_periods_s()[2]
+                ],
+                [0.1, 1.5]
+            );
             assert!((spectrum.corner_periods_s()[1] - end_s).abs() < 5e-5);
             // The ends have 4 digits, so the plateau still applies 1e-4 s before and no longer
             // 1e-4 s after.
@@ -380,23 +429,39 @@ mod tests {
             assert!(class.shape_factor_ratio(end_s + 1e-4) < plateau);
             // At 1.5 s c/T meets d/T² exactly, except for class Ce, whose constants leave a step of
             // 0.05 %.
-            let step = class.shape_factor_ratio(1.5_f64.next_up()) / class.shape_factor_ratio(1.5) - 1.0;
-            let want = if class == SiteClass::Ce { 1.874 / 1.875 - 1.0 } else { 0.0 };
+            let step =
+                class.shape_factor_ratio(1.5_f64.next_up()) / class.shape_factor_ratio(1.5) - 1.0;
+            let want = if class == SiteClass::Ce {
+                1.874 / 1.875 - 1.0
+            } else {
+                0.0
+            };
             assert!((step - want).abs() < 1e-14, "{class:?}: {step}");
             // At 0.1 s the rise meets the plateau, up to the rounding of Ae (2.35) to the last
             // digit.
             assert!((class.shape_factor_ratio(0.1) - plateau).abs() < 1e-14);
         }
-        assert!(SiteClass::De.shape_factor_ratio(-0.1).is_nan() && SiteClass::De.shape_factor_ratio(f64::NAN).is_nan());
+        assert!(
+            SiteClass::De.shape_factor_ratio(-0.1).is_nan()
+                && SiteClass::De.shape_factor_ratio(f64::NAN).is_nan()
+        );
     }
 
     #[test]
     fn melbourne_500_years_class_de() {
         let spectrum = melbourne();
-        assert_eq!((spectrum.kpz_g(), spectrum.minimum_governs()), (0.08, false));
-        for (period_s, sa_g) in
-            [(0.0, 0.088), (0.1, 0.2944), (0.538, 0.2944), (1.0, 0.1584), (1.5, 0.1056), (2.0, 0.0594)]
-        {
+        assert_eq!(
+            (spectrum.kpz_g(), spectrum.minimum_governs()),
+            (0.08, false)
+        );
+        for (period_s, sa_g) in [
+            (0.0, 0.088),
+            (0.1, 0.2944),
+            (0.538, 0.2944),
+            (1.0, 0.1584),
+            (1.5, 0.1056),
+            (2.0, 0.0594),
+        ] {
             // Two or three multiplications.
             assert!((spectrum.sa_g(period_s) - sa_g).abs() < 1e-15, "{period_s}");
         }
@@ -440,19 +505,30 @@ mod tests {
     fn lookups_take_any_case_and_refuse_the_unknown() {
         assert_eq!(SiteClass::parse("de"), Ok(SiteClass::De));
         assert_eq!(SiteClass::parse(" EE "), Ok(SiteClass::Ee));
-        assert!(matches!(SiteClass::parse("D"), Err(CodeSpectrumError::SiteClass { name, .. }) if name == "D"));
+        assert!(
+            matches!(SiteClass::parse("D"), Err(CodeSpectrumError::SiteClass { name, .. }) if name == "D")
+        );
         let refused = probability_factor(475);
-        assert!(matches!(refused, Err(CodeSpectrumError::ReturnPeriod { return_period_years: 475, known_years })
-                if known_years == [20, 25, 50, 100, 200, 250, 500, 800, 1000, 1500, 2000, 2500]));
+        assert!(
+            matches!(refused, Err(CodeSpectrumError::ReturnPeriod { return_period_years: 475, known_years })
+                if known_years == [20, 25, 50, 100, 200, 250, 500, 800, 1000, 1500, 2000, 2500])
+        );
         let factor = As1170_4::new(Edition::default(), SiteClass::De, 0.0, 500);
-        assert_eq!(factor, Err(CodeSpectrumError::HazardFactor { hazard_factor: 0.0 }));
+        assert_eq!(
+            factor,
+            Err(CodeSpectrumError::HazardFactor { hazard_factor: 0.0 })
+        );
     }
 
     #[test]
     fn the_edition_of_2024_says_that_it_was_not_read() {
-        let new = As1170_4::new(Edition::As1170_4Ed2024Unconfirmed, SiteClass::De, 0.08, 500).unwrap();
+        let new =
+            As1170_4::new(Edition::As1170_4Ed2024Unconfirmed, SiteClass::De, 0.08, 500).unwrap();
         assert_eq!(new.sa_g(0.7), melbourne().sa_g(0.7));
-        assert!(new.edition().name().contains("not confirmed") && new.edition().doubt().unwrap().contains("2024"));
+        assert!(
+            new.edition().name().contains("not confirmed")
+                && new.edition().doubt().unwrap().contains("2024")
+        );
         assert_eq!(melbourne().edition().doubt(), None);
     }
 }

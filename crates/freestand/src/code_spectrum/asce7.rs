@@ -71,7 +71,10 @@ impl Asce7Site {
         Self::ALL
             .into_iter()
             .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(|| CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" })
+            .ok_or_else(|| CodeSpectrumError::SiteClass {
+                name: name.to_owned(),
+                known: "A, B, C, D, E",
+            })
     }
 
     /// Fa at the values of Ss in [`SS_G`]; of class E the table has three, and refers to 11.4.8 for
@@ -155,7 +158,11 @@ pub fn site_coefficients(
     let fa_ratio = between(&SS_G, site.short_period_ratios(), ss_g);
     let fv_ratio = between(&S1_G, site.long_period_ratios(), s1_g);
     Ok(SiteCoefficients {
-        fa_ratio: if is_assumed { fa_ratio.max(LEAST_ASSUMED_FA_RATIO) } else { fa_ratio },
+        fa_ratio: if is_assumed {
+            fa_ratio.max(LEAST_ASSUMED_FA_RATIO)
+        } else {
+            fa_ratio
+        },
         fv_ratio,
         asks_for_study: site == Asce7Site::D && s1_g >= STUDY_FROM_S1_G,
     })
@@ -207,14 +214,29 @@ impl Asce7 {
     /// assert!((code.sa_g(2.0) - 0.3).abs() < 1e-15);
     /// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
     /// ```
-    pub fn new(edition: Asce7Edition, sds_g: f64, sd1_g: f64, long_period_s: f64) -> Result<Self, CodeSpectrumError> {
+    pub fn new(
+        edition: Asce7Edition,
+        sds_g: f64,
+        sd1_g: f64,
+        long_period_s: f64,
+    ) -> Result<Self, CodeSpectrumError> {
         let (sds_g, sd1_g) = (positive("SDS", sds_g)?, positive("SD1", sd1_g)?);
         let long_period_s = positive("TL", long_period_s)?;
         if long_period_s < sd1_g / sds_g {
             let requirement = "at least TS = SD1/SDS";
-            return Err(CodeSpectrumError::Parameter { name: "TL", requirement, value: long_period_s });
+            return Err(CodeSpectrumError::Parameter {
+                name: "TL",
+                requirement,
+                value: long_period_s,
+            });
         }
-        Ok(Self { edition, sds_g, sd1_g, long_period_s, site: None })
+        Ok(Self {
+            edition,
+            sds_g,
+            sd1_g,
+            long_period_s,
+            site: None,
+        })
     }
 
     /// The spectrum for the mapped accelerations: SDS = ⅔ Fa Ss and SD1 = ⅔ Fv S1.
@@ -241,12 +263,20 @@ impl Asce7 {
     ) -> Result<Self, CodeSpectrumError> {
         let short = positive("Ss", ss_g)? * positive("Fa", fa_ratio)?;
         let second = positive("S1", s1_g)? * positive("Fv", fv_ratio)?;
-        Self::new(edition, 2.0 * short / 3.0, 2.0 * second / 3.0, long_period_s)
+        Self::new(
+            edition,
+            2.0 * short / 3.0,
+            2.0 * second / 3.0,
+            long_period_s,
+        )
     }
 
     /// The same spectrum, with the site class that its coefficients belong to.
     pub fn on_site(self, site: Asce7Site) -> Self {
-        Self { site: Some(site), ..self }
+        Self {
+            site: Some(site),
+            ..self
+        }
     }
 
     /// The site class, if the coefficients are those of one.
@@ -300,12 +330,19 @@ mod tests {
     /// Every value of the tables, and the middle between two columns.
     #[test]
     fn coefficients_are_those_of_the_tables() {
-        for site in Asce7Site::ALL.into_iter().filter(|site| *site != Asce7Site::E) {
+        for site in Asce7Site::ALL
+            .into_iter()
+            .filter(|site| *site != Asce7Site::E)
+        {
             for (i, (ss_g, s1_g)) in SS_G.into_iter().zip(S1_G).enumerate() {
                 let found = site_coefficients(site, ss_g, s1_g, false).unwrap();
                 let want = (site.short_period_ratios()[i], site.long_period_ratios()[i]);
                 // A share of exactly 0: no rounding.
-                assert_eq!((found.fa_ratio, found.fv_ratio), want, "{site:?} {ss_g} {s1_g}");
+                assert_eq!(
+                    (found.fa_ratio, found.fv_ratio),
+                    want,
+                    "{site:?} {ss_g} {s1_g}"
+                );
                 assert_eq!(found.asks_for_study, site == Asce7Site::D && s1_g >= 0.2);
             }
         }
@@ -314,20 +351,31 @@ mod tests {
         assert!((found.fa_ratio - 1.3).abs() < 1e-14 && (found.fv_ratio - 2.3).abs() < 1e-14);
         let low = site_coefficients(Asce7Site::C, 0.01, 0.01, false).unwrap();
         let high = site_coefficients(Asce7Site::C, 9.0, 9.0, false).unwrap();
-        assert_eq!((low.fa_ratio, low.fv_ratio, high.fa_ratio, high.fv_ratio), (1.3, 1.5, 1.2, 1.4));
+        assert_eq!(
+            (low.fa_ratio, low.fv_ratio, high.fa_ratio, high.fv_ratio),
+            (1.3, 1.5, 1.2, 1.4)
+        );
     }
 
     #[test]
     fn a_site_that_is_not_known_has_at_least_1_2() {
         for (ss_g, fa_ratio) in [(1.5, 1.2), (0.25, 1.6)] {
-            assert_eq!(site_coefficients(Asce7Site::D, ss_g, 0.1, true).unwrap().fa_ratio, fa_ratio);
+            assert_eq!(
+                site_coefficients(Asce7Site::D, ss_g, 0.1, true)
+                    .unwrap()
+                    .fa_ratio,
+                fa_ratio
+            );
         }
     }
 
     #[test]
     fn soft_clay_is_left_to_a_study() {
         let found = site_coefficients(Asce7Site::E, 0.75, 0.1, false).unwrap();
-        assert_eq!((found.fa_ratio, found.fv_ratio, found.asks_for_study), (1.3, 4.2, false));
+        assert_eq!(
+            (found.fa_ratio, found.fv_ratio, found.asks_for_study),
+            (1.3, 4.2, false)
+        );
         for (ss_g, s1_g) in [(0.76, 0.1), (0.3, 0.2), (1.5, 0.6)] {
             let refused = site_coefficients(Asce7Site::E, ss_g, s1_g, false);
             assert_eq!(refused, Err(CodeSpectrumError::SiteStudy { ss_g, s1_g }));
@@ -364,7 +412,8 @@ mod tests {
 
     #[test]
     fn mapped_values_are_two_thirds() {
-        let code = Asce7::from_mapped(Asce7Edition::Asce7_22, (1.2, 1.02), (0.45, 1.85), 8.0).unwrap();
+        let code =
+            Asce7::from_mapped(Asce7Edition::Asce7_22, (1.2, 1.02), (0.45, 1.85), 8.0).unwrap();
         // ⅔ · 1.2 · 1.02 = 0.816, ⅔ · 0.45 · 1.85 = 0.555.
         assert!((code.sds_g() - 0.816).abs() < 1e-15 && (code.sd1_g() - 0.555).abs() < 1e-15);
         assert!(Asce7::from_mapped(Asce7Edition::Asce7_22, (1.2, 0.0), (0.45, 1.85), 8.0).is_err());

@@ -67,8 +67,14 @@ impl GroundType {
     /// # Errors
     /// A name that is not one of the five; the code requires special studies for S1 and S2.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        let unknown = || CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" };
-        Self::ALL.into_iter().find(|ground| ground.name().eq_ignore_ascii_case(name.trim())).ok_or_else(unknown)
+        let unknown = || CodeSpectrumError::SiteClass {
+            name: name.to_owned(),
+            known: "A, B, C, D, E",
+        };
+        Self::ALL
+            .into_iter()
+            .find(|ground| ground.name().eq_ignore_ascii_case(name.trim()))
+            .ok_or_else(unknown)
     }
 }
 
@@ -107,7 +113,12 @@ impl SpectrumShape {
             SpectrumType::Type1 => 2.0,
             SpectrumType::Type2 => 1.2,
         };
-        Self { soil_factor_ratio, tb_s, tc_s, td_s }
+        Self {
+            soil_factor_ratio,
+            tb_s,
+            tc_s,
+            td_s,
+        }
     }
 }
 
@@ -132,7 +143,11 @@ const VERTICAL_CORNERS_S: [f64; 3] = [0.05, 0.15, 1.0];
 pub fn damping_correction_ratio(damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
     if !(0.0..1.0).contains(&damping_ratio) {
         let requirement = "at least 0 and below 1";
-        return Err(CodeSpectrumError::Parameter { name: "the damping ratio ξ", requirement, value: damping_ratio });
+        return Err(CodeSpectrumError::Parameter {
+            name: "the damping ratio ξ",
+            requirement,
+            value: damping_ratio,
+        });
     }
     Ok((0.1 / (0.05 + damping_ratio)).sqrt().max(0.55))
 }
@@ -184,8 +199,14 @@ impl Eurocode8 {
         Ok(Self {
             spectrum_type,
             ground: Some(ground),
-            reference_acceleration_g: positive("the ground acceleration a_gR", reference_acceleration_g)?,
-            importance_factor_ratio: positive("the importance factor γ_I", importance_factor_ratio)?,
+            reference_acceleration_g: positive(
+                "the ground acceleration a_gR",
+                reference_acceleration_g,
+            )?,
+            importance_factor_ratio: positive(
+                "the importance factor γ_I",
+                importance_factor_ratio,
+            )?,
             shape: SpectrumShape::recommended(spectrum_type, ground),
             is_recommended: true,
             annex: None,
@@ -203,10 +224,23 @@ impl Eurocode8 {
         reference_acceleration_g: f64,
         importance_factor_ratio: f64,
     ) -> Result<Self, CodeSpectrumError> {
-        let shape = annex.shape(spectrum_type, ground, importance_factor_ratio * reference_acceleration_g);
+        let shape = annex.shape(
+            spectrum_type,
+            ground,
+            importance_factor_ratio * reference_acceleration_g,
+        );
         let ground = annex.has_ground_types().then_some(ground);
-        let code = Self::with_shape(spectrum_type, ground, reference_acceleration_g, importance_factor_ratio, shape)?;
-        Ok(Self { annex: Some(annex), ..code })
+        let code = Self::with_shape(
+            spectrum_type,
+            ground,
+            reference_acceleration_g,
+            importance_factor_ratio,
+            shape,
+        )?;
+        Ok(Self {
+            annex: Some(annex),
+            ..code
+        })
     }
 
     /// The national annex, where the spectrum is that of one.
@@ -227,17 +261,36 @@ impl Eurocode8 {
         importance_factor_ratio: f64,
         shape: SpectrumShape,
     ) -> Result<Self, CodeSpectrumError> {
-        let base = Self::new(spectrum_type, GroundType::A, reference_acceleration_g, importance_factor_ratio)?;
+        let base = Self::new(
+            spectrum_type,
+            GroundType::A,
+            reference_acceleration_g,
+            importance_factor_ratio,
+        )?;
         positive("the soil factor S", shape.soil_factor_ratio)?;
         positive("TB", shape.tb_s)?;
-        for (name, value, least) in [("TC", shape.tc_s, shape.tb_s), ("TD", shape.td_s, shape.tc_s)] {
+        for (name, value, least) in [
+            ("TC", shape.tc_s, shape.tb_s),
+            ("TD", shape.td_s, shape.tc_s),
+        ] {
             if !(value >= least && value.is_finite()) {
                 let requirement = "finite and at least the previous corner period";
-                return Err(CodeSpectrumError::Parameter { name, requirement, value });
+                return Err(CodeSpectrumError::Parameter {
+                    name,
+                    requirement,
+                    value,
+                });
             }
         }
-        let is_recommended = ground.is_some_and(|ground| shape == SpectrumShape::recommended(spectrum_type, ground));
-        Ok(Self { ground, shape, is_recommended, annex: None, ..base })
+        let is_recommended =
+            ground.is_some_and(|ground| shape == SpectrumShape::recommended(spectrum_type, ground));
+        Ok(Self {
+            ground,
+            shape,
+            is_recommended,
+            annex: None,
+            ..base
+        })
     }
 
     /// Type 1 or 2.
@@ -353,7 +406,11 @@ mod tests {
         ];
         for (spectrum_type, ground, [s, tb, tc, td]) in tables {
             let code = Eurocode8::new(spectrum_type, ground, 0.16, 1.25).unwrap();
-            assert_eq!(code.corner_periods_s(), [tb, tc, td], "{spectrum_type:?} {ground:?}");
+            assert_eq!(
+                code.corner_periods_s(),
+                [tb, tc, td],
+                "{spectrum_type:?} {ground:?}"
+            );
             // a_g = 1.25 · 0.16 g = 0.2 g.
             let cases = [
                 (0.0, 1.0),
@@ -375,7 +432,10 @@ mod tests {
             for corner in [tb, tc, td] {
                 let (before, after) = (code.sa_g(corner.next_down()), code.sa_g(corner.next_up()));
                 // Continuous: only rounding and the slope over two units in the last place remain.
-                assert!((after / before - 1.0).abs() < 1e-14, "{spectrum_type:?} {ground:?} {corner}");
+                assert!(
+                    (after / before - 1.0).abs() < 1e-14,
+                    "{spectrum_type:?} {ground:?} {corner}"
+                );
             }
         }
     }
@@ -386,7 +446,10 @@ mod tests {
         // η(2 %) = √(10/7) = 1.19523, η(35 %) = √(10/40) = 0.5, at least 0.55.
         for (damping, eta) in [(0.05, 1.0), (0.02, (10.0f64 / 7.0).sqrt()), (0.35, 0.55)] {
             let plateau = code.damped_sa_g(0.4, damping).unwrap();
-            assert!((plateau - 0.1 * 1.15 * 2.5 * eta).abs() < 1e-15, "{damping}");
+            assert!(
+                (plateau - 0.1 * 1.15 * 2.5 * eta).abs() < 1e-15,
+                "{damping}"
+            );
             assert_eq!(code.damped_sa_g(0.0, damping).unwrap(), code.sa_g(0.0));
         }
         assert!(code.damped_sa_g(0.4, 1.0).is_err() && code.damped_sa_g(0.4, f64::NAN).is_err());
@@ -398,27 +461,53 @@ mod tests {
     fn the_vertical_spectrum_has_no_soil_factor() {
         for (spectrum_type, factor) in [(SpectrumType::Type1, 1.0), (SpectrumType::Type2, 0.5)] {
             let code = Eurocode8::new(spectrum_type, GroundType::D, 0.2, 1.0).unwrap();
-            for (period_s, sa_g) in [(0.0, 0.18), (0.05, 0.54), (0.15, 0.54), (0.3, 0.27), (2.0, 0.02025)] {
-                assert!((code.vertical_sa_g(period_s) - factor * sa_g).abs() < 1e-15, "{period_s}");
+            for (period_s, sa_g) in [
+                (0.0, 0.18),
+                (0.05, 0.54),
+                (0.15, 0.54),
+                (0.3, 0.27),
+                (2.0, 0.02025),
+            ] {
+                assert!(
+                    (code.vertical_sa_g(period_s) - factor * sa_g).abs() < 1e-15,
+                    "{period_s}"
+                );
             }
         }
     }
 
     #[test]
     fn a_shape_of_a_national_annex() {
-        let shape = SpectrumShape { soil_factor_ratio: 1.3, tb_s: 0.1, tc_s: 0.4, td_s: 2.5 };
+        let shape = SpectrumShape {
+            soil_factor_ratio: 1.3,
+            tb_s: 0.1,
+            tc_s: 0.4,
+            td_s: 2.5,
+        };
         let code = Eurocode8::with_shape(SpectrumType::Type1, None, 0.24, 1.0, shape).unwrap();
         // 2.5 · 0.24 · 1.3 = 0.78; at 5 s 0.78 · 0.4 · 2.5/25 = 0.0312.
         assert!((code.sa_g(0.2) - 0.78).abs() < 1e-15 && (code.sa_g(5.0) - 0.0312).abs() < 1e-15);
         assert!(!code.is_recommended() && code.ground().is_none());
         for bad in [
             SpectrumShape { tb_s: 0.0, ..shape },
-            SpectrumShape { tc_s: 0.05, ..shape },
+            SpectrumShape {
+                tc_s: 0.05,
+                ..shape
+            },
             SpectrumShape { td_s: 0.3, ..shape },
-            SpectrumShape { td_s: f64::INFINITY, ..shape },
-            SpectrumShape { soil_factor_ratio: f64::NAN, ..shape },
+            SpectrumShape {
+                td_s: f64::INFINITY,
+                ..shape
+            },
+            SpectrumShape {
+                soil_factor_ratio: f64::NAN,
+                ..shape
+            },
         ] {
-            assert!(Eurocode8::with_shape(SpectrumType::Type1, None, 0.24, 1.0, bad).is_err(), "{bad:?}");
+            assert!(
+                Eurocode8::with_shape(SpectrumType::Type1, None, 0.24, 1.0, bad).is_err(),
+                "{bad:?}"
+            );
         }
         assert!(Eurocode8::new(SpectrumType::Type1, GroundType::A, 0.0, 1.0).is_err());
         assert!(Eurocode8::new(SpectrumType::Type1, GroundType::A, 0.1, f64::INFINITY).is_err());

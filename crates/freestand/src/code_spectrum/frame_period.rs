@@ -17,7 +17,12 @@ pub enum FrameKind {
 
 impl FrameKind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::MomentSteel, Self::MomentConcrete, Self::EccentricallyBracedSteel, Self::Other];
+    pub const ALL: [Self; 4] = [
+        Self::MomentSteel,
+        Self::MomentConcrete,
+        Self::EccentricallyBracedSteel,
+        Self::Other,
+    ];
 
     /// The name in flags and studies.
     pub fn name(self) -> &'static str {
@@ -31,7 +36,9 @@ impl FrameKind {
 
     /// The kind with a given name, in upper or lower case.
     pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name().eq_ignore_ascii_case(name.trim()))
+        Self::ALL
+            .into_iter()
+            .find(|kind| kind.name().eq_ignore_ascii_case(name.trim()))
     }
 
     /// The factor kt of AS 1170.4, clause 6.2.3.
@@ -61,7 +68,12 @@ pub enum PeriodCode {
 
 impl PeriodCode {
     /// All codes.
-    pub const ALL: [Self; 4] = [Self::As1170_4, Self::Nzs1170_5, Self::Asce7, Self::Eurocode8];
+    pub const ALL: [Self; 4] = [
+        Self::As1170_4,
+        Self::Nzs1170_5,
+        Self::Asce7,
+        Self::Eurocode8,
+    ];
 
     /// The name in flags and studies.
     pub fn name(self) -> &'static str {
@@ -110,10 +122,17 @@ impl PeriodCode {
             (Self::Asce7, FrameKind::EccentricallyBracedSteel) => (0.0731, 0.75),
             (Self::Asce7, FrameKind::Other) => (0.0488, 0.75),
             (Self::Eurocode8, FrameKind::MomentSteel) => (0.085, 0.75),
-            (Self::Eurocode8, FrameKind::MomentConcrete | FrameKind::EccentricallyBracedSteel) => (0.075, 0.75),
+            (Self::Eurocode8, FrameKind::MomentConcrete | FrameKind::EccentricallyBracedSteel) => {
+                (0.075, 0.75)
+            }
             (Self::Eurocode8, FrameKind::Other) => (0.050, 0.75),
         };
-        PeriodFormula { factor, exponent, code: self, frame }
+        PeriodFormula {
+            factor,
+            exponent,
+            code: self,
+            frame,
+        }
     }
 
     /// The height up to which the code allows its formula, if it says so \[m\].
@@ -151,7 +170,9 @@ impl PeriodFormula {
             PeriodCode::As1170_4 | PeriodCode::Nzs1170_5 => {
                 format!("1.25 × {} H^{}", self.frame.period_factor(), self.exponent)
             }
-            PeriodCode::Asce7 | PeriodCode::Eurocode8 => format!("{} H^{}", self.factor, self.exponent),
+            PeriodCode::Asce7 | PeriodCode::Eurocode8 => {
+                format!("{} H^{}", self.factor, self.exponent)
+            }
         }
     }
 }
@@ -198,9 +219,16 @@ mod tests {
 
     #[test]
     fn periods_of_30_storeys() {
-        let kinds =
-            [FrameKind::MomentSteel, FrameKind::MomentConcrete, FrameKind::EccentricallyBracedSteel, FrameKind::Other];
-        for (height_m, periods_s) in [(96.0, [4.22, 2.88, 2.30, 1.92]), (105.0, [4.51, 3.08, 2.46, 2.05])] {
+        let kinds = [
+            FrameKind::MomentSteel,
+            FrameKind::MomentConcrete,
+            FrameKind::EccentricallyBracedSteel,
+            FrameKind::Other,
+        ];
+        for (height_m, periods_s) in [
+            (96.0, [4.22, 2.88, 2.30, 1.92]),
+            (105.0, [4.51, 3.08, 2.46, 2.05]),
+        ] {
             for (kind, want) in kinds.into_iter().zip(periods_s) {
                 // Hand values to two decimals.
                 assert!((fundamental_period_s(kind, height_m).unwrap() - want).abs() < 0.005);
@@ -220,8 +248,13 @@ mod tests {
         }
         // 16^0.75 = 8, to the rounding of the power.
         for (kind, want) in kinds.into_iter().zip([0.68, 0.6, 0.6, 0.4]) {
-            assert!((PeriodCode::Eurocode8.formula(kind).period_s(16.0).unwrap() - want).abs() < 1e-14);
+            assert!(
+                (PeriodCode::Eurocode8.formula(kind).period_s(16.0).unwrap() - want).abs() < 1e-14
+            );
         }
-        assert!(matches!(fundamental_period_s(FrameKind::Other, 0.0), Err(CodeSpectrumError::Height { .. })));
+        assert!(matches!(
+            fundamental_period_s(FrameKind::Other, 0.0),
+            Err(CodeSpectrumError::Height { .. })
+        ));
     }
 }

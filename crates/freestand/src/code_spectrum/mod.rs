@@ -34,11 +34,15 @@ mod table;
 use thiserror::Error;
 
 pub use annexes::NationalAnnex;
-pub use as1170_4::{As1170_4, Edition, SiteClass, minimum_kpz, probability_factor, probability_factors};
+pub use as1170_4::{
+    As1170_4, Edition, SiteClass, minimum_kpz, probability_factor, probability_factors,
+};
 pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficients};
 pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType, damping_correction_ratio};
 pub use frame_period::{FrameKind, PeriodCode, PeriodFormula, fundamental_period_s};
-pub use nzs1170_5::{Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor, return_period_factors};
+pub use nzs1170_5::{
+    Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor, return_period_factors,
+};
 pub use table::{Interpolation, OutOfRange, SpectrumTable};
 
 /// An elastic code spectrum at 5 % damping, with which motions are compared and to which they are
@@ -100,7 +104,12 @@ impl CodeSpectrum {
             Self::Eurocode8(code) => code.corner_periods_s().to_vec(),
             Self::Asce7(code) => code.corner_periods_s().to_vec(),
             Self::Nzs1170_5(code) => code.corner_periods_s(),
-            Self::Table(table) => table.periods_s().iter().copied().filter(|&period| period > 0.0).collect(),
+            Self::Table(table) => table
+                .periods_s()
+                .iter()
+                .copied()
+                .filter(|&period| period > 0.0)
+                .collect(),
         }
     }
 
@@ -214,7 +223,9 @@ pub enum CodeSpectrumError {
         hazard_factor: f64,
     },
     /// The return period is not in the code's table.
-    #[error("the code has no factor for a return period of {return_period_years} years, only for {known_years:?}")]
+    #[error(
+        "the code has no factor for a return period of {return_period_years} years, only for {known_years:?}"
+    )]
     ReturnPeriod {
         /// The return period that was given.
         return_period_years: u32,
@@ -279,7 +290,11 @@ fn positive(name: &'static str, value: f64) -> Result<f64, CodeSpectrumError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(CodeSpectrumError::Parameter { name, requirement, value })
+        Err(CodeSpectrumError::Parameter {
+            name,
+            requirement,
+            value,
+        })
     }
 }
 

@@ -65,8 +65,14 @@ impl SubsoilClass {
     /// # Errors
     /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        let unknown = || CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" };
-        Self::ALL.into_iter().find(|class| class.name().eq_ignore_ascii_case(name.trim())).ok_or_else(unknown)
+        let unknown = || CodeSpectrumError::SiteClass {
+            name: name.to_owned(),
+            known: "A, B, C, D, E",
+        };
+        Self::ALL
+            .into_iter()
+            .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
+            .ok_or_else(unknown)
     }
 
     fn shape(self) -> Shape {
@@ -76,7 +82,13 @@ impl SubsoilClass {
             Self::D => (1.12, 3.0, 0.56, (2.4, 0.75), 2.14),
             Self::E => (1.12, 3.0, 1.0, (3.0, 1.0), 3.32),
         };
-        Shape { zero, plateau, plateau_end_s, middle, velocity }
+        Shape {
+            zero,
+            plateau,
+            plateau_end_s,
+            middle,
+            velocity,
+        }
     }
 
     /// Spectral shape factor Ch(T) for modal and time-history analysis, 5 % damping. NaN for a
@@ -98,12 +110,22 @@ impl SubsoilClass {
     /// assert_eq!(SubsoilClass::C.shape_factor_ratio(2.0), 0.66);
     /// ```
     pub fn shape_factor_ratio(self, period_s: f64) -> f64 {
-        let Shape { zero, plateau, plateau_end_s, middle: (c, t0_s), velocity } = self.shape();
+        let Shape {
+            zero,
+            plateau,
+            plateau_end_s,
+            middle: (c, t0_s),
+            velocity,
+        } = self.shape();
         match period_s {
-            t if (0.0..PLATEAU_START_S).contains(&t) => zero + (plateau - zero) * t / PLATEAU_START_S,
+            t if (0.0..PLATEAU_START_S).contains(&t) => {
+                zero + (plateau - zero) * t / PLATEAU_START_S
+            }
             t if t >= PLATEAU_START_S && t <= plateau_end_s => plateau,
             // Class C begins 0.1 % above its plateau, so it is limited to the plateau.
-            t if t > plateau_end_s && t <= VELOCITY_START_S => (c * (t0_s / t).powf(0.75)).min(plateau),
+            t if t > plateau_end_s && t <= VELOCITY_START_S => {
+                (c * (t0_s / t).powf(0.75)).min(plateau)
+            }
             t if t > VELOCITY_START_S && t <= DISPLACEMENT_START_S => velocity / t,
             t if t > DISPLACEMENT_START_S => velocity * DISPLACEMENT_START_S / (t * t),
             _ => f64::NAN,
@@ -112,8 +134,17 @@ impl SubsoilClass {
 }
 
 /// NZS 1170.5, Table 3.5: return period \[years\] and return period factor R.
-const RETURN_PERIOD_FACTORS: [(u32, f64); 9] =
-    [(20, 0.20), (25, 0.25), (50, 0.35), (100, 0.5), (250, 0.75), (500, 1.0), (1000, 1.3), (2000, 1.7), (2500, 1.8)];
+const RETURN_PERIOD_FACTORS: [(u32, f64); 9] = [
+    (20, 0.20),
+    (25, 0.25),
+    (50, 0.35),
+    (100, 0.5),
+    (250, 0.75),
+    (500, 1.0),
+    (1000, 1.3),
+    (2000, 1.7),
+    (2500, 1.8),
+];
 
 /// Largest value of Z·R, by clause 3.1.1 \[g\].
 const LARGEST_ZR_G: f64 = 0.7;
@@ -129,11 +160,18 @@ const LARGEST_R_WITHOUT_FAULT: f64 = 0.75;
 /// # Errors
 /// Any other return period; the error lists those in the table.
 pub fn return_period_factor(return_period_years: u32) -> Result<f64, CodeSpectrumError> {
-    let known = RETURN_PERIOD_FACTORS.iter().find(|&&(years, _)| years == return_period_years);
-    known.map(|&(_, factor)| factor).ok_or_else(|| CodeSpectrumError::ReturnPeriod {
-        return_period_years,
-        known_years: RETURN_PERIOD_FACTORS.iter().map(|&(years, _)| years).collect(),
-    })
+    let known = RETURN_PERIOD_FACTORS
+        .iter()
+        .find(|&&(years, _)| years == return_period_years);
+    known
+        .map(|&(_, factor)| factor)
+        .ok_or_else(|| CodeSpectrumError::ReturnPeriod {
+            return_period_years,
+            known_years: RETURN_PERIOD_FACTORS
+                .iter()
+                .map(|&(years, _)| years)
+                .collect(),
+        })
 }
 
 /// Return periods \[years\] and their factors R, both rising.
@@ -213,9 +251,19 @@ impl Nzs1170_5 {
         let return_factor_ratio = return_period_factor(return_period_years)?;
         if let Some(value) = fault_distance_km.filter(|d| !(*d >= 0.0 && d.is_finite())) {
             let (name, requirement) = ("the distance to the fault in km", "at least 0 and finite");
-            return Err(CodeSpectrumError::Parameter { name, requirement, value });
+            return Err(CodeSpectrumError::Parameter {
+                name,
+                requirement,
+                value,
+            });
         }
-        Ok(Self { site, hazard_factor, return_period_years, return_factor_ratio, fault_distance_km })
+        Ok(Self {
+            site,
+            hazard_factor,
+            return_period_years,
+            return_factor_ratio,
+            fault_distance_km,
+        })
     }
 
     /// Site subsoil class.
@@ -255,7 +303,8 @@ impl Nzs1170_5 {
 
     /// Whether a near fault raises the spectrum anywhere.
     pub fn is_near_fault(&self) -> bool {
-        self.return_factor_ratio > LARGEST_R_WITHOUT_FAULT && self.fault_distance_km.is_some_and(|km| km < 20.0)
+        self.return_factor_ratio > LARGEST_R_WITHOUT_FAULT
+            && self.fault_distance_km.is_some_and(|km| km < 20.0)
     }
 
     /// The plateau, which ends below the periods that near faults affect \[g\].
@@ -266,8 +315,12 @@ impl Nzs1170_5 {
     /// The periods at which branches of Ch(T) meet and, with a near fault, those of N(T, D),
     /// ascending \[s\].
     pub fn corner_periods_s(&self) -> Vec<f64> {
-        let mut corners =
-            vec![PLATEAU_START_S, self.site.shape().plateau_end_s, VELOCITY_START_S, DISPLACEMENT_START_S];
+        let mut corners = vec![
+            PLATEAU_START_S,
+            self.site.shape().plateau_end_s,
+            VELOCITY_START_S,
+            DISPLACEMENT_START_S,
+        ];
         if self.is_near_fault() {
             corners.extend([4.0, 5.0]);
         }
@@ -276,8 +329,9 @@ impl Nzs1170_5 {
 
     /// Spectral acceleration `C(T)`, 5 % damping \[g\]; NaN for a negative period.
     pub fn sa_g(&self, period_s: f64) -> f64 {
-        let near_fault =
-            self.fault_distance_km.map_or(1.0, |km| near_fault_ratio(period_s, km, self.return_factor_ratio));
+        let near_fault = self.fault_distance_km.map_or(1.0, |km| {
+            near_fault_ratio(period_s, km, self.return_factor_ratio)
+        });
         self.site.shape_factor_ratio(period_s) * self.zr_g() * near_fault
     }
 }
@@ -286,26 +340,41 @@ impl Nzs1170_5 {
 mod tests {
     use super::*;
 
-    const PERIODS_S: [f64; 18] =
-        [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5];
+    const PERIODS_S: [f64; 18] = [
+        0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5,
+    ];
 
     /// NZS 1170.5:2004, Table 3.1, as printed by a public Python script (the formulas come from
     /// another source).
     #[test]
     fn shape_factors_are_those_of_table_3_1() {
-        let rock =
-            [1.0, 2.35, 2.35, 2.35, 1.89, 1.60, 1.40, 1.24, 1.12, 1.03, 0.95, 0.70, 0.53, 0.42, 0.35, 0.26, 0.20, 0.16];
-        let shallow = [
-            1.33, 2.93, 2.93, 2.93, 2.36, 2.00, 1.74, 1.55, 1.41, 1.29, 1.19, 0.88, 0.66, 0.53, 0.44, 0.32, 0.25, 0.20,
+        let rock = [
+            1.0, 2.35, 2.35, 2.35, 1.89, 1.60, 1.40, 1.24, 1.12, 1.03, 0.95, 0.70, 0.53, 0.42,
+            0.35, 0.26, 0.20, 0.16,
         ];
-        let deep =
-            [1.12, 3.0, 3.0, 3.0, 3.0, 3.0, 2.84, 2.53, 2.29, 2.09, 1.93, 1.43, 1.07, 0.86, 0.71, 0.52, 0.40, 0.32];
-        let soft = [1.12, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 2.21, 1.66, 1.33, 1.11, 0.81, 0.62, 0.49];
-        for (class, printed) in SubsoilClass::ALL.into_iter().zip([rock, rock, shallow, deep, soft]) {
+        let shallow = [
+            1.33, 2.93, 2.93, 2.93, 2.36, 2.00, 1.74, 1.55, 1.41, 1.29, 1.19, 0.88, 0.66, 0.53,
+            0.44, 0.32, 0.25, 0.20,
+        ];
+        let deep = [
+            1.12, 3.0, 3.0, 3.0, 3.0, 3.0, 2.84, 2.53, 2.29, 2.09, 1.93, 1.43, 1.07, 0.86, 0.71,
+            0.52, 0.40, 0.32,
+        ];
+        let soft = [
+            1.12, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 2.21, 1.66, 1.33, 1.11, 0.81,
+            0.62, 0.49,
+        ];
+        for (class, printed) in SubsoilClass::ALL
+            .into_iter()
+            .zip([rock, rock, shallow, deep, soft])
+        {
             for (period_s, printed) in PERIODS_S.into_iter().zip(printed) {
                 let got = class.shape_factor_ratio(period_s);
                 // Half a unit of the last printed digit.
-                assert!((got - printed).abs() <= 0.005 + 1e-12, "{class:?} {period_s}: {got} {printed}");
+                assert!(
+                    (got - printed).abs() <= 0.005 + 1e-12,
+                    "{class:?} {period_s}: {got} {printed}"
+                );
             }
         }
     }
@@ -325,13 +394,16 @@ mod tests {
             (SubsoilClass::E, 1.5, 0.0),
         ];
         for (class, corner, want) in steps {
-            let step = class.shape_factor_ratio(f64::next_up(corner)) / class.shape_factor_ratio(corner) - 1.0;
+            let step = class.shape_factor_ratio(f64::next_up(corner))
+                / class.shape_factor_ratio(corner)
+                - 1.0;
             // Steps to four digits.
             assert!((step - want).abs() < 6e-5, "{class:?} {corner}: {step}");
         }
         for class in SubsoilClass::ALL {
             for corner in [PLATEAU_START_S, DISPLACEMENT_START_S] {
-                let step = class.shape_factor_ratio(corner.next_up()) / class.shape_factor_ratio(corner.next_down());
+                let step = class.shape_factor_ratio(corner.next_up())
+                    / class.shape_factor_ratio(corner.next_down());
                 assert!((step - 1.0).abs() < 1e-14, "{class:?} {corner}");
             }
         }
@@ -340,11 +412,23 @@ mod tests {
     /// Table 3.7 has Nmax 1, 1.12, 1.36, 1.60, 1.72 at 1.5, 2, 3, 4, 5 s.
     #[test]
     fn near_faults_raise_long_periods() {
-        for (period_s, largest) in
-            [(0.5, 1.0), (1.5, 1.0), (2.0, 1.12), (3.0, 1.36), (4.0, 1.60), (5.0, 1.72), (9.0, 1.72)]
-        {
-            assert!((near_fault_ratio(period_s, 0.0, 1.0) - largest).abs() < 1e-15, "{period_s}");
-            assert!((near_fault_ratio(period_s, 2.0, 1.0) - largest).abs() < 1e-15, "{period_s}");
+        for (period_s, largest) in [
+            (0.5, 1.0),
+            (1.5, 1.0),
+            (2.0, 1.12),
+            (3.0, 1.36),
+            (4.0, 1.60),
+            (5.0, 1.72),
+            (9.0, 1.72),
+        ] {
+            assert!(
+                (near_fault_ratio(period_s, 0.0, 1.0) - largest).abs() < 1e-15,
+                "{period_s}"
+            );
+            assert!(
+                (near_fault_ratio(period_s, 2.0, 1.0) - largest).abs() < 1e-15,
+                "{period_s}"
+            );
             assert_eq!(near_fault_ratio(period_s, 20.0, 1.0), 1.0);
             assert_eq!(near_fault_ratio(period_s, 300.0, 1.0), 1.0);
         }
@@ -364,7 +448,11 @@ mod tests {
         let code = Nzs1170_5::new(SubsoilClass::B, 0.60, 1000, None).unwrap();
         assert!(code.maximum_governs());
         assert!((code.sa_g(0.0) - 0.7).abs() < 1e-15 && (code.sa_g(0.2) - 1.645).abs() < 1e-15);
-        assert!(!Nzs1170_5::new(SubsoilClass::B, 0.60, 500, None).unwrap().maximum_governs());
+        assert!(
+            !Nzs1170_5::new(SubsoilClass::B, 0.60, 500, None)
+                .unwrap()
+                .maximum_governs()
+        );
     }
 
     #[test]
@@ -376,8 +464,13 @@ mod tests {
             (0.4, 500, Some(-1.0)),
             (0.4, 500, Some(f64::INFINITY)),
         ] {
-            assert!(Nzs1170_5::new(SubsoilClass::C, z, years, km).is_err(), "{z} {years} {km:?}");
+            assert!(
+                Nzs1170_5::new(SubsoilClass::C, z, years, km).is_err(),
+                "{z} {years} {km:?}"
+            );
         }
-        assert!(SubsoilClass::parse("f").is_err() && SubsoilClass::parse("d") == Ok(SubsoilClass::D));
+        assert!(
+            SubsoilClass::parse("f").is_err() && SubsoilClass::parse("d") == Ok(SubsoilClass::D)
+        );
     }
 }

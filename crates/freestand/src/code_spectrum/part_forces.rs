@@ -58,7 +58,13 @@ impl PartForce {
             _ => Governing::Formula,
         };
         let force_ratio = formula_ratio.min(maximum_ratio).max(minimum_ratio);
-        Self { force_ratio, formula_ratio, minimum_ratio, maximum_ratio, governing }
+        Self {
+            force_ratio,
+            formula_ratio,
+            minimum_ratio,
+            maximum_ratio,
+            governing,
+        }
     }
 }
 
@@ -93,7 +99,11 @@ pub struct As1170_4Part {
 /// assert_eq!(as1170_4_force(1.056, &brittle).force_ratio, 0.5);
 /// ```
 pub fn as1170_4_force(floor_acceleration_g: f64, part: &As1170_4Part) -> PartForce {
-    let As1170_4Part { amplification_ratio, ductility_ratio, importance_ratio } = *part;
+    let As1170_4Part {
+        amplification_ratio,
+        ductility_ratio,
+        importance_ratio,
+    } = *part;
     let formula = floor_acceleration_g * importance_ratio * amplification_ratio / ductility_ratio;
     PartForce::within(formula, 0.05, 0.5)
 }
@@ -126,9 +136,17 @@ pub struct Asce7_16Part {
 /// assert!((asce7_16_force(1.0, 3.0, &cabinet).force_ratio - 0.48).abs() < 1e-15);
 /// ```
 pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part) -> PartForce {
-    let Asce7_16Part { amplification_ratio, response_ratio, importance_ratio } = *part;
+    let Asce7_16Part {
+        amplification_ratio,
+        response_ratio,
+        importance_ratio,
+    } = *part;
     let unit = sds_g * importance_ratio;
-    PartForce::within(0.4 * amplification_ratio * height_factor_ratio / response_ratio * unit, 0.3 * unit, 1.6 * unit)
+    PartForce::within(
+        0.4 * amplification_ratio * height_factor_ratio / response_ratio * unit,
+        0.3 * unit,
+        1.6 * unit,
+    )
 }
 
 /// A component according to ASCE 7-22, chapter 13.
@@ -151,7 +169,12 @@ pub struct Asce7_22Part {
 impl Asce7_22Part {
     /// R_μ as it is used.
     pub fn used_building_ductility_ratio(&self) -> f64 {
-        if self.is_at_grade { 1.0 } else { self.building_ductility_ratio.max(LEAST_BUILDING_DUCTILITY_RATIO) }
+        if self.is_at_grade {
+            1.0
+        } else {
+            self.building_ductility_ratio
+                .max(LEAST_BUILDING_DUCTILITY_RATIO)
+        }
     }
 }
 
@@ -182,7 +205,8 @@ pub const LEAST_BUILDING_DUCTILITY_RATIO: f64 = 1.3;
 /// ```
 pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part) -> PartForce {
     let unit = sds_g * part.importance_ratio;
-    let ratio = height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio / part.strength_ratio;
+    let ratio = height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio
+        / part.strength_ratio;
     PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
 }
 
@@ -217,7 +241,11 @@ pub struct Eurocode8Part {
 /// };
 /// assert!((eurocode8_force(0.24, 1.0, &cabinet).force_ratio - 0.3).abs() < 1e-15);
 /// ```
-pub fn eurocode8_force(ground_acceleration_g: f64, level_ratio: f64, part: &Eurocode8Part) -> PartForce {
+pub fn eurocode8_force(
+    ground_acceleration_g: f64,
+    level_ratio: f64,
+    part: &Eurocode8Part,
+) -> PartForce {
     let unit = ground_acceleration_g * part.importance_ratio / part.behaviour_ratio;
     let factor = part.amplification_ratio * eurocode8_factor_ratio(level_ratio, part.period_ratio);
     PartForce::within(unit * factor, unit, f64::INFINITY)
@@ -248,7 +276,8 @@ pub struct Nzs1170_5Part {
 /// assert_eq!(nzs1170_5_force(2.0, &elastic).force_ratio, 3.6);
 /// ```
 pub fn nzs1170_5_force(floor_acceleration_g: f64, part: &Nzs1170_5Part) -> PartForce {
-    let formula = floor_acceleration_g * part.spectral_ratio * part.response_ratio * part.risk_ratio;
+    let formula =
+        floor_acceleration_g * part.spectral_ratio * part.response_ratio * part.risk_ratio;
     PartForce::within(formula, 0.0, 3.6)
 }
 
@@ -256,17 +285,25 @@ pub fn nzs1170_5_force(floor_acceleration_g: f64, part: &Nzs1170_5Part) -> PartF
 mod tests {
     use super::*;
 
-    const CABINET: As1170_4Part =
-        As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 2.5, importance_ratio: 1.5 };
+    const CABINET: As1170_4Part = As1170_4Part {
+        amplification_ratio: 1.0,
+        ductility_ratio: 2.5,
+        importance_ratio: 1.5,
+    };
 
     /// 0.2 · 1.5/2.5 = 0.12; 0.05 below 0.0833 g, 0.5 above 0.8333 g.
     #[test]
     fn as_1170_4_within_its_limits() {
-        for (floor_g, force, governing) in
-            [(0.2, 0.12, Governing::Formula), (0.08, 0.05, Governing::Minimum), (0.84, 0.5, Governing::Maximum)]
-        {
+        for (floor_g, force, governing) in [
+            (0.2, 0.12, Governing::Formula),
+            (0.08, 0.05, Governing::Minimum),
+            (0.84, 0.5, Governing::Maximum),
+        ] {
             let got = as1170_4_force(floor_g, &CABINET);
-            assert!((got.force_ratio - force).abs() < 1e-15 && got.governing == governing, "{got:?}");
+            assert!(
+                (got.force_ratio - force).abs() < 1e-15 && got.governing == governing,
+                "{got:?}"
+            );
         }
         assert!((as1170_4_force(0.08, &CABINET).formula_ratio - 0.048).abs() < 1e-15);
     }
@@ -276,16 +313,29 @@ mod tests {
     /// limited to 1.2.
     #[test]
     fn asce_7_16_within_its_limits() {
-        let flexible = Asce7_16Part { amplification_ratio: 2.5, response_ratio: 2.5, importance_ratio: 1.5 };
-        let rigid = Asce7_16Part { amplification_ratio: 1.0, ..flexible };
-        let brittle = Asce7_16Part { response_ratio: 1.0, ..flexible };
+        let flexible = Asce7_16Part {
+            amplification_ratio: 2.5,
+            response_ratio: 2.5,
+            importance_ratio: 1.5,
+        };
+        let rigid = Asce7_16Part {
+            amplification_ratio: 1.0,
+            ..flexible
+        };
+        let brittle = Asce7_16Part {
+            response_ratio: 1.0,
+            ..flexible
+        };
         for (height, part, force, governing) in [
             (1.0, flexible, 0.3, Governing::Formula),
             (1.0, rigid, 0.225, Governing::Minimum),
             (3.0, brittle, 1.2, Governing::Maximum),
         ] {
             let got = asce7_16_force(0.5, height, &part);
-            assert!((got.force_ratio - force).abs() < 1e-15 && got.governing == governing, "{got:?}");
+            assert!(
+                (got.force_ratio - force).abs() < 1e-15 && got.governing == governing,
+                "{got:?}"
+            );
         }
     }
 
@@ -301,11 +351,32 @@ mod tests {
             is_at_grade: false,
         };
         assert!((asce7_22_force(0.5, 2.25, &part).force_ratio - 0.44).abs() < 1e-15);
-        let stiff = |ductility| Asce7_22Part { building_ductility_ratio: ductility, ..part };
-        assert_eq!(asce7_22_force(0.5, 2.25, &stiff(1.0)), asce7_22_force(0.5, 2.25, &stiff(1.3)));
-        let low = asce7_22_force(0.5, 1.0, &Asce7_22Part { resonance_ratio: 1.0, ..stiff(2.0) });
+        let stiff = |ductility| Asce7_22Part {
+            building_ductility_ratio: ductility,
+            ..part
+        };
+        assert_eq!(
+            asce7_22_force(0.5, 2.25, &stiff(1.0)),
+            asce7_22_force(0.5, 2.25, &stiff(1.3))
+        );
+        let low = asce7_22_force(
+            0.5,
+            1.0,
+            &Asce7_22Part {
+                resonance_ratio: 1.0,
+                ..stiff(2.0)
+            },
+        );
         assert!((low.force_ratio - 0.15).abs() < 1e-15 && low.governing == Governing::Minimum);
-        let high = asce7_22_force(0.5, 3.5, &Asce7_22Part { resonance_ratio: 2.8, strength_ratio: 1.0, ..stiff(1.3) });
+        let high = asce7_22_force(
+            0.5,
+            3.5,
+            &Asce7_22Part {
+                resonance_ratio: 2.8,
+                strength_ratio: 1.0,
+                ..stiff(1.3)
+            },
+        );
         assert!((high.force_ratio - 0.8).abs() < 1e-15 && high.governing == Governing::Maximum);
     }
 
@@ -322,7 +393,10 @@ mod tests {
         };
         let got = asce7_22_force(0.5, 1.0, &part);
         // A few products of numbers near one.
-        assert!((got.force_ratio - 0.24).abs() < 1e-15 && got.governing == Governing::Formula, "{got:?}");
+        assert!(
+            (got.force_ratio - 0.24).abs() < 1e-15 && got.governing == Governing::Formula,
+            "{got:?}"
+        );
     }
 
     /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above
@@ -330,12 +404,23 @@ mod tests {
     /// known amplification of 1.6: 1.6 · 1.75 = 2.8: 0.42; one of 0.5: 0.875, raised to 1.
     #[test]
     fn eurocode_8_and_its_least() {
-        let part =
-            Eurocode8Part { period_ratio: 1.0, amplification_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
+        let part = Eurocode8Part {
+            period_ratio: 1.0,
+            amplification_ratio: 1.0,
+            importance_ratio: 1.5,
+            behaviour_ratio: 2.0,
+        };
         assert!((eurocode8_force(0.2, 0.5, &part).force_ratio - 0.6).abs() < 1e-15);
-        let soft = Eurocode8Part { period_ratio: 4.0, ..part };
+        let soft = Eurocode8Part {
+            period_ratio: 4.0,
+            ..part
+        };
         assert!((eurocode8_force(0.2, 0.0, &soft).force_ratio - 0.15).abs() < 1e-15);
-        let known = |amplification_ratio| Eurocode8Part { period_ratio: 0.0, amplification_ratio, ..part };
+        let known = |amplification_ratio| Eurocode8Part {
+            period_ratio: 0.0,
+            amplification_ratio,
+            ..part
+        };
         assert!((eurocode8_force(0.2, 0.5, &known(1.6)).force_ratio - 0.42).abs() < 1e-15);
         let low = eurocode8_force(0.2, 0.5, &known(0.5));
         assert!((low.force_ratio - 0.15).abs() < 1e-15 && low.governing == Governing::Minimum);

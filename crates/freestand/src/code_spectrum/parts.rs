@@ -46,18 +46,27 @@ const AS_TALL_M: f64 = 12.0;
 /// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
 /// ```
 pub fn floor_acceleration_g(code: &CodeSpectrum, question: &PartsQuestion) -> Option<f64> {
-    let PartsQuestion { level_ratio, building_height_m, building_period_s } = *question;
+    let PartsQuestion {
+        level_ratio,
+        building_height_m,
+        building_period_s,
+    } = *question;
     let is_fine = |value: Option<f64>| value.is_none_or(|value| value > 0.0 && value.is_finite());
-    if !(0.0..=1.0).contains(&level_ratio) || !is_fine(building_height_m) || !is_fine(building_period_s) {
+    if !(0.0..=1.0).contains(&level_ratio)
+        || !is_fine(building_height_m)
+        || !is_fine(building_period_s)
+    {
         return None;
     }
     let factor = match code {
         CodeSpectrum::As1170_4(_) => as1170_4_height_ratio(level_ratio, building_height_m?),
         CodeSpectrum::Eurocode8(_) => eurocode8_factor_ratio(level_ratio, 0.0),
-        CodeSpectrum::Asce7(code) => asce7_height_factor_ratio(code, level_ratio, building_period_s),
-        CodeSpectrum::Nzs1170_5(_) => {
-            (1.0 + level_ratio * building_height_m? / 6.0).min(1.0 + 10.0 * level_ratio).min(3.0)
+        CodeSpectrum::Asce7(code) => {
+            asce7_height_factor_ratio(code, level_ratio, building_period_s)
         }
+        CodeSpectrum::Nzs1170_5(_) => (1.0 + level_ratio * building_height_m? / 6.0)
+            .min(1.0 + 10.0 * level_ratio)
+            .min(3.0),
         CodeSpectrum::Table(_) => return None,
     };
     // In every code the acceleration of the ground is the value at T = 0: kpZ Ch(0), a_g S, 0.4
@@ -116,7 +125,11 @@ pub fn as1170_4_height_ratio(level_ratio: f64, building_height_m: f64) -> f64 {
 ///
 /// # Reference
 /// ASCE 7-16, Eq. (13.3-1); ASCE 7-22, Eqs. (13.3-4) and (13.3-5).
-pub fn asce7_height_factor_ratio(code: &Asce7, level_ratio: f64, building_period_s: Option<f64>) -> f64 {
+pub fn asce7_height_factor_ratio(
+    code: &Asce7,
+    level_ratio: f64,
+    building_period_s: Option<f64>,
+) -> f64 {
     asce7_height_ratio(code.edition(), level_ratio, building_period_s)
 }
 
@@ -128,7 +141,11 @@ pub fn asce7_height_factor_ratio(code: &Asce7, level_ratio: f64, building_period
 /// assert_eq!(asce7_height_ratio(Asce7Edition::Asce7_16, 0.5, None), 2.0);
 /// assert_eq!(asce7_height_ratio(Asce7Edition::Asce7_22, 1.0, None), 3.5);
 /// ```
-pub fn asce7_height_ratio(edition: Asce7Edition, level_ratio: f64, building_period_s: Option<f64>) -> f64 {
+pub fn asce7_height_ratio(
+    edition: Asce7Edition,
+    level_ratio: f64,
+    building_period_s: Option<f64>,
+) -> f64 {
     match (edition, building_period_s) {
         (Asce7Edition::Asce7_16, _) => 1.0 + 2.0 * level_ratio,
         (Asce7Edition::Asce7_22, None) => 1.0 + 2.5 * level_ratio,
@@ -144,17 +161,32 @@ pub fn asce7_height_ratio(edition: Asce7Edition, level_ratio: f64, building_peri
 mod tests {
     use super::*;
     use crate::code_spectrum::{
-        As1170_4, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5, OutOfRange, SiteClass, SpectrumTable,
-        SpectrumType, SubsoilClass,
+        As1170_4, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5, OutOfRange, SiteClass,
+        SpectrumTable, SpectrumType, SubsoilClass,
     };
 
-    fn at(code: &CodeSpectrum, level_ratio: f64, height_m: f64, building_period_s: Option<f64>) -> f64 {
+    fn at(
+        code: &CodeSpectrum,
+        level_ratio: f64,
+        height_m: f64,
+        building_period_s: Option<f64>,
+    ) -> f64 {
         let building_height_m = Some(height_m);
-        floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s }).unwrap()
+        floor_acceleration_g(
+            code,
+            &PartsQuestion {
+                level_ratio,
+                building_height_m,
+                building_period_s,
+            },
+        )
+        .unwrap()
     }
 
     fn melbourne() -> CodeSpectrum {
-        As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().into()
+        As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)
+            .unwrap()
+            .into()
     }
 
     /// kpZ Ch(0) = 0.088 g; 1 + 2 z/hn from 12 m on, 1 + 0.17 hx below: 10 m high, 5 m up, 1.85.
@@ -168,7 +200,10 @@ mod tests {
             (0.5, 10.0, 1.85),
             (1.0, 10.0, 2.7),
         ] {
-            assert!((at(&melbourne(), level, height_m, None) - 0.088 * factor).abs() < 1e-15, "{level} {height_m}");
+            assert!(
+                (at(&melbourne(), level, height_m, None) - 0.088 * factor).abs() < 1e-15,
+                "{level} {height_m}"
+            );
         }
     }
 
@@ -176,12 +211,25 @@ mod tests {
     /// 2.5; Ta = T1/2 at mid-height 4.5/1.25 − 0.5 = 3.1; Ta = 4 T1 at the ground 3/10 − 0.5 < 1.
     #[test]
     fn eurocode_8_up_the_height() {
-        let code = CodeSpectrum::from(Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap());
+        let code = CodeSpectrum::from(
+            Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap(),
+        );
         for (level, factor) in [(0.0, 1.0), (0.5, 1.75), (1.0, 2.5)] {
-            assert!((at(&code, level, 30.0, Some(1.0)) - 0.24 * factor).abs() < 1e-15, "{level}");
+            assert!(
+                (at(&code, level, 30.0, Some(1.0)) - 0.24 * factor).abs() < 1e-15,
+                "{level}"
+            );
         }
-        for (level, ratio, factor) in [(1.0, 0.0, 2.5), (0.5, 0.5, 3.1), (0.0, 4.0, 1.0), (0.0, 0.0, 1.0)] {
-            assert!((eurocode8_factor_ratio(level, ratio) - factor).abs() < 1e-15, "{level} {ratio}");
+        for (level, ratio, factor) in [
+            (1.0, 0.0, 2.5),
+            (0.5, 0.5, 3.1),
+            (0.0, 4.0, 1.0),
+            (0.0, 0.0, 1.0),
+        ] {
+            assert!(
+                (eurocode8_factor_ratio(level, ratio) - factor).abs() < 1e-15,
+                "{level} {ratio}"
+            );
         }
     }
 
@@ -192,7 +240,10 @@ mod tests {
         let code = |edition| CodeSpectrum::from(Asce7::new(edition, 1.0, 0.6, 8.0).unwrap());
         let (old, new) = (code(Asce7Edition::Asce7_16), code(Asce7Edition::Asce7_22));
         for (level, factor) in [(0.0, 1.0), (0.5, 2.0), (1.0, 3.0)] {
-            assert!((at(&old, level, 30.0, Some(2.0)) - 0.4 * factor).abs() < 1e-15, "{level}");
+            assert!(
+                (at(&old, level, 30.0, Some(2.0)) - 0.4 * factor).abs() < 1e-15,
+                "{level}"
+            );
         }
         let cases = [
             (1.0, None, 3.5),
@@ -204,7 +255,10 @@ mod tests {
             (0.0, Some(2.0), 1.0),
         ];
         for (level, period_s, factor) in cases {
-            assert!((at(&new, level, 30.0, period_s) - 0.4 * factor).abs() < 1e-15, "{level} {period_s:?}");
+            assert!(
+                (at(&new, level, 30.0, period_s) - 0.4 * factor).abs() < 1e-15,
+                "{level} {period_s:?}"
+            );
         }
     }
 
@@ -212,7 +266,8 @@ mod tests {
     /// 2.5, from 12 m on 3. Low (6 m): 1 + hi/6 governs, 2 at the roof.
     #[test]
     fn nzs_1170_5_up_the_height() {
-        let code = CodeSpectrum::from(Nzs1170_5::new(SubsoilClass::C, 0.4, 500, Some(1.0)).unwrap());
+        let code =
+            CodeSpectrum::from(Nzs1170_5::new(SubsoilClass::C, 0.4, 500, Some(1.0)).unwrap());
         let cases = [
             (0.0, 60.0, 1.0),
             (0.05, 60.0, 1.5),
@@ -223,22 +278,55 @@ mod tests {
             (0.1, 120.0, 2.0),
         ];
         for (level, height_m, factor) in cases {
-            assert!((at(&code, level, height_m, None) - 0.532 * factor).abs() < 1e-15, "{level} {height_m}");
+            assert!(
+                (at(&code, level, height_m, None) - 0.532 * factor).abs() < 1e-15,
+                "{level} {height_m}"
+            );
         }
     }
 
     #[test]
     fn a_table_has_no_clause_and_bad_questions_no_answer() {
-        let table =
-            SpectrumTable::new(vec![0.0, 1.0], vec![0.1, 0.1], Interpolation::LogLog, OutOfRange::Hold).unwrap();
-        let roof = PartsQuestion { level_ratio: 1.0, building_height_m: Some(30.0), building_period_s: None };
-        assert_eq!((floor_acceleration_g(&table.clone().into(), &roof), clause(&table.into())), (None, None));
+        let table = SpectrumTable::new(
+            vec![0.0, 1.0],
+            vec![0.1, 0.1],
+            Interpolation::LogLog,
+            OutOfRange::Hold,
+        )
+        .unwrap();
+        let roof = PartsQuestion {
+            level_ratio: 1.0,
+            building_height_m: Some(30.0),
+            building_period_s: None,
+        };
+        assert_eq!(
+            (
+                floor_acceleration_g(&table.clone().into(), &roof),
+                clause(&table.into())
+            ),
+            (None, None)
+        );
         for bad in [
-            PartsQuestion { level_ratio: 1.01, ..roof },
-            PartsQuestion { level_ratio: f64::NAN, ..roof },
-            PartsQuestion { building_height_m: Some(0.0), ..roof },
-            PartsQuestion { building_height_m: None, ..roof },
-            PartsQuestion { building_period_s: Some(0.0), ..roof },
+            PartsQuestion {
+                level_ratio: 1.01,
+                ..roof
+            },
+            PartsQuestion {
+                level_ratio: f64::NAN,
+                ..roof
+            },
+            PartsQuestion {
+                building_height_m: Some(0.0),
+                ..roof
+            },
+            PartsQuestion {
+                building_height_m: None,
+                ..roof
+            },
+            PartsQuestion {
+                building_period_s: Some(0.0),
+                ..roof
+            },
         ] {
             assert_eq!(floor_acceleration_g(&melbourne(), &bad), None, "{bad:?}");
         }

@@ -57,7 +57,10 @@ impl SpectrumTable {
     ) -> Result<Self, CodeSpectrumError> {
         let (periods, accelerations) = (periods_s.len(), sa_g.len());
         if periods < 2 || periods != accelerations {
-            return Err(CodeSpectrumError::TableLength { periods, accelerations });
+            return Err(CodeSpectrumError::TableLength {
+                periods,
+                accelerations,
+            });
         }
         let mut before = None;
         for (row, (&period_s, &sa_g)) in periods_s.iter().zip(&sa_g).enumerate() {
@@ -71,9 +74,19 @@ impl SpectrumTable {
                 before = Some(period_s);
                 continue;
             };
-            return Err(CodeSpectrumError::TableRow { row: row + 1, period_s, sa_g, requirement });
+            return Err(CodeSpectrumError::TableRow {
+                row: row + 1,
+                period_s,
+                sa_g,
+                requirement,
+            });
         }
-        Ok(Self { periods_s, sa_g, interpolation, out_of_range })
+        Ok(Self {
+            periods_s,
+            sa_g,
+            interpolation,
+            out_of_range,
+        })
     }
 
     /// Periods, ascending \[s\].
@@ -152,7 +165,10 @@ mod tests {
     use super::*;
 
     fn table(interpolation: Interpolation, out_of_range: OutOfRange) -> SpectrumTable {
-        let (periods_s, sa_g) = (vec![0.0, 0.1, 0.4, 1.6, 3.2], vec![0.2, 0.5, 0.5, 0.125, 0.03125]);
+        let (periods_s, sa_g) = (
+            vec![0.0, 0.1, 0.4, 1.6, 3.2],
+            vec![0.2, 0.5, 0.5, 0.125, 0.03125],
+        );
         SpectrumTable::new(periods_s, sa_g, interpolation, out_of_range).unwrap()
     }
 
@@ -160,8 +176,10 @@ mod tests {
     /// linear 0.375 at 1 s; 1/T² up to 3.2 s.
     #[test]
     fn between_its_periods() {
-        let (log, linear) =
-            (table(Interpolation::LogLog, OutOfRange::Refuse), table(Interpolation::Linear, OutOfRange::Refuse));
+        let (log, linear) = (
+            table(Interpolation::LogLog, OutOfRange::Refuse),
+            table(Interpolation::Linear, OutOfRange::Refuse),
+        );
         let cases = [
             (0.0, 0.2, 0.2),
             (0.05, 0.35, 0.35),
@@ -174,33 +192,72 @@ mod tests {
         ];
         for (period_s, of_log, of_linear) in cases {
             // Logarithms and an exponential: a few units in the last place.
-            assert!((log.sa_g(period_s).unwrap() - of_log).abs() < 1e-15, "{period_s}");
-            assert!((linear.sa_g(period_s).unwrap() - of_linear).abs() < 1e-15, "{period_s}");
+            assert!(
+                (log.sa_g(period_s).unwrap() - of_log).abs() < 1e-15,
+                "{period_s}"
+            );
+            assert!(
+                (linear.sa_g(period_s).unwrap() - of_linear).abs() < 1e-15,
+                "{period_s}"
+            );
         }
     }
 
     #[test]
     fn outside_is_refused_or_held() {
         let refused = table(Interpolation::LogLog, OutOfRange::Refuse);
-        assert_eq!((refused.sa_g(3.3), refused.sa_g(-0.1), refused.sa_g(f64::NAN)), (None, None, None));
-        assert_eq!((refused.shortest_period_s(), refused.longest_period_s()), (0.0, Some(3.2)));
+        assert_eq!(
+            (
+                refused.sa_g(3.3),
+                refused.sa_g(-0.1),
+                refused.sa_g(f64::NAN)
+            ),
+            (None, None, None)
+        );
+        assert_eq!(
+            (refused.shortest_period_s(), refused.longest_period_s()),
+            (0.0, Some(3.2))
+        );
         let held = table(Interpolation::LogLog, OutOfRange::Hold);
         // Twice the last period: a quarter.
-        assert_eq!((held.sa_g(6.4), held.longest_period_s()), (Some(0.0078125), None));
-        let late = SpectrumTable::new(vec![0.2, 1.0], vec![0.4, 0.1], Interpolation::LogLog, OutOfRange::Hold).unwrap();
-        assert_eq!((late.sa_g(0.0), late.sa_g(0.19), late.shortest_period_s()), (Some(0.4), Some(0.4), 0.0));
-        let late = SpectrumTable { out_of_range: OutOfRange::Refuse, ..late };
+        assert_eq!(
+            (held.sa_g(6.4), held.longest_period_s()),
+            (Some(0.0078125), None)
+        );
+        let late = SpectrumTable::new(
+            vec![0.2, 1.0],
+            vec![0.4, 0.1],
+            Interpolation::LogLog,
+            OutOfRange::Hold,
+        )
+        .unwrap();
+        assert_eq!(
+            (late.sa_g(0.0), late.sa_g(0.19), late.shortest_period_s()),
+            (Some(0.4), Some(0.4), 0.0)
+        );
+        let late = SpectrumTable {
+            out_of_range: OutOfRange::Refuse,
+            ..late
+        };
         assert_eq!((late.sa_g(0.19), late.shortest_period_s()), (None, 0.2));
     }
 
     #[test]
     fn what_is_no_spectrum_is_refused_with_its_row() {
         let made = |periods_s: &[f64], sa_g: &[f64]| {
-            SpectrumTable::new(periods_s.to_vec(), sa_g.to_vec(), Interpolation::Linear, OutOfRange::Refuse)
-                .unwrap_err()
+            SpectrumTable::new(
+                periods_s.to_vec(),
+                sa_g.to_vec(),
+                Interpolation::Linear,
+                OutOfRange::Refuse,
+            )
+            .unwrap_err()
         };
         for (periods_s, sa_g) in [(&[1.0][..], &[1.0][..]), (&[1.0, 2.0], &[1.0]), (&[], &[])] {
-            assert!(matches!(made(periods_s, sa_g), CodeSpectrumError::TableLength { .. }));
+            assert!(matches!(
+                made(periods_s, sa_g),
+                CodeSpectrumError::TableLength { .. }
+            ));
         }
         for (periods_s, sa_g, at) in [
             ([0.1, 0.1, 0.2], [1.0, 1.0, 1.0], 2),

@@ -7,29 +7,80 @@ use proptest::sample::select;
 /// Spectra of all codes and an extended table, with parameters biased towards the ends of their
 /// ranges.
 fn spectra() -> impl Strategy<Value = CodeSpectrum> {
-    let australia =
-        (select(&SiteClass::ALL[..]), select(vec![1e-6, 0.03, 0.08, 0.6, 1e6]), select(vec![20u32, 500, 2500]))
-            .prop_map(|(site, z, years)| As1170_4::new(Edition::default(), site, z, years).unwrap().into());
-    let europe = (any::<bool>(), select(&GroundType::ALL[..]), 1e-3..10.0f64, 0.5..2.0f64).prop_map(
-        |(one, ground, ag, gamma)| {
-            let spectrum_type = if one { SpectrumType::Type1 } else { SpectrumType::Type2 };
-            Eurocode8::new(spectrum_type, ground, ag, gamma).unwrap().into()
+    let australia = (
+        select(&SiteClass::ALL[..]),
+        select(vec![1e-6, 0.03, 0.08, 0.6, 1e6]),
+        select(vec![20u32, 500, 2500]),
+    )
+        .prop_map(|(site, z, years)| {
+            As1170_4::new(Edition::default(), site, z, years)
+                .unwrap()
+                .into()
+        });
+    let europe = (
+        any::<bool>(),
+        select(&GroundType::ALL[..]),
+        1e-3..10.0f64,
+        0.5..2.0f64,
+    )
+        .prop_map(|(one, ground, ag, gamma)| {
+            let spectrum_type = if one {
+                SpectrumType::Type1
+            } else {
+                SpectrumType::Type2
+            };
+            Eurocode8::new(spectrum_type, ground, ag, gamma)
+                .unwrap()
+                .into()
+        });
+    let annex = (0.5..3.0f64, 1e-3..0.3f64, 1.0..4.0f64, 1.0..8.0f64).prop_map(
+        |(soil_factor_ratio, tb_s, c, d)| {
+            let shape = SpectrumShape {
+                soil_factor_ratio,
+                tb_s,
+                tc_s: tb_s * c,
+                td_s: tb_s * c * d,
+            };
+            Eurocode8::with_shape(SpectrumType::Type2, None, 0.1, 1.0, shape)
+                .unwrap()
+                .into()
         },
     );
-    let annex = (0.5..3.0f64, 1e-3..0.3f64, 1.0..4.0f64, 1.0..8.0f64).prop_map(|(soil_factor_ratio, tb_s, c, d)| {
-        let shape = SpectrumShape { soil_factor_ratio, tb_s, tc_s: tb_s * c, td_s: tb_s * c * d };
-        Eurocode8::with_shape(SpectrumType::Type2, None, 0.1, 1.0, shape).unwrap().into()
+    let america = (1e-3..3.0f64, 1e-3..3.0f64, 1.0..40.0f64).prop_map(|(sds, ratio, tl)| {
+        Asce7::new(Asce7Edition::Asce7_22, sds, sds * ratio, ratio * tl)
+            .unwrap()
+            .into()
     });
-    let america = (1e-3..3.0f64, 1e-3..3.0f64, 1.0..40.0f64)
-        .prop_map(|(sds, ratio, tl)| Asce7::new(Asce7Edition::Asce7_22, sds, sds * ratio, ratio * tl).unwrap().into());
-    let new_zealand = (select(&SubsoilClass::ALL[..]), 0.05..2.0f64, select(vec![20u32, 250, 500, 2500]), 0.0..30.0f64)
-        .prop_map(|(site, z, years, km)| Nzs1170_5::new(site, z, years, (km > 1.0).then_some(km)).unwrap().into());
-    let table = (prop::collection::vec((1e-3..1.0f64, 1e-4..10.0f64), 2..12), any::<bool>()).prop_map(|(rows, log)| {
-        let (steps, sa_g): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
-        let periods_s = steps.iter().scan(0.0, |sum, step| Some(std::mem::replace(sum, *sum + step))).collect();
-        let interpolation = if log { Interpolation::LogLog } else { Interpolation::Linear };
-        SpectrumTable::new(periods_s, sa_g, interpolation, OutOfRange::Hold).unwrap().into()
-    });
+    let new_zealand = (
+        select(&SubsoilClass::ALL[..]),
+        0.05..2.0f64,
+        select(vec![20u32, 250, 500, 2500]),
+        0.0..30.0f64,
+    )
+        .prop_map(|(site, z, years, km)| {
+            Nzs1170_5::new(site, z, years, (km > 1.0).then_some(km))
+                .unwrap()
+                .into()
+        });
+    let table = (
+        prop::collection::vec((1e-3..1.0f64, 1e-4..10.0f64), 2..12),
+        any::<bool>(),
+    )
+        .prop_map(|(rows, log)| {
+            let (steps, sa_g): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+            let periods_s = steps
+                .iter()
+                .scan(0.0, |sum, step| Some(std::mem::replace(sum, *sum + step)))
+                .collect();
+            let interpolation = if log {
+                Interpolation::LogLog
+            } else {
+                Interpolation::Linear
+            };
+            SpectrumTable::new(periods_s, sa_g, interpolation, OutOfRange::Hold)
+                .unwrap()
+                .into()
+        });
     prop_oneof![australia, europe, annex, america, new_zealand, table]
 }
 

@@ -57,7 +57,10 @@ pub(crate) struct Ledger {
 impl Ledger {
     /// Begins with the energies at the start; `rest_j` is the work of the weight on the cushions.
     pub(crate) fn open(rest_j: f64, energies: &Energies) -> Self {
-        let mut ledger = Self { rest_j, ..Self::default() };
+        let mut ledger = Self {
+            rest_j,
+            ..Self::default()
+        };
         ledger.enter(energies);
         ledger.audit.initial_j = ledger.balance_j();
         ledger.worst_j = 0.0;
@@ -67,7 +70,10 @@ impl Ledger {
     /// Everything accounted for, less the initial energy.
     fn balance_j(&self) -> f64 {
         let a = &self.audit;
-        let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
+        let dissipated_j = a.cushion_dissipation_j
+            + a.tangential_dissipation_j
+            + a.friction_j
+            + a.lost_at_separation_j;
         a.kinetic_j + a.potential_j + a.stored_j + dissipated_j - a.base_work_j - a.initial_j
     }
 
@@ -76,8 +82,15 @@ impl Ledger {
         let a = &mut self.audit;
         (a.kinetic_j, a.potential_j, a.stored_j) = (now.kinetic_j, now.potential_j, now.stored_j);
         a.base_work_j = now.base_work_j;
-        (a.cushion_dissipation_j, a.tangential_dissipation_j, a.friction_j) =
-            (now.cushion_dissipation_j, now.tangential_dissipation_j, now.friction_j);
+        (
+            a.cushion_dissipation_j,
+            a.tangential_dissipation_j,
+            a.friction_j,
+        ) = (
+            now.cushion_dissipation_j,
+            now.tangential_dissipation_j,
+            now.friction_j,
+        );
         self.max_kinetic_j = self.max_kinetic_j.max(a.kinetic_j);
         self.worst_j = self.worst_j.max(self.balance_j().abs());
     }
@@ -88,7 +101,10 @@ impl Ledger {
 
     pub(crate) fn close(mut self) -> EnergyAudit {
         let a = &mut self.audit;
-        let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
+        let dissipated_j = a.cushion_dissipation_j
+            + a.tangential_dissipation_j
+            + a.friction_j
+            + a.lost_at_separation_j;
         a.turnover_j = self.max_kinetic_j + dissipated_j + self.rest_j;
         a.residual_ratio = self.worst_j / a.turnover_j;
         self.audit

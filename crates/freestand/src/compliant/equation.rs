@@ -43,7 +43,10 @@ pub(super) enum Grip {
 }
 
 impl Grip {
-    pub(super) const UNTOUCHED: Self = Self::Open { since_s: 0.0, compression_m: 0.0 };
+    pub(super) const UNTOUCHED: Self = Self::Open {
+        since_s: 0.0,
+        compression_m: 0.0,
+    };
 
     pub(super) fn carries(self) -> bool {
         !matches!(self, Self::Open { .. })
@@ -93,7 +96,11 @@ pub(super) struct Turn {
 impl Turn {
     pub(super) fn of(y: &State) -> Self {
         let (sin, cos) = y[THETA].sin_cos();
-        Self { sin, cos, versine: 2.0 * (0.5 * y[THETA]).sin().powi(2) }
+        Self {
+            sin,
+            cos,
+            versine: 2.0 * (0.5 * y[THETA]).sin().powi(2),
+        }
     }
 }
 
@@ -117,7 +124,12 @@ impl Body<'_> {
     }
 
     /// [`Body::foot`] in a state whose turn is known.
-    pub(super) fn foot_turned(&self, index: usize, y: &State, &Turn { sin, cos, versine }: &Turn) -> Foot {
+    pub(super) fn foot_turned(
+        &self,
+        index: usize,
+        y: &State,
+        &Turn { sin, cos, versine }: &Turn,
+    ) -> Foot {
         let xi = self.contacts[index];
         let arm_x = xi * cos - self.cg_height * sin;
         let arm_z = -xi * sin - self.cg_height * cos;
@@ -141,11 +153,22 @@ impl Body<'_> {
                 let tangential = -way * self.friction.unwrap_or(0.0) * normal;
                 // Without a dashpot the stretch follows from the force, and nothing depends on its
                 // rate.
-                (tangential, if c > 0.0 { (-tangential - k * stretch) / c } else { foot.sliding })
+                (
+                    tangential,
+                    if c > 0.0 {
+                        (-tangential - k * stretch) / c
+                    } else {
+                        foot.sliding
+                    },
+                )
             }
             _ => (-k * stretch - c * foot.sliding, foot.sliding),
         };
-        Load { normal, tangential, stretching }
+        Load {
+            normal,
+            tangential,
+            stretching,
+        }
     }
 
     /// The time derivative of the state.
@@ -157,7 +180,13 @@ impl Body<'_> {
 
     /// [`Body::rates`], written where a step needs them: a state is longer than most objects use, and
     /// moving it takes a noticeable share of a step.
-    pub(super) fn write_rates(&self, grips: &[Grip], line: &Line, (time_s, y): (f64, &State), rates: &mut State) {
+    pub(super) fn write_rates(
+        &self,
+        grips: &[Grip],
+        line: &Line,
+        (time_s, y): (f64, &State),
+        rates: &mut State,
+    ) {
         rates[..self.len()].fill(0.0);
         let [horizontal, vertical] = line.at(time_s);
         let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
@@ -169,7 +198,8 @@ impl Body<'_> {
             up += load.normal;
             turning += foot.arm_z * load.tangential - foot.arm_x * load.normal;
             rates[STRETCH + index] = load.stretching;
-            rates[DASHPOT] += (load.normal - self.pad.elastic(foot.compression)) * foot.compression_rate;
+            rates[DASHPOT] +=
+                (load.normal - self.pad.elastic(foot.compression)) * foot.compression_rate;
             rates[DRAG] += self.tangential_damping * load.stretching * load.stretching;
             if matches!(grip, Grip::Slip(_)) {
                 rates[SLIP] -= load.tangential * self.slipping(&foot, &load);
@@ -186,7 +216,11 @@ impl Body<'_> {
     /// stretch follows from the force, of the whole foot. What the spring stores or releases is
     /// then accounted for when the slip begins and ends.
     fn slipping(&self, foot: &Foot, load: &Load) -> f64 {
-        if self.tangential_damping > 0.0 { foot.sliding - load.stretching } else { foot.sliding }
+        if self.tangential_damping > 0.0 {
+            foot.sliding - load.stretching
+        } else {
+            foot.sliding
+        }
     }
 
     /// Vertical and horizontal acceleration, relative to the base, of the point of the block that
@@ -200,7 +234,10 @@ impl Body<'_> {
     ) -> (f64, f64) {
         let (arm_x, arm_z) = (right * cos + up * sin, up * cos - right * sin);
         let (alpha, square) = (rates[OMEGA], y[OMEGA] * y[OMEGA]);
-        (rates[V_X] + alpha * arm_z - square * arm_x, rates[V_Z] - alpha * arm_x - square * arm_z)
+        (
+            rates[V_X] + alpha * arm_z - square * arm_x,
+            rates[V_Z] - alpha * arm_x - square * arm_z,
+        )
     }
 
     /// Where the energy of the block is.
@@ -222,7 +259,9 @@ impl Body<'_> {
     fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
         let turn = Turn::of(y);
         let of = |(index, &grip): (usize, &Grip)| {
-            let pressed = self.pad.pressed_j(self.foot_turned(index, y, &turn).compression);
+            let pressed = self
+                .pad
+                .pressed_j(self.foot_turned(index, y, &turn).compression);
             let sheared = 0.5 * self.tangential_stiffness * y[STRETCH + index].powi(2);
             match grip {
                 Grip::Open { .. } => 0.0,

@@ -35,12 +35,18 @@ pub struct Equilibrium {
 /// assert!((rest.compressions_m[0] - 0.15673e-3).abs() < 1e-8 && rest.rotation_rad == 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn equilibrium(block: &Block, base: &CompliantBase, gravity_m_s2: f64) -> Result<Equilibrium, CompliantError> {
+pub fn equilibrium(
+    block: &Block,
+    base: &CompliantBase,
+    gravity_m_s2: f64,
+) -> Result<Equilibrium, CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", gravity_m_s2)?;
     not_negative("tangential damping", base.tangential_damping_n_s_m)?;
     if !(2..=super::MAX_CONTACTS).contains(&base.contacts) {
-        return Err(CompliantError::Contacts { contacts: base.contacts });
+        return Err(CompliantError::Contacts {
+            contacts: base.contacts,
+        });
     }
     let body = body(block, base, gravity_m_s2);
     let y = body.balanced()?;
@@ -52,7 +58,11 @@ pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> 
     let (left, width) = (block.cg_from_left_m(), block.base_width_m());
     let last = base.contacts - 1;
     let place = |index: usize| {
-        if index == last { block.cg_from_right_m() } else { index as f64 / last as f64 * width - left }
+        if index == last {
+            block.cg_from_right_m()
+        } else {
+            index as f64 / last as f64 * width - left
+        }
     };
     let share = 2.0 / base.contacts as f64;
     let slope = base.normal_stiffness_n_m(gravity);
@@ -62,7 +72,10 @@ pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> 
         gravity,
         cg_height: block.cg_height_m(),
         contacts: (0..base.contacts).map(place).collect(),
-        pad: Pad { cushion: &base.cushion, share },
+        pad: Pad {
+            cushion: &base.cushion,
+            share,
+        },
         tangential_stiffness: share * base.tangential_stiffness_ratio * slope,
         tangential_damping: share * base.tangential_damping_n_s_m,
         friction: base.friction_ratio,
@@ -86,12 +99,19 @@ impl Body<'_> {
     }
 
     fn statics(&self, y: &State) -> Statics {
-        let mut statics = Statics { force: -self.weight(), moment: 0.0, up: 0.0, mixed: 0.0, turning: 0.0 };
+        let mut statics = Statics {
+            force: -self.weight(),
+            moment: 0.0,
+            up: 0.0,
+            mixed: 0.0,
+            turning: 0.0,
+        };
         for index in 0..self.contacts.len() {
             let foot = self.foot(index, y);
             if foot.compression > 0.0 {
                 let normal = self.pad.push(foot.compression, 0.0);
-                let slope = self.pad.share * self.pad.cushion.tangent_stiffness_n_m(foot.compression);
+                let slope =
+                    self.pad.share * self.pad.cushion.tangent_stiffness_n_m(foot.compression);
                 statics.force += normal;
                 statics.moment += foot.arm_x * normal;
                 statics.up += slope;
@@ -109,18 +129,24 @@ impl Body<'_> {
         let width = left + right;
         // From the forces on a block that does not rotate: each half of the cushions carries the
         // load under its edge.
-        let [d_left, d_right] =
-            [right, left].map(|arm| self.pad.cushion.static_compression_m(self.weight() * arm / width));
+        let [d_left, d_right] = [right, left].map(|arm| {
+            self.pad
+                .cushion
+                .static_compression_m(self.weight() * arm / width)
+        });
         y[THETA] = (d_right - d_left) / width;
         y[Z] = -d_left - left * y[THETA];
-        let error = |s: &Statics| (s.force / self.weight()).abs() + (s.moment / (self.weight() * width)).abs();
+        let error = |s: &Statics| {
+            (s.force / self.weight()).abs() + (s.moment / (self.weight() * width)).abs()
+        };
         let mut statics = self.statics(&y);
         for _ in 0..NEWTON_STEPS {
             let determinant = statics.up * statics.turning - statics.mixed * statics.mixed;
             if error(&statics) == 0.0 || determinant == 0.0 || !determinant.is_finite() {
                 break;
             }
-            let z = (statics.turning * statics.force + statics.mixed * -statics.moment) / determinant;
+            let z =
+                (statics.turning * statics.force + statics.mixed * -statics.moment) / determinant;
             let theta = (statics.mixed * statics.force - statics.up * statics.moment) / determinant;
             let mut share = 1.0;
             let next = loop {
@@ -139,12 +165,16 @@ impl Body<'_> {
             let Some(next) = next else { break };
             (y, statics) = next;
         }
-        let holds = statics.up > 0.0 && statics.up * statics.turning > statics.mixed * statics.mixed;
+        let holds =
+            statics.up > 0.0 && statics.up * statics.turning > statics.mixed * statics.mixed;
         if holds && error(&statics) < 1e-9 {
             return Ok(y);
         }
         let needed_n_m = self.weight() * self.cg_height;
-        Err(CompliantError::Unstable { stiffness_n_m: statics.turning + needed_n_m, needed_n_m })
+        Err(CompliantError::Unstable {
+            stiffness_n_m: statics.turning + needed_n_m,
+            needed_n_m,
+        })
     }
 
     pub(super) fn equilibrium_of(&self, y: &State) -> Equilibrium {
@@ -162,12 +192,18 @@ impl Body<'_> {
         match start {
             Start::Rest => return self.balanced(),
             Start::Dropped { height_m } => y[Z] = height_m,
-            Start::Tilted { rotation_rad, omega_rad_s } => {
+            Start::Tilted {
+                rotation_rad,
+                omega_rad_s,
+            } => {
                 let is_right = rotation_rad > 0.0 || (rotation_rad == 0.0 && omega_rad_s > 0.0);
                 let pivot = if is_right { self.contacts.len() - 1 } else { 0 };
                 y[THETA] = rotation_rad;
                 let upright = self.foot(pivot, &y).compression;
-                let alone = self.pad.cushion.static_compression_m(self.weight() / self.pad.share);
+                let alone = self
+                    .pad
+                    .cushion
+                    .static_compression_m(self.weight() / self.pad.share);
                 let lowered = |d: f64| {
                     let mut y = y;
                     y[Z] += upright - d;

@@ -12,27 +12,46 @@ pub(crate) const TOUCHING: f64 = 1e-9;
 
 impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// How far each contact is from its next event, of the order of 1; negative past it.
-    pub(super) fn margin(&self, index: usize, line: &Line, time_s: f64, y: &State, turn: &Turn) -> f64 {
+    pub(super) fn margin(
+        &self,
+        index: usize,
+        line: &Line,
+        time_s: f64,
+        y: &State,
+        turn: &Turn,
+    ) -> f64 {
         let (body, foot) = (self.body, self.body.foot_turned(index, y, turn));
         let d = foot.compression / self.unit_m;
-        if let Grip::Open { since_s, compression_m } = self.grips[index] {
+        if let Grip::Open {
+            since_s,
+            compression_m,
+        } = self.grips[index]
+        {
             return body.pad.surface(since_s, compression_m, time_s) / self.unit_m - d;
         }
         let load = body.load(self.grips[index], &foot, y[STRETCH + index]);
         let weight = body.mass * body.gravity;
-        let pushes = body.pad.pushes(foot.compression, load.normal, (self.unit_m, weight));
+        let pushes = body
+            .pad
+            .pushes(foot.compression, load.normal, (self.unit_m, weight));
         let (low, high) = self.lines[index];
         let between = (foot.compression - low).min(high - foot.compression) / self.unit_m;
         let margin = pushes.min(between);
-        let Some(friction) = body.friction else { return margin };
+        let Some(friction) = body.friction else {
+            return margin;
+        };
         match self.grips[index] {
             Grip::Slip(way) => {
                 let moves = if body.tangential_damping > 0.0 {
                     foot.sliding - load.stretching
                 } else {
                     let rates = body.rates(&self.grips, line, time_s, y);
-                    let turned = -(rates[V_Z] - rates[OMEGA] * foot.arm_x - y[OMEGA] * y[OMEGA] * foot.arm_z);
-                    let normal_rate = body.pad.push_rate(foot.compression, foot.compression_rate, turned);
+                    let turned = -(rates[V_Z]
+                        - rates[OMEGA] * foot.arm_x
+                        - y[OMEGA] * y[OMEGA] * foot.arm_z);
+                    let normal_rate =
+                        body.pad
+                            .push_rate(foot.compression, foot.compression_rate, turned);
                     foot.sliding - way * friction * normal_rate / body.tangential_stiffness
                 };
                 margin.min(way * moves * self.unit_s / self.unit_m)
@@ -44,7 +63,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// The smallest of all margins; overturning counts as one of them.
     pub(super) fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
         let turn = Turn::of(y);
-        let contacts = (0..self.grips.len()).map(|index| self.margin(index, line, time_s, y, &turn));
+        let contacts =
+            (0..self.grips.len()).map(|index| self.margin(index, line, time_s, y, &turn));
         contacts.fold(FRAC_PI_2 - y[THETA].abs(), f64::min)
     }
 
@@ -60,7 +80,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
 
     fn load(&self, index: usize) -> Load {
         let foot = self.body.foot(index, &self.y);
-        self.body.load(self.grips[index], &foot, self.y[STRETCH + index])
+        self.body
+            .load(self.grips[index], &foot, self.y[STRETCH + index])
     }
 
     /// Changes a contact that is past its event.
@@ -98,7 +119,10 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
             } else {
                 // At the first contact without dashpots both forces are zero, and their rates
                 // decide.
-                let rate = self.body.pad.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
+                let rate =
+                    self.body
+                        .pad
+                        .push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
                 let k = self.body.tangential_stiffness;
                 load.tangential != 0.0 || k * foot.sliding.abs() > friction * rate
             };
@@ -107,7 +131,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
                 self.track.slide(index, self.place(index), true, result);
             }
         }
-        self.track.touch(self.body, index, self.time_s, &self.y, result);
+        self.track
+            .touch(self.body, index, self.time_s, &self.y, result);
     }
 
     /// Ends a contact; the energy in its springs is lost to the block.
@@ -115,11 +140,16 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         let foot = self.body.foot(index, &self.y);
         self.end_slip(index, result);
         let sheared = 0.5 * self.body.tangential_stiffness * self.y[STRETCH + index].powi(2);
-        self.ledger.lose(self.body.pad.pressed_j(foot.compression) + sheared);
+        self.ledger
+            .lose(self.body.pad.pressed_j(foot.compression) + sheared);
         self.y[STRETCH + index] = 0.0;
-        self.grips[index] = Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) };
+        self.grips[index] = Grip::Open {
+            since_s: self.time_s,
+            compression_m: foot.compression.max(0.0),
+        };
         let none_left = !self.grips.iter().any(|grip| grip.carries());
-        self.track.leave(self.body, (index, none_left), self.time_s, &self.y, result);
+        self.track
+            .leave(self.body, (index, none_left), self.time_s, &self.y, result);
     }
 
     /// Begins or ends a slip. Without a dashpot the energy of the spring is counted with the slip
@@ -141,7 +171,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     fn end_slip(&mut self, index: usize, result: &mut CompliantRocking) {
         if let Grip::Slip(_) = self.grips[index] {
             if self.body.tangential_damping == 0.0 {
-                self.y[SLIP] -= 0.5 * self.body.tangential_stiffness * self.y[STRETCH + index].powi(2);
+                self.y[SLIP] -=
+                    0.5 * self.body.tangential_stiffness * self.y[STRETCH + index].powi(2);
             }
             self.track.slide(index, self.place(index), false, result);
         }

@@ -40,7 +40,14 @@ impl CompliantRecorder {
     /// A recorder that samples at intervals of `dt_s` > 0, with the accelerations of the points
     /// `points_m` (from the left edge, above the base).
     pub fn new(dt_s: f64, base_width_m: f64, points_m: &[(f64, f64)], contacts: usize) -> Self {
-        Self { dt_s, base_width_m, points_m: points_m.to_vec(), contacts, points: Vec::new(), sampled: 0 }
+        Self {
+            dt_s,
+            base_width_m,
+            points_m: points_m.to_vec(),
+            contacts,
+            points: Vec::new(),
+            sampled: 0,
+        }
     }
 
     /// Adds the next piece.
@@ -72,7 +79,11 @@ impl CompliantRecorder {
                 .map(|&(x, z)| piece.acceleration_m_s2(x, z, share))
                 .collect(),
             contact_forces_n: (0..self.contacts)
-                .filter_map(|index| piece.contact(index, share).map(|(right, up, _)| (right, up)))
+                .filter_map(|index| {
+                    piece
+                        .contact(index, share)
+                        .map(|(right, up, _)| (right, up))
+                })
                 .collect(),
         }
     }
@@ -82,7 +93,10 @@ impl CompliantRecorder {
         while let Some(last) = self.points.last().cloned()
             && self.sampled as f64 * self.dt_s < rocking.end_time_s
         {
-            self.points.push(CompliantPoint { time_s: self.sampled as f64 * self.dt_s, ..last });
+            self.points.push(CompliantPoint {
+                time_s: self.sampled as f64 * self.dt_s,
+                ..last
+            });
             self.sampled += 1;
         }
         self.points

@@ -48,8 +48,8 @@ pub(crate) use audit::{Energies, Ledger};
 #[doc(hidden)]
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
-    CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many, rocking_frequency_hz,
-    stands_on_pads,
+    CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many,
+    rocking_frequency_hz, stands_on_pads,
 };
 pub use equilibrium::{Equilibrium, equilibrium};
 pub(crate) use events::TOUCHING;
@@ -103,7 +103,9 @@ impl CompliantBase {
     /// Tangent stiffness of the cushion under one edge with half the weight on it \[N/m\]; the
     /// tangential stiffness is a ratio of it.
     pub fn normal_stiffness_n_m(&self, gravity_m_s2: f64) -> f64 {
-        let rest_m = self.cushion.static_compression_m(0.5 * self.mass_kg * gravity_m_s2);
+        let rest_m = self
+            .cushion
+            .static_compression_m(0.5 * self.mass_kg * gravity_m_s2);
         self.cushion.tangent_stiffness_n_m(rest_m)
     }
 }
@@ -391,7 +393,9 @@ pub enum CompliantError {
     #[error("the horizontal and the vertical motion differ in time step or length")]
     VerticalMismatch,
     /// The step that would be accurate enough is lost in rounding.
-    #[error("the motion of the object cannot be calculated at {time_s} s: the time step shrank to {step_s} s")]
+    #[error(
+        "the motion of the object cannot be calculated at {time_s} s: the time step shrank to {step_s} s"
+    )]
     StepTooSmall {
         /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
@@ -421,14 +425,22 @@ pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), CompliantEr
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CompliantError::Value { name, requirement: "positive and finite", value })
+    Err(CompliantError::Value {
+        name,
+        requirement: "positive and finite",
+        value,
+    })
 }
 
 pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CompliantError::Value { name, requirement: "at least 0 and finite", value })
+    Err(CompliantError::Value {
+        name,
+        requirement: "at least 0 and finite",
+        value,
+    })
 }
 
 /// The stiffest cushion along its face, as a multiple of its stiffness across it. Real ones are from 2/3 to
@@ -439,13 +451,21 @@ pub(crate) fn tangential_ratio(value: f64) -> Result<(), CompliantError> {
     let name = "ratio of the tangential stiffness";
     positive(name, value)?;
     if value > MAX_TANGENTIAL_RATIO {
-        return Err(CompliantError::Value { name, requirement: "at most 1000", value });
+        return Err(CompliantError::Value {
+            name,
+            requirement: "at most 1000",
+            value,
+        });
     }
     Ok(())
 }
 
 /// Returns an error for input from which no history can be calculated.
-fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> Result<(), CompliantError> {
+fn check(
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+) -> Result<(), CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", options.gravity_m_s2)?;
     tangential_ratio(base.tangential_stiffness_ratio)?;
@@ -454,7 +474,9 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
         not_negative("friction", friction)?;
     }
     if !(2..=MAX_CONTACTS).contains(&base.contacts) {
-        return Err(CompliantError::Contacts { contacts: base.contacts });
+        return Err(CompliantError::Contacts {
+            contacts: base.contacts,
+        });
     }
     let tolerance = options.accuracy.tolerance();
     if !(1e-13..=1e-2).contains(&tolerance) {
@@ -466,10 +488,17 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
     }
     match options.start {
         Start::Rest => {}
-        Start::Tilted { rotation_rad, omega_rad_s } => {
+        Start::Tilted {
+            rotation_rad,
+            omega_rad_s,
+        } => {
             if rotation_rad.is_nan() || rotation_rad.abs() >= std::f64::consts::FRAC_PI_2 {
                 let requirement = "within ±π/2";
-                return Err(CompliantError::Value { name: "initial rotation", requirement, value: rotation_rad });
+                return Err(CompliantError::Value {
+                    name: "initial rotation",
+                    requirement,
+                    value: rotation_rad,
+                });
             }
             not_negative("initial angular speed", omega_rad_s.abs())?;
         }

@@ -18,10 +18,16 @@ impl Pad<'_> {
 
     /// [`Pad::push`] and its elastic part.
     pub(crate) fn push_and_elastic(&self, d: f64, rate: f64) -> [f64; 2] {
-        let elastic = if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) };
+        let elastic = if d < 0.0 {
+            -self.cushion.force_n(-d, 0.0)
+        } else {
+            self.cushion.force_n(d, 0.0)
+        };
         let force = match self.cushion.law() {
             ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic + damping_n_s_m * rate,
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic * (1.0 + dissipation_s_m * rate),
+            ContactLaw::HuntCrossley {
+                dissipation_s_m, ..
+            } => elastic * (1.0 + dissipation_s_m * rate),
             _ => elastic,
         };
         [self.share * force, self.share * elastic]
@@ -42,25 +48,36 @@ impl Pad<'_> {
     pub(crate) fn linear(&self) -> Option<[f64; 2]> {
         match *self.cushion.law() {
             ContactLaw::Linear { stiffness_n_m } => Some([self.share * stiffness_n_m, 0.0]),
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-                Some([self.share * stiffness_n_m, self.share * damping_n_s_m])
-            }
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => Some([self.share * stiffness_n_m, self.share * damping_n_s_m]),
             _ => None,
         }
     }
 
     /// The elastic part of [`Pad::push`].
     pub(crate) fn elastic(&self, d: f64) -> f64 {
-        self.share * if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) }
+        self.share
+            * if d < 0.0 {
+                -self.cushion.force_n(-d, 0.0)
+            } else {
+                self.cushion.force_n(d, 0.0)
+            }
     }
 
     /// Rate of the normal force of a contact, from the derivatives of its compression.
     pub(crate) fn push_rate(&self, d: f64, rate: f64, acceleration: f64) -> f64 {
         let slope = self.share * self.cushion.tangent_stiffness_n_m(d.abs());
         match self.cushion.law() {
-            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => slope * rate + self.share * damping_n_s_m * acceleration,
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => {
-                slope * rate * (1.0 + dissipation_s_m * rate) + self.elastic(d) * dissipation_s_m * acceleration
+            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => {
+                slope * rate + self.share * damping_n_s_m * acceleration
+            }
+            ContactLaw::HuntCrossley {
+                dissipation_s_m, ..
+            } => {
+                slope * rate * (1.0 + dissipation_s_m * rate)
+                    + self.elastic(d) * dissipation_s_m * acceleration
             }
             _ => slope * rate,
         }
@@ -79,10 +96,13 @@ impl Pad<'_> {
         }
         let gone_s = time_s - since_s;
         match self.cushion.law() {
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-                compression_m * (-stiffness_n_m / damping_n_s_m * gone_s).exp()
-            }
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => (compression_m - gone_s / dissipation_s_m).max(0.0),
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => compression_m * (-stiffness_n_m / damping_n_s_m * gone_s).exp(),
+            ContactLaw::HuntCrossley {
+                dissipation_s_m, ..
+            } => (compression_m - gone_s / dissipation_s_m).max(0.0),
             _ => 0.0,
         }
     }
@@ -91,20 +111,39 @@ impl Pad<'_> {
     /// compressed, a damped one while its force is positive. `unit_m` and `weight_n` are the units
     /// of compression and force.
     pub(crate) fn pushes(&self, d: f64, normal_n: f64, (unit_m, weight_n): (f64, f64)) -> f64 {
-        let pushes = if self.is_damped() { normal_n / weight_n } else { d / unit_m };
-        if self.loses_force_at_touch() { pushes.min(d / unit_m) } else { pushes }
+        let pushes = if self.is_damped() {
+            normal_n / weight_n
+        } else {
+            d / unit_m
+        };
+        if self.loses_force_at_touch() {
+            pushes.min(d / unit_m)
+        } else {
+            pushes
+        }
     }
 
     /// Whether a contact past its event has ended.
     pub(crate) fn is_over(&self, d: f64, normal_n: f64) -> bool {
-        let is_over = if self.is_damped() { normal_n < 0.0 } else { d < 0.0 };
+        let is_over = if self.is_damped() {
+            normal_n < 0.0
+        } else {
+            d < 0.0
+        };
         is_over || (self.loses_force_at_touch() && d < 0.0)
     }
 }
 
 /// The two kinks of a law that enclose a compression; infinite where there is none.
 pub(crate) fn between_kinks(kinks_m: &[f64], d: f64) -> (f64, f64) {
-    let above = kinks_m.iter().copied().filter(|&kink| kink > d).fold(f64::INFINITY, f64::min);
-    let below = kinks_m.iter().copied().filter(|&kink| kink > 0.0 && kink <= d);
+    let above = kinks_m
+        .iter()
+        .copied()
+        .filter(|&kink| kink > d)
+        .fold(f64::INFINITY, f64::min);
+    let below = kinks_m
+        .iter()
+        .copied()
+        .filter(|&kink| kink > 0.0 && kink <= d);
     (below.fold(f64::NEG_INFINITY, f64::max), above)
 }

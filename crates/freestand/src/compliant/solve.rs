@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
 use super::equation::{
-    Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, Turn, V_X, V_Z, WORK, X, Z,
+    Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, Turn, V_X, V_Z, WORK,
+    X, Z,
 };
 use super::equilibrium::body;
 use super::step::{Scales, Step};
@@ -12,8 +13,8 @@ use super::stepper::{accurate, first_event, shortened};
 use super::tail::Tail;
 use super::track::{Seen, Track};
 use super::{
-    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS, PointPeaks, Start,
-    check,
+    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS,
+    PointPeaks, Start, check,
 };
 use crate::block::Block;
 use crate::rocking::{Base, LONGEST_TAIL_S, Outcome};
@@ -55,7 +56,11 @@ impl Piece<'_, '_> {
     /// Acceleration in the inertial frame of the point `x_m` from the left edge and `z_m` above the
     /// base: (horizontal, vertical) \[m/s²\].
     pub fn acceleration_m_s2(&self, x_m: f64, z_m: f64, share_ratio: f64) -> (f64, f64) {
-        self.seen.acceleration(x_m - self.cg_from_left_m, z_m - self.seen.body.cg_height, share_ratio)
+        self.seen.acceleration(
+            x_m - self.cg_from_left_m,
+            z_m - self.seen.body.cg_height,
+            share_ratio,
+        )
     }
 
     /// Force on the block and compression of a contact element, counted from the left: (to the
@@ -174,18 +179,34 @@ fn follow(
 }
 
 /// The end of a history after the motion; `balanced`: the state of rest.
-fn tail(block: &Block, body: &Body<'_>, balanced: Option<&State>, options: &CompliantOptions) -> Tail {
+fn tail(
+    block: &Block,
+    body: &Body<'_>,
+    balanced: Option<&State>,
+    options: &CompliantOptions,
+) -> Tail {
     let weight_n = body.mass * body.gravity;
     let rest_j = weight_n * body.pad.cushion.static_compression_m(0.5 * weight_n);
     let stands_j = balanced.map_or(0.0, |y| {
         let energies = body.energies(&vec![Grip::Stick; body.contacts.len()], y);
         energies.potential_j + energies.stored_j
     });
-    let balance_m = block.pivot().balance_rise_m().min(block.right_pivot().balance_rise_m());
-    Tail::new(rest_j, stands_j, weight_n * balance_m, options.duration_s.is_none())
+    let balance_m = block
+        .pivot()
+        .balance_rise_m()
+        .min(block.right_pivot().balance_rise_m());
+    Tail::new(
+        rest_j,
+        stands_j,
+        weight_n * balance_m,
+        options.duration_s.is_none(),
+    )
 }
 
-fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibrium>) -> CompliantRocking {
+fn nothing_yet(
+    options: &CompliantOptions,
+    equilibrium: Option<super::Equilibrium>,
+) -> CompliantRocking {
     CompliantRocking {
         outcome: Outcome::NoUplift,
         end_time_s: 0.0,
@@ -300,7 +321,12 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     /// Calculates one straight segment of the motion.
-    fn pass(&mut self, line: Line, until_s: f64, result: &mut CompliantRocking) -> Result<(), CompliantError> {
+    fn pass(
+        &mut self,
+        line: Line,
+        until_s: f64,
+        result: &mut CompliantRocking,
+    ) -> Result<(), CompliantError> {
         self.rates = self.body.rates(&self.grips, &line, self.time_s, &self.y);
         while self.time_s < until_s && result.overturn_time_s.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
@@ -315,7 +341,10 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
                 self.time_s = until_s;
             }
             if self.effort.steps > MAX_STEPS {
-                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
+                return Err(CompliantError::TooManySteps {
+                    time_s: self.time_s,
+                    limit: MAX_STEPS,
+                });
             }
         }
         if result.overturn_time_s.is_none() && !self.tail.is_over {
@@ -326,7 +355,11 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
 
     /// The step of this length from the present state.
     fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
-        let scales = Scales { len: self.body.len(), sizes: &self.sizes, tolerance: self.tolerance };
+        let scales = Scales {
+            len: self.body.len(),
+            sizes: &self.sizes,
+            tolerance: self.tolerance,
+        };
         let rates = |time_s: f64, y: &State, rates: &mut State| {
             self.body.write_rates(&self.grips, line, (time_s, y), rates);
         };
@@ -338,10 +371,22 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         let mut effort = self.effort;
         let take = |length_s: f64| self.take(line, length_s);
         let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
-        let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
+        let (mut step, grow) = accurate(
+            (self.time_s, self.try_s, rest_s),
+            self.unit_s,
+            take,
+            &mut effort,
+        )?;
         if let Some(share) = first_event(&step, margin) {
             let now = margin(self.time_s, &self.y);
-            step = shortened(share * step.length_s, now, (self.unit_s, CLOSE), take, margin, &mut effort);
+            step = shortened(
+                share * step.length_s,
+                now,
+                (self.unit_s, CLOSE),
+                take,
+                margin,
+                &mut effort,
+            );
         }
         self.effort = effort;
         Ok((step, grow))
@@ -350,9 +395,18 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     fn accept(&mut self, line: &Line, step: Step<LEN>, result: &mut CompliantRocking) {
         self.effort.steps += 1;
         let ends = [Turn::of(&step.start), Turn::of(&step.end)];
-        let seen = Seen { body: self.body, grips: &self.grips, line, step: &step, ends };
+        let seen = Seen {
+            body: self.body,
+            grips: &self.grips,
+            line,
+            step: &step,
+            ends,
+        };
         self.track.read(&seen, result);
-        (self.observe)(&Piece { seen, cg_from_left_m: self.cg_from_left_m });
+        (self.observe)(&Piece {
+            seen,
+            cg_from_left_m: self.cg_from_left_m,
+        });
         (self.y, self.rates) = (step.end, step.end_rates);
         self.time_s = step.start_s + step.length_s;
         if self.body.tangential_damping == 0.0 {
@@ -384,7 +438,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     fn finish(mut self, block: &Block, mut result: CompliantRocking) -> CompliantRocking {
         for index in 0..self.grips.len() {
             if let Grip::Slip(_) = self.grips[index] {
-                self.track.slide(index, self.place(index), false, &mut result);
+                self.track
+                    .slide(index, self.place(index), false, &mut result);
             }
         }
         self.track.finish(block, self.time_s, &mut result);
@@ -393,7 +448,11 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         result.energy = self.ledger.close();
         if result.uplift_m > 0.0 {
             let is_open = self.tail.is_open(&self.ledger);
-            result.outcome = if is_open { Outcome::Unresolved } else { Outcome::Rocked };
+            result.outcome = if is_open {
+                Outcome::Unresolved
+            } else {
+                Outcome::Rocked
+            };
         }
         if result.overturn_time_s.is_some() {
             result.outcome = Outcome::Overturned;

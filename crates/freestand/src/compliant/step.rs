@@ -6,12 +6,40 @@ const STAGES: [[f64; 6]; 6] = [
     [0.2, 0.0, 0.0, 0.0, 0.0, 0.0],
     [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
     [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
-    [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+    [
+        19372.0 / 6561.0,
+        -25360.0 / 2187.0,
+        64448.0 / 6561.0,
+        -212.0 / 729.0,
+        0.0,
+        0.0,
+    ],
+    [
+        9017.0 / 3168.0,
+        -355.0 / 33.0,
+        46732.0 / 5247.0,
+        49.0 / 176.0,
+        -5103.0 / 18656.0,
+        0.0,
+    ],
+    [
+        35.0 / 384.0,
+        0.0,
+        500.0 / 1113.0,
+        125.0 / 192.0,
+        -2187.0 / 6784.0,
+        11.0 / 84.0,
+    ],
 ];
-const ERROR: [f64; 7] =
-    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
+const ERROR: [f64; 7] = [
+    71.0 / 57600.0,
+    0.0,
+    -71.0 / 16695.0,
+    71.0 / 1920.0,
+    -17253.0 / 339200.0,
+    22.0 / 525.0,
+    -1.0 / 40.0,
+];
 /// Coefficients of the fourth-order interpolating polynomial: Hairer, Nørsett and Wanner, Solving
 /// ODEs I, II.6.
 const DENSE: [f64; 7] = [
@@ -64,7 +92,11 @@ impl<const N: usize> Step<N> {
         start_s: f64,
         (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
-        Scales { len, sizes, tolerance }: Scales<N>,
+        Scales {
+            len,
+            sizes,
+            tolerance,
+        }: Scales<N>,
     ) -> Self {
         let mut slopes = [[0.0; N]; 7];
         slopes[0] = *start_rates;
@@ -82,9 +114,16 @@ impl<const N: usize> Step<N> {
             for ((value, start), mean) in y.iter_mut().zip(start).zip(&mean).take(len) {
                 *value = start + length_s * mean;
             }
-            rates(start_s + NODES[stage] * length_s, &y, &mut slopes[stage + 1]);
+            rates(
+                start_s + NODES[stage] * length_s,
+                &y,
+                &mut slopes[stage + 1],
+            );
         }
-        let (dense, error) = (weighted(&DENSE, &slopes, len), weighted(&ERROR, &slopes, len));
+        let (dense, error) = (
+            weighted(&DENSE, &slopes, len),
+            weighted(&ERROR, &slopes, len),
+        );
         let mut last = [0.0; N];
         let mut sum = 0.0;
         for i in 0..len {
@@ -124,10 +163,20 @@ const BLOCK: usize = 8;
 
 /// Σ wⱼ sⱼ of the first `len` entries, by blocks of entries that stay in vectors.
 #[inline(always)]
-fn weighted<const N: usize, const M: usize>(weights: &[f64; M], slopes: &[[f64; N]; 7], len: usize) -> [f64; N] {
+fn weighted<const N: usize, const M: usize>(
+    weights: &[f64; M],
+    slopes: &[[f64; N]; 7],
+    len: usize,
+) -> [f64; N] {
     let mut sums = [0.0; N];
     let blocks = slopes.each_ref().map(|slope| slope.as_chunks::<BLOCK>().0);
-    for (at, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate().take(len.div_ceil(BLOCK)) {
+    for (at, sums) in sums
+        .as_chunks_mut::<BLOCK>()
+        .0
+        .iter_mut()
+        .enumerate()
+        .take(len.div_ceil(BLOCK))
+    {
         for (weight, blocks) in weights.iter().zip(&blocks) {
             for (sum, slope) in sums.iter_mut().zip(&blocks[at]) {
                 *sum += weight * slope;
@@ -135,7 +184,11 @@ fn weighted<const N: usize, const M: usize>(weights: &[f64; M], slopes: &[[f64; 
         }
     }
     for i in N / BLOCK * BLOCK..len {
-        sums[i] = weights.iter().zip(slopes).map(|(weight, slope)| weight * slope[i]).sum();
+        sums[i] = weights
+            .iter()
+            .zip(slopes)
+            .map(|(weight, slope)| weight * slope[i])
+            .sum();
     }
     sums
 }

@@ -25,7 +25,11 @@ pub(crate) struct Line<const D: usize> {
 }
 
 impl<const D: usize> Line<D> {
-    pub(crate) const STILL: Self = Self { start: [0.0; D], slope: [0.0; D], start_s: 0.0 };
+    pub(crate) const STILL: Self = Self {
+        start: [0.0; D],
+        slope: [0.0; D],
+        start_s: 0.0,
+    };
 
     pub(crate) fn at(&self, time_s: f64) -> [f64; D] {
         let since = time_s - self.start_s;
@@ -39,24 +43,48 @@ impl<const D: usize> Line<D> {
     /// The segment of the base's motion that begins at sample `index`, and its end; after the last
     /// sample the base comes to rest within one time step.
     pub(crate) fn of(motions: [Option<&Motion>; D], index: usize, end_s: f64) -> (Self, f64) {
-        let Some(given) = motions.into_iter().flatten().next() else { return (Self::STILL, end_s) };
+        let Some(given) = motions.into_iter().flatten().next() else {
+            return (Self::STILL, end_s);
+        };
         let (dt_s, samples) = (given.dt_s(), given.accel_m_s2().len());
         if index >= samples {
-            return (Self { start_s: index as f64 * dt_s, ..Self::STILL }, end_s);
+            return (
+                Self {
+                    start_s: index as f64 * dt_s,
+                    ..Self::STILL
+                },
+                end_s,
+            );
         }
         let at = |index: usize| {
-            motions.map(|motion| motion.and_then(|motion| motion.accel_m_s2().get(index)).copied().unwrap_or(0.0))
+            motions.map(|motion| {
+                motion
+                    .and_then(|motion| motion.accel_m_s2().get(index))
+                    .copied()
+                    .unwrap_or(0.0)
+            })
         };
         let (start, end) = (at(index), at(index + 1));
         let slope = std::array::from_fn(|axis| (end[axis] - start[axis]) / dt_s);
-        (Self { start, slope, start_s: index as f64 * dt_s }, ((index + 1) as f64 * dt_s).min(end_s))
+        (
+            Self {
+                start,
+                slope,
+                start_s: index as f64 * dt_s,
+            },
+            ((index + 1) as f64 * dt_s).min(end_s),
+        )
     }
 
     /// Whether two of the motions differ in time step or length.
     pub(crate) fn mismatch(motions: [Option<&Motion>; D]) -> bool {
         let mut given = motions.into_iter().flatten();
-        let Some(first) = given.next() else { return false };
-        given.any(|other| other.dt_s() != first.dt_s() || other.accel_m_s2().len() != first.accel_m_s2().len())
+        let Some(first) = given.next() else {
+            return false;
+        };
+        given.any(|other| {
+            other.dt_s() != first.dt_s() || other.accel_m_s2().len() != first.accel_m_s2().len()
+        })
     }
 }
 
@@ -83,19 +111,33 @@ pub(crate) fn accurate<const N: usize>(
         }
         effort.rejected += 1;
         // NaN where a trial went past the end of a bottoming cushion.
-        let shrink = if step.error_ratio.is_finite() { 0.9 * step.error_ratio.powf(-0.2) } else { 0.1 };
+        let shrink = if step.error_ratio.is_finite() {
+            0.9 * step.error_ratio.powf(-0.2)
+        } else {
+            0.1
+        };
         length_s *= shrink.clamp(0.1, 0.9);
         if length_s < LOST_RAD * unit_s {
-            return Err(CompliantError::StepTooSmall { time_s: start_s, step_s: length_s });
+            return Err(CompliantError::StepTooSmall {
+                time_s: start_s,
+                step_s: length_s,
+            });
         }
     }
 }
 
 /// A share of the step by which an event has passed, if there is one; `margin` is negative past an
 /// event.
-pub(crate) fn first_event<const N: usize>(step: &Step<N>, margin: impl Fn(f64, &[f64; N]) -> f64) -> Option<f64> {
+pub(crate) fn first_event<const N: usize>(
+    step: &Step<N>,
+    margin: impl Fn(f64, &[f64; N]) -> f64,
+) -> Option<f64> {
     [0.5, 1.0].into_iter().find(|&share| {
-        let y = if share == 1.0 { step.end } else { step.state(share) };
+        let y = if share == 1.0 {
+            step.end
+        } else {
+            step.state(share)
+        };
         let margin = margin(step.start_s + share * step.length_s, &y);
         margin < 0.0
     })
@@ -118,7 +160,8 @@ pub(crate) fn nearer<const N: usize>(
         if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -close || high - low < close {
             break;
         }
-        let middle = low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
+        let middle =
+            low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
         let margin = at(middle);
         if margin < 0.0 {
             (high, high_margin) = (middle, margin);
@@ -164,7 +207,11 @@ pub(crate) fn shortened<const N: usize>(
             break;
         }
         let ratio = low_margin / (low_margin - high_margin);
-        let share = if low_margin > 0.0 && ratio.is_finite() { ratio.clamp(1e-6, 1.0 - 1e-6) } else { 0.5 };
+        let share = if low_margin > 0.0 && ratio.is_finite() {
+            ratio.clamp(1e-6, 1.0 - 1e-6)
+        } else {
+            0.5
+        };
         let middle = low + share * (high - low);
         if low_margin <= 0.0 && middle < shortest_s {
             break;
@@ -188,5 +235,9 @@ pub(crate) fn shortened<const N: usize>(
             last_side = -1;
         }
     }
-    if beyond.length_s < shortest_s { take(shortest_s.min(length_s)) } else { beyond }
+    if beyond.length_s < shortest_s {
+        take(shortest_s.min(length_s))
+    } else {
+        beyond
+    }
 }

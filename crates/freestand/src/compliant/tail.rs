@@ -40,7 +40,13 @@ pub(crate) struct Tail {
 
 impl Tail {
     pub(crate) fn new(rest_j: f64, stands_j: f64, balance_j: f64, ends: bool) -> Self {
-        Self { rest_j, stands_j, balance_j, ends, ..Self::default() }
+        Self {
+            rest_j,
+            stands_j,
+            balance_j,
+            ends,
+            ..Self::default()
+        }
     }
 
     /// The floor stands still from now on.

@@ -52,7 +52,9 @@ impl Seen<'_, '_> {
             match share {
                 0.0 => of(&self.step.start_rates),
                 1.0 => of(&self.step.end_rates),
-                _ => of(&self.body.rates(self.grips, self.line, self.time_s(share), y)),
+                _ => of(&self
+                    .body
+                    .rates(self.grips, self.line, self.time_s(share), y)),
             }
         });
         (horizontal + right_m_s2, vertical + up_m_s2)
@@ -84,18 +86,28 @@ pub(crate) fn raise(best: &mut f64, value: impl Fn(f64) -> f64) {
     }
     *best = best.max(ends);
     let inner: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0].map(&value);
-    let highest = (1..4).max_by(|&a, &b| inner[a].total_cmp(&inner[b])).unwrap_or(2);
+    let highest = (1..4)
+        .max_by(|&a, &b| inner[a].total_cmp(&inner[b]))
+        .unwrap_or(2);
     let (mut place, mut reach) = (0.25 * highest as f64, 0.25);
-    let (mut before, mut middle, mut after) = (inner[highest - 1], inner[highest], inner[highest + 1]);
+    let (mut before, mut middle, mut after) =
+        (inner[highest - 1], inner[highest], inner[highest + 1]);
     // Two parabolas: the second one is a tenth as wide, so its top is accurate to 1e-4 of the
     // error of the first one.
     for _ in 0..2 {
         let bend = before - 2.0 * middle + after;
         if bend < 0.0 {
-            place = (place + 0.5 * reach * ((before - after) / bend).clamp(-2.0, 2.0)).clamp(0.0, 1.0);
+            place =
+                (place + 0.5 * reach * ((before - after) / bend).clamp(-2.0, 2.0)).clamp(0.0, 1.0);
         }
-        reach = (0.1 * reach).min(0.5 * place.max(1e-3)).min(0.5 * (1.0 - place).max(1e-3));
-        (before, middle, after) = (value((place - reach).max(0.0)), value(place), value((place + reach).min(1.0)));
+        reach = (0.1 * reach)
+            .min(0.5 * place.max(1e-3))
+            .min(0.5 * (1.0 - place).max(1e-3));
+        (before, middle, after) = (
+            value((place - reach).max(0.0)),
+            value(place),
+            value((place + reach).min(1.0)),
+        );
         *best = best.max(middle).max(before).max(after);
     }
 }
@@ -126,12 +138,29 @@ pub(super) struct Track {
 
 impl Track {
     /// `is_free`: the base does not move.
-    pub(super) fn new(block: &Block, body: &Body, points_m: &[(f64, f64)], is_free: bool, start: &State) -> Self {
-        let edge = |contact, side, pivot| EdgeTrack { contact, side, open: None, pivot };
+    pub(super) fn new(
+        block: &Block,
+        body: &Body,
+        points_m: &[(f64, f64)],
+        is_free: bool,
+        start: &State,
+    ) -> Self {
+        let edge = |contact, side, pivot| EdgeTrack {
+            contact,
+            side,
+            open: None,
+            pivot,
+        };
         let pivots = [block.pivot(), block.right_pivot()];
         Self {
-            edges: [edge(0, EdgeSide::Left, pivots[0]), edge(body.contacts.len() - 1, EdgeSide::Right, pivots[1])],
-            points: points_m.iter().map(|&(x, z)| (x - block.cg_from_left_m(), z - block.cg_height_m())).collect(),
+            edges: [
+                edge(0, EdgeSide::Left, pivots[0]),
+                edge(body.contacts.len() - 1, EdgeSide::Right, pivots[1]),
+            ],
+            points: points_m
+                .iter()
+                .map(|&(x, z)| (x - block.cg_from_left_m(), z - block.cg_height_m()))
+                .collect(),
             is_free,
             alpha: pivots.map(|pivot| pivot.slenderness_angle_rad),
             swing: (0.0, start[THETA], false),
@@ -154,11 +183,20 @@ impl Track {
             if !seen.grips[edge.contact].carries() {
                 continue;
             }
-            let up = |share: f64| seen.acceleration(seen.body.contacts[edge.contact], -seen.body.cg_height, share).1;
+            let up = |share: f64| {
+                seen.acceleration(
+                    seen.body.contacts[edge.contact],
+                    -seen.body.cg_height,
+                    share,
+                )
+                .1
+            };
             let push = |share: f64| {
                 seen.with_state(share, |y, turn| {
                     let foot = seen.body.foot_turned(edge.contact, y, turn);
-                    seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
+                    seen.body
+                        .load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact])
+                        .normal
                 })
             };
             let press = |share: f64| seen.foot(edge.contact, share).compression;
@@ -167,7 +205,8 @@ impl Track {
                 raise(&mut touch.peak_acceleration_m_s2, up);
                 raise(&mut touch.peak_force_n, push);
                 let (a, f) = (touch.peak_acceleration_m_s2, touch.peak_force_n);
-                result.peak_edge_accelerations_m_s2[index] = result.peak_edge_accelerations_m_s2[index].max(a);
+                result.peak_edge_accelerations_m_s2[index] =
+                    result.peak_edge_accelerations_m_s2[index].max(a);
                 result.peak_edge_forces_n[index] = result.peak_edge_forces_n[index].max(f);
             } else {
                 raise(&mut result.peak_edge_accelerations_m_s2[index], up);
@@ -175,8 +214,12 @@ impl Track {
             }
         }
         for (&(right, up), peaks) in self.points.iter().zip(&mut result.points) {
-            raise(&mut peaks.horizontal_m_s2, |share| seen.acceleration(right, up, share).0.abs());
-            raise(&mut peaks.vertical_m_s2, |share| seen.acceleration(right, up, share).1.abs());
+            raise(&mut peaks.horizontal_m_s2, |share| {
+                seen.acceleration(right, up, share).0.abs()
+            });
+            raise(&mut peaks.vertical_m_s2, |share| {
+                seen.acceleration(right, up, share).1.abs()
+            });
         }
     }
 
@@ -187,7 +230,8 @@ impl Track {
         let top = top.map(|share| (share, seen.step.state(share)[THETA]));
         for (share, theta) in [(0.0, from), (1.0, to)].into_iter().chain(top) {
             if theta.abs() > result.peak_rotation_rad {
-                (result.peak_rotation_rad, result.peak_rotation_time_s) = (theta.abs(), seen.time_s(share));
+                (result.peak_rotation_rad, result.peak_rotation_time_s) =
+                    (theta.abs(), seen.time_s(share));
             }
             if theta.abs() > self.swing.1.abs() && theta * side >= 0.0 {
                 (self.swing.0, self.swing.1) = (seen.time_s(share), theta);
@@ -195,7 +239,9 @@ impl Track {
         }
         let alpha = self.alpha[usize::from(side > 0.0)];
         if result.passed_alpha_time_s.is_none() && side * to > alpha {
-            let share = bisect(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
+            let share = bisect(0.0, 1.0, |share| {
+                side * seen.step.state(share)[THETA] > alpha
+            });
             result.passed_alpha_time_s = Some(seen.time_s(share));
         }
         if from != 0.0 && from.signum() != to.signum() {
@@ -210,10 +256,22 @@ impl Track {
         if !lifted {
             return;
         }
-        let rise = |theta: f64| self.edges[usize::from(theta > 0.0)].pivot.largest_rise_m(theta);
-        let before = result.swings.last().filter(|_| self.is_free).map(|last| rise(last.rotation_rad));
+        let rise = |theta: f64| {
+            self.edges[usize::from(theta > 0.0)]
+                .pivot
+                .largest_rise_m(theta)
+        };
+        let before = result
+            .swings
+            .last()
+            .filter(|_| self.is_free)
+            .map(|last| rise(last.rotation_rad));
         let ratio = before.map(|before| (rise(rotation_rad) / before).sqrt());
-        result.swings.push(Swing { time_s, rotation_rad, effective_restitution_ratio: ratio });
+        result.swings.push(Swing {
+            time_s,
+            rotation_rad,
+            effective_restitution_ratio: ratio,
+        });
     }
 
     fn uplifts(&mut self, seen: &Seen, result: &mut CompliantRocking) {
@@ -227,11 +285,18 @@ impl Track {
                 self.swing.2 = true;
                 if result.first_uplift_time_s.is_none() {
                     let is_up = |share: f64| height(share) > 0.0;
-                    let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
+                    let share = if is_up(0.0) {
+                        0.0
+                    } else {
+                        bisect(0.0, 1.0, is_up)
+                    };
                     result.first_uplift_time_s = Some(seen.time_s(share));
                 }
                 let theta = seen.step.start[THETA].abs().max(seen.step.end[THETA].abs());
-                let theta = if seen.falls(|share| seen.value(share, |y| y[OMEGA] * y[THETA])).is_some() {
+                let theta = if seen
+                    .falls(|share| seen.value(share, |y| y[OMEGA] * y[THETA]))
+                    .is_some()
+                {
                     theta.max(self.swing.1.abs())
                 } else {
                     theta
@@ -243,21 +308,41 @@ impl Track {
 
     fn friction(&self, seen: &Seen, result: &mut CompliantRocking) {
         let y = &seen.step.end;
-        for (index, &grip) in seen.grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
+        for (index, &grip) in seen
+            .grips
+            .iter()
+            .enumerate()
+            .filter(|(_, grip)| grip.carries())
+        {
             let foot = seen.body.foot_turned(index, y, &seen.ends[1]);
             let load = seen.body.load(grip, &foot, y[STRETCH + index]);
             if load.normal > CARRYING_RATIO * seen.body.mass * seen.body.gravity {
-                result.friction_used_ratio = result.friction_used_ratio.max(load.tangential.abs() / load.normal);
+                result.friction_used_ratio = result
+                    .friction_used_ratio
+                    .max(load.tangential.abs() / load.normal);
             }
         }
     }
 
     /// A contact begins.
-    pub(super) fn touch(&mut self, body: &Body, contact: usize, time_s: f64, y: &State, result: &mut CompliantRocking) {
+    pub(super) fn touch(
+        &mut self,
+        body: &Body,
+        contact: usize,
+        time_s: f64,
+        y: &State,
+        result: &mut CompliantRocking,
+    ) {
         if let Some(start_s) = self.flight_s.take() {
             result.flight_time_s += time_s - start_s;
         }
-        let Some(edge) = self.edges.iter_mut().position(|edge| edge.contact == contact) else { return };
+        let Some(edge) = self
+            .edges
+            .iter_mut()
+            .position(|edge| edge.contact == contact)
+        else {
+            return;
+        };
         if self.last_touch == Some(edge) {
             result.bounce_count += 1;
         }
@@ -289,8 +374,14 @@ impl Track {
             self.flight_s = Some(time_s);
             result.flight_count += 1;
         }
-        let Some(edge) = self.edges.iter_mut().find(|edge| edge.contact == contact) else { return };
-        if let Some(touch) = edge.open.take().and_then(|open| result.touches.get_mut(open)) {
+        let Some(edge) = self.edges.iter_mut().find(|edge| edge.contact == contact) else {
+            return;
+        };
+        if let Some(touch) = edge
+            .open
+            .take()
+            .and_then(|open| result.touches.get_mut(open))
+        {
             touch.end_time_s = Some(time_s);
             touch.rebound_m_s = Some(-body.foot(contact, y).compression_rate);
             touch.omega_after_rad_s = Some(y[OMEGA]);
@@ -299,8 +390,16 @@ impl Track {
 
     /// The foot of a contact begins or ends its slide; `place` is its position relative to the
     /// centre of the base.
-    pub(super) fn slide(&mut self, contact: usize, place: f64, begins: bool, result: &mut CompliantRocking) {
-        let Some(from) = self.slips.get_mut(contact) else { return };
+    pub(super) fn slide(
+        &mut self,
+        contact: usize,
+        place: f64,
+        begins: bool,
+        result: &mut CompliantRocking,
+    ) {
+        let Some(from) = self.slips.get_mut(contact) else {
+            return;
+        };
         if !begins {
             result.slid_m += (place - *from).abs();
         }
@@ -322,11 +421,24 @@ impl Track {
         let rises = [block.pivot(), block.right_pivot()].map(|pivot| pivot.largest_rise_m(theta));
         // The edge about which the block rotated in the largest swing; for a block without offset
         // both rises are equal.
-        let to = |side: f64| result.swings.iter().map(|swing| side * swing.rotation_rad).fold(0.0, f64::max);
-        result.cg_rise_m = if to(1.0) >= to(-1.0) { rises[1] } else { rises[0] };
+        let to = |side: f64| {
+            result
+                .swings
+                .iter()
+                .map(|swing| side * swing.rotation_rad)
+                .fold(0.0, f64::max)
+        };
+        result.cg_rise_m = if to(1.0) >= to(-1.0) {
+            rises[1]
+        } else {
+            rises[0]
+        };
     }
 }
 
 impl PointPeaks {
-    pub(super) const NONE: Self = Self { horizontal_m_s2: 0.0, vertical_m_s2: 0.0 };
+    pub(super) const NONE: Self = Self {
+        horizontal_m_s2: 0.0,
+        vertical_m_s2: 0.0,
+    };
 }

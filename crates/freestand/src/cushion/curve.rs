@@ -41,7 +41,9 @@ pub enum CurveError {
         tests: usize,
     },
     /// A test with a value that is not positive.
-    #[error("test {number}: static stress, drop height, thickness and peak acceleration must be positive")]
+    #[error(
+        "test {number}: static stress, drop height, thickness and peak acceleration must be positive"
+    )]
     NotPositive {
         /// The test, from 1.
         number: usize,
@@ -77,7 +79,10 @@ impl StressEnergy {
         if let Some(index) = tests.iter().position(is_bad) {
             return Err(CurveError::NotPositive { number: index + 1 });
         }
-        let points: Vec<(f64, f64)> = tests.iter().map(|&(s, h, t, g)| (s * h / t, (g * s).ln())).collect();
+        let points: Vec<(f64, f64)> = tests
+            .iter()
+            .map(|&(s, h, t, g)| (s * h / t, (g * s).ln()))
+            .collect();
         let count = points.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
         let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
@@ -93,7 +98,10 @@ impl StressEnergy {
         let least = points.iter().map(|p| p.0).fold(f64::INFINITY, f64::min);
         let most = points.iter().map(|p| p.0).fold(0.0, f64::max);
         Ok(StressEnergyFit {
-            curve: Self { stress_pa: (y - exponent_m3_j * x).exp(), exponent_m3_j },
+            curve: Self {
+                stress_pa: (y - exponent_m3_j * x).exp(),
+                exponent_m3_j,
+            },
             r_squared_ratio: if yy > 0.0 { xy * xy / (xx * yy) } else { 1.0 },
             energies_j_m3: (least, most),
             tests: points.len(),
@@ -112,7 +120,12 @@ impl StressEnergy {
     /// assert!((best - 10e3).abs() < 1e-9);
     /// assert!((foam.peak_acceleration_g(best, 0.1, 0.02) - 27.1828).abs() < 1e-4);
     /// ```
-    pub fn peak_acceleration_g(&self, static_stress_pa: f64, drop_height_m: f64, thickness_m: f64) -> f64 {
+    pub fn peak_acceleration_g(
+        &self,
+        static_stress_pa: f64,
+        drop_height_m: f64,
+        thickness_m: f64,
+    ) -> f64 {
         let energy_j_m3 = static_stress_pa * drop_height_m / thickness_m;
         self.stress_pa / static_stress_pa * (self.exponent_m3_j * energy_j_m3).exp()
     }
@@ -125,7 +138,12 @@ impl StressEnergy {
     /// The smallest thickness that keeps the peak at or below `limit_g` at a given static stress:
     /// t = b s h/ln(G s/a) \[m\]. `None` where G s ≤ a: no thickness is enough, because the load is
     /// too light for this cushion (use a smaller area).
-    pub fn thickness_m(&self, static_stress_pa: f64, drop_height_m: f64, limit_g: f64) -> Option<f64> {
+    pub fn thickness_m(
+        &self,
+        static_stress_pa: f64,
+        drop_height_m: f64,
+        limit_g: f64,
+    ) -> Option<f64> {
         let growth = (limit_g * static_stress_pa / self.stress_pa).ln();
         (growth > 0.0).then(|| self.exponent_m3_j * static_stress_pa * drop_height_m / growth)
     }
@@ -141,7 +159,10 @@ impl StressEnergy {
 mod tests {
     use super::*;
 
-    const FOAM: StressEnergy = StressEnergy { stress_pa: 80e3, exponent_m3_j: 1.7e-5 };
+    const FOAM: StressEnergy = StressEnergy {
+        stress_pa: 80e3,
+        exponent_m3_j: 1.7e-5,
+    };
 
     fn tests_of(foam: StressEnergy) -> Vec<(f64, f64, f64, f64)> {
         let mut tests = Vec::new();
@@ -179,13 +200,25 @@ mod tests {
     #[test]
     fn tests_that_give_no_curve_are_refused() {
         let tests = tests_of(FOAM);
-        assert_eq!(StressEnergy::fitted(&tests[..2]), Err(CurveError::TooFew { tests: 2 }));
+        assert_eq!(
+            StressEnergy::fitted(&tests[..2]),
+            Err(CurveError::TooFew { tests: 2 })
+        );
         let same = vec![tests[0]; 4];
         assert_eq!(StressEnergy::fitted(&same), Err(CurveError::OneEnergy));
         let mut bad = tests.clone();
         bad[3].2 = 0.0;
-        assert_eq!(StressEnergy::fitted(&bad), Err(CurveError::NotPositive { number: 4 }));
-        let falling: Vec<_> = tests.iter().map(|&(s, h, t, _)| (s, h, t, 1.0 / (s * h / t))).collect();
-        assert!(matches!(StressEnergy::fitted(&falling), Err(CurveError::Falling { .. })));
+        assert_eq!(
+            StressEnergy::fitted(&bad),
+            Err(CurveError::NotPositive { number: 4 })
+        );
+        let falling: Vec<_> = tests
+            .iter()
+            .map(|&(s, h, t, _)| (s, h, t, 1.0 / (s * h / t)))
+            .collect();
+        assert!(matches!(
+            StressEnergy::fitted(&falling),
+            Err(CurveError::Falling { .. })
+        ));
     }
 }

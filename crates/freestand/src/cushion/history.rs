@@ -41,7 +41,12 @@ impl Cushion {
     /// a tangent law at a thousand times its initial stiffness; a kink of a table causes an error
     /// of the same size. For a cushion that bottoms more strongly than that, no history is
     /// reliable.
-    pub fn landing_history(&self, mass_kg: f64, speed_m_s: f64, gravity_m_s2: f64) -> Vec<ContactPoint> {
+    pub fn landing_history(
+        &self,
+        mass_kg: f64,
+        speed_m_s: f64,
+        gravity_m_s2: f64,
+    ) -> Vec<ContactPoint> {
         let contact_s = self.land(mass_kg, speed_m_s).duration_s;
         let common_s = contact_s / STEPS;
         let deepest_m = self.deepest_m(mass_kg, speed_m_s, gravity_m_s2);
@@ -65,9 +70,18 @@ impl Cushion {
             let step_s = common_s.min((MAX_ANGLE / omega).max(MIN_SHARE * common_s));
             time_s += step_s;
             let (k1, a1) = (v0, acceleration(d0, v0));
-            let (k2, a2) = (v0 + 0.5 * step_s * a1, acceleration(d0 + 0.5 * step_s * k1, v0 + 0.5 * step_s * a1));
-            let (k3, a3) = (v0 + 0.5 * step_s * a2, acceleration(d0 + 0.5 * step_s * k2, v0 + 0.5 * step_s * a2));
-            let (k4, a4) = (v0 + step_s * a3, acceleration(d0 + step_s * k3, v0 + step_s * a3));
+            let (k2, a2) = (
+                v0 + 0.5 * step_s * a1,
+                acceleration(d0 + 0.5 * step_s * k1, v0 + 0.5 * step_s * a1),
+            );
+            let (k3, a3) = (
+                v0 + 0.5 * step_s * a2,
+                acceleration(d0 + 0.5 * step_s * k2, v0 + 0.5 * step_s * a2),
+            );
+            let (k4, a4) = (
+                v0 + step_s * a3,
+                acceleration(d0 + step_s * k3, v0 + step_s * a3),
+            );
             d += step_s / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
             v += step_s / 6.0 * (a1 + 2.0 * (a2 + a3) + a4);
             let point = at(time_s, d, v);
@@ -98,9 +112,15 @@ impl Cushion {
     /// The point between two steps at which the force ends, on the line through the last two
     /// forces.
     fn last(points: &[ContactPoint], beyond: ContactPoint) -> ContactPoint {
-        let [.., before, last] = points else { return beyond };
+        let [.., before, last] = points else {
+            return beyond;
+        };
         let fall = before.force_n - last.force_n;
-        let share = if fall > 0.0 { (last.force_n / fall).min(1.0) } else { 1.0 };
+        let share = if fall > 0.0 {
+            (last.force_n / fall).min(1.0)
+        } else {
+            1.0
+        };
         let between = |a: f64, b: f64| a + share * (b - a);
         ContactPoint {
             time_s: between(last.time_s, beyond.time_s),

@@ -60,11 +60,24 @@ impl Cushion {
                 let omega = (stiffness_n_m / m).sqrt();
                 Contact::elastic(m * v * omega, v / omega, PI / omega)
             }
-            ContactLaw::Power { coefficient_n_mn, exponent } => power(*coefficient_n_mn, *exponent, m, v),
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-                kelvin_voigt((stiffness_n_m / m).sqrt(), 0.5 * damping_n_s_m / (stiffness_n_m * m).sqrt(), m, v)
-            }
-            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m } => {
+            ContactLaw::Power {
+                coefficient_n_mn,
+                exponent,
+            } => power(*coefficient_n_mn, *exponent, m, v),
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => kelvin_voigt(
+                (stiffness_n_m / m).sqrt(),
+                0.5 * damping_n_s_m / (stiffness_n_m * m).sqrt(),
+                m,
+                v,
+            ),
+            ContactLaw::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                dissipation_s_m,
+            } => {
                 if dissipation_s_m * v < NEGLIGIBLE {
                     return power(*coefficient_n_mn, *exponent, m, v);
                 }
@@ -81,14 +94,17 @@ impl Cushion {
         let (m, v) = (mass_kg, speed_m_s.abs());
         match &self.law {
             _ if v == 0.0 => 0.0,
-            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m }
-                if dissipation_s_m * v >= NEGLIGIBLE =>
-            {
-                HuntCrossley::new(*coefficient_n_mn, *exponent, *dissipation_s_m, m, v).peak_force_n()
+            ContactLaw::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                dissipation_s_m,
+            } if dissipation_s_m * v >= NEGLIGIBLE => {
+                HuntCrossley::new(*coefficient_n_mn, *exponent, *dissipation_s_m, m, v)
+                    .peak_force_n()
             }
-            law @ (ContactLaw::Tangent { .. } | ContactLaw::Tabulated { .. } | ContactLaw::Series { .. }) => {
-                law.deepest(0.5 * m * v * v).1
-            }
+            law @ (ContactLaw::Tangent { .. }
+            | ContactLaw::Tabulated { .. }
+            | ContactLaw::Series { .. }) => law.deepest(0.5 * m * v * v).1,
             _ => self.land(m, v).peak_force_n,
         }
     }
@@ -96,11 +112,21 @@ impl Cushion {
 
 impl Contact {
     fn none() -> Self {
-        Self { peak_force_n: 0.0, compression_m: 0.0, duration_s: 0.0, restitution_ratio: 1.0 }
+        Self {
+            peak_force_n: 0.0,
+            compression_m: 0.0,
+            duration_s: 0.0,
+            restitution_ratio: 1.0,
+        }
     }
 
     fn elastic(peak_force_n: f64, compression_m: f64, duration_s: f64) -> Self {
-        Self { peak_force_n, compression_m, duration_s, restitution_ratio: 1.0 }
+        Self {
+            peak_force_n,
+            compression_m,
+            duration_s,
+            restitution_ratio: 1.0,
+        }
     }
 }
 
@@ -161,14 +187,25 @@ fn minus_ln_1p(x: f64) -> f64 {
         return x - x.ln_1p();
     }
     // x²/2 − x³/3 + …: 0.05¹⁴ = 6e-19.
-    (2..16).rev().fold(0.0, |sum, k| 1.0 / f64::from(k) - x * sum) * x * x
+    (2..16)
+        .rev()
+        .fold(0.0, |sum, k| 1.0 / f64::from(k) - x * sum)
+        * x
+        * x
 }
 
 impl HuntCrossley {
     fn new(coefficient: f64, n: f64, dissipation: f64, m: f64, v: f64) -> Self {
         let c = dissipation * v;
-        let mut landing =
-            Self { n, c, m, v, coefficient, scale: (n + 1.0) * m * v / (coefficient * dissipation), rebound: 1.0 };
+        let mut landing = Self {
+            n,
+            c,
+            m,
+            v,
+            coefficient,
+            scale: (n + 1.0) * m * v / (coefficient * dissipation),
+            rebound: 1.0,
+        };
         // The elastic part of the force returns at most all of the energy, and the force ends where
         // 1 + cu does.
         let most = (1.0_f64).min(1.0 / c);
@@ -179,7 +216,11 @@ impl HuntCrossley {
     /// g at u, calculated from 1 − u, which keeps its digits where the contact begins.
     fn g(&self, fall: f64, u: f64) -> f64 {
         let y = self.c * fall / (1.0 + self.c * u);
-        if y.is_finite() { (minus_ln_1p(y) + self.c * u * y) / self.c } else { f64::NEG_INFINITY }
+        if y.is_finite() {
+            (minus_ln_1p(y) + self.c * u * y) / self.c
+        } else {
+            f64::NEG_INFINITY
+        }
     }
 
     fn compression_m(&self, g: f64) -> f64 {
@@ -197,7 +238,11 @@ impl HuntCrossley {
         unit_integral(|z| {
             let delta = length * z.powf(power);
             let force_n = self.force_n(g(delta), u(delta));
-            if force_n > 0.0 { self.m * self.v * length * power * z.powf(self.n) / force_n } else { 0.0 }
+            if force_n > 0.0 {
+                self.m * self.v * length * power * z.powf(self.n) / force_n
+            } else {
+                0.0
+            }
         })
     }
 
@@ -211,7 +256,13 @@ impl HuntCrossley {
         // Near the end g is its slope there times δ; the difference in the formula would be lost in
         // rounding.
         let slope = self.c * e / (1.0 - self.c * e);
-        let g = |delta: f64| if delta < 1e-8 * e { slope * delta } else { self.g(1.0 + e - delta, delta - e) };
+        let g = |delta: f64| {
+            if delta < 1e-8 * e {
+                slope * delta
+            } else {
+                self.g(1.0 + e - delta, delta - e)
+            }
+        };
         let outwards_s = self.time_s(e, g, |delta| delta - e);
         Contact {
             peak_force_n: self.peak_force_n(),
@@ -241,13 +292,25 @@ fn by_energy(law: &ContactLaw, m: f64, v: f64) -> Contact {
             } else {
                 energy_j - law.elastic_energy_j(max_m - short_m)
             };
-            if gap_j > 0.0 { (to - from) * 2.0 * max_m * s / (2.0 * gap_j / m).sqrt() } else { 0.0 }
+            if gap_j > 0.0 {
+                (to - from) * 2.0 * max_m * s / (2.0 * gap_j / m).sqrt()
+            } else {
+                0.0
+            }
         })
     };
-    let kinks = law.kinks_m().into_iter().filter(|&d| d < max_m).map(|d| (1.0 - d / max_m).sqrt());
+    let kinks = law
+        .kinks_m()
+        .into_iter()
+        .filter(|&d| d < max_m)
+        .map(|d| (1.0 - d / max_m).sqrt());
     let mut stops: Vec<f64> = kinks.chain([0.0, 1.0]).collect();
     stops.sort_by(f64::total_cmp);
-    let half_s: f64 = stops.windows(2).filter(|pair| pair[1] > pair[0]).map(|pair| time_s(pair[0], pair[1])).sum();
+    let half_s: f64 = stops
+        .windows(2)
+        .filter(|pair| pair[1] > pair[0])
+        .map(|pair| time_s(pair[0], pair[1]))
+        .sum();
     Contact::elastic(force_n, max_m, 2.0 * half_s)
 }
 
@@ -255,10 +318,16 @@ impl ContactLaw {
     /// The compression that stores a given energy, and the force there.
     fn deepest(&self, energy_j: f64) -> (f64, f64) {
         match self {
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
                 let limit_n = 2.0 * stiffness_n_m * bottoming_m / PI;
                 let tangent = (energy_j * PI / (limit_n * bottoming_m)).exp_m1().sqrt();
-                (bottoming_m * std::f64::consts::FRAC_2_PI * tangent.atan(), limit_n * tangent)
+                (
+                    bottoming_m * std::f64::consts::FRAC_2_PI * tangent.atan(),
+                    limit_n * tangent,
+                )
             }
             law => {
                 // Twice the energy is at most twice as deep, because forces never fall.

@@ -25,7 +25,11 @@ pub const PAD_STIFFNESS_N_M: std::ops::RangeInclusive<f64> = 1e4..=1e9;
 /// With the feature `serde`, a law is read and written under the names of its fields, in SI:
 /// `{"linear": {"stiffness_n_m": 4.38e6}}`.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum ContactLaw {
     /// F = k d.
     Linear {
@@ -120,7 +124,9 @@ pub enum CushionError {
         value: f64,
     },
     /// A table that is too short, or whose columns differ in length.
-    #[error("a force-compression table needs at least one point beyond (0, 0) and as many forces as compressions")]
+    #[error(
+        "a force-compression table needs at least one point beyond (0, 0) and as many forces as compressions"
+    )]
     ShortTable,
     /// A table whose compressions do not rise or whose force falls.
     #[error("point {number} of the force-compression table: {requirement}")]
@@ -145,14 +151,24 @@ fn positive(law: &'static str, name: &'static str, value: f64) -> Result<(), Cus
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CushionError::Value { law, name, requirement: "positive", value })
+    Err(CushionError::Value {
+        law,
+        name,
+        requirement: "positive",
+        value,
+    })
 }
 
 fn not_negative(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CushionError::Value { law, name, requirement: "zero or positive", value })
+    Err(CushionError::Value {
+        law,
+        name,
+        requirement: "zero or positive",
+        value,
+    })
 }
 
 /// Foams and rubbers have exponents between ½ and 5; beyond 20 the calculation loses its accuracy.
@@ -160,7 +176,12 @@ fn exponent(law: &'static str, value: f64) -> Result<(), CushionError> {
     if (0.1..=20.0).contains(&value) {
         return Ok(());
     }
-    Err(CushionError::Value { law, name: "exponent", requirement: "between 0.1 and 20", value })
+    Err(CushionError::Value {
+        law,
+        name: "exponent",
+        requirement: "between 0.1 and 20",
+        value,
+    })
 }
 
 impl ContactLaw {
@@ -186,24 +207,40 @@ impl ContactLaw {
         let name = self.name();
         match self {
             Self::Linear { stiffness_n_m } => positive(name, "stiffness", *stiffness_n_m),
-            Self::Power { coefficient_n_mn, exponent: n } => {
+            Self::Power {
+                coefficient_n_mn,
+                exponent: n,
+            } => {
                 positive(name, "coefficient", *coefficient_n_mn)?;
                 exponent(name, *n)
             }
-            Self::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            Self::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => {
                 positive(name, "stiffness", *stiffness_n_m)?;
                 not_negative(name, "damping", *damping_n_s_m)
             }
-            Self::HuntCrossley { coefficient_n_mn, exponent: n, dissipation_s_m } => {
+            Self::HuntCrossley {
+                coefficient_n_mn,
+                exponent: n,
+                dissipation_s_m,
+            } => {
                 positive(name, "coefficient", *coefficient_n_mn)?;
                 exponent(name, *n)?;
                 not_negative(name, "dissipation", *dissipation_s_m)
             }
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
                 positive(name, "stiffness", *stiffness_n_m)?;
                 positive(name, "bottoming compression", *bottoming_m)
             }
-            Self::Tabulated { compressions_m, forces_n } => check_table(compressions_m, forces_n),
+            Self::Tabulated {
+                compressions_m,
+                forces_n,
+            } => check_table(compressions_m, forces_n),
             Self::Series { parts } => check_series(parts),
         }
     }
@@ -211,11 +248,22 @@ impl ContactLaw {
     /// The elastic part of the force at compression `d` > 0 \[N\].
     fn elastic_force_n(&self, d: f64) -> f64 {
         match self {
-            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => stiffness_n_m * d,
-            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
-                coefficient_n_mn * d.powf(*exponent)
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => {
+                stiffness_n_m * d
             }
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
+            Self::Power {
+                coefficient_n_mn,
+                exponent,
+            }
+            | Self::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                ..
+            } => coefficient_n_mn * d.powf(*exponent),
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
                 let limit_n = 2.0 * stiffness_n_m * bottoming_m / std::f64::consts::PI;
                 if d < *bottoming_m {
                     limit_n * (std::f64::consts::FRAC_PI_2 * d / bottoming_m).tan()
@@ -223,7 +271,10 @@ impl ContactLaw {
                     f64::INFINITY
                 }
             }
-            Self::Tabulated { compressions_m, forces_n } => {
+            Self::Tabulated {
+                compressions_m,
+                forces_n,
+            } => {
                 let line = Line::at_compression(compressions_m, forces_n, d);
                 line.force_n + line.slope_n_m * (d - line.compression_m)
             }
@@ -233,7 +284,12 @@ impl ContactLaw {
 
     /// The force at which the total compression of the parts is `d`.
     fn force_in_series_n(parts: &[Self], d: f64) -> f64 {
-        let together = |force_n: f64| parts.iter().map(|part| part.compression_m(force_n)).sum::<f64>();
+        let together = |force_n: f64| {
+            parts
+                .iter()
+                .map(|part| part.compression_m(force_n))
+                .sum::<f64>()
+        };
         if d <= 0.0 || !d.is_finite() {
             return 0.0;
         }
@@ -252,15 +308,29 @@ impl ContactLaw {
     /// The compression of an undamped law under a force \[m\].
     fn compression_m(&self, force_n: f64) -> f64 {
         match self {
-            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => force_n / stiffness_n_m,
-            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
-                (force_n / coefficient_n_mn).powf(exponent.recip())
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => {
+                force_n / stiffness_n_m
             }
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
+            Self::Power {
+                coefficient_n_mn,
+                exponent,
+            }
+            | Self::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                ..
+            } => (force_n / coefficient_n_mn).powf(exponent.recip()),
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
                 let limit_n = 2.0 * stiffness_n_m * bottoming_m / std::f64::consts::PI;
                 bottoming_m * std::f64::consts::FRAC_2_PI * (force_n / limit_n).atan()
             }
-            Self::Tabulated { compressions_m, forces_n } => {
+            Self::Tabulated {
+                compressions_m,
+                forces_n,
+            } => {
                 let line = Line::at_force(compressions_m, forces_n, force_n);
                 line.compression_m + (force_n - line.force_n) / line.slope_n_m
             }
@@ -271,23 +341,38 @@ impl ContactLaw {
     /// ∫F dd of the elastic part up to compression `d` > 0 \[J\].
     fn elastic_energy_j(&self, d: f64) -> f64 {
         match self {
-            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => 0.5 * stiffness_n_m * d * d,
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => {
+                0.5 * stiffness_n_m * d * d
+            }
             Self::Power { exponent, .. } | Self::HuntCrossley { exponent, .. } => {
                 self.elastic_force_n(d) * d / (exponent + 1.0)
             }
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
                 let scale_j = 2.0 * stiffness_n_m * (bottoming_m / std::f64::consts::PI).powi(2);
                 let tangent = (std::f64::consts::FRAC_PI_2 * d / bottoming_m).tan();
-                if d < *bottoming_m { scale_j * (tangent * tangent).ln_1p() } else { f64::INFINITY }
+                if d < *bottoming_m {
+                    scale_j * (tangent * tangent).ln_1p()
+                } else {
+                    f64::INFINITY
+                }
             }
-            Self::Tabulated { compressions_m, forces_n } => {
+            Self::Tabulated {
+                compressions_m,
+                forces_n,
+            } => {
                 let line = Line::at_compression(compressions_m, forces_n, d);
                 let beyond_m = d - line.compression_m;
                 line.energy_j + (line.force_n + 0.5 * line.slope_n_m * beyond_m) * beyond_m
             }
             Self::Series { parts } => {
                 let force_n = Self::force_in_series_n(parts, d);
-                parts.iter().map(|part| part.elastic_energy_j(part.compression_m(force_n))).sum()
+                parts
+                    .iter()
+                    .map(|part| part.elastic_energy_j(part.compression_m(force_n)))
+                    .sum()
             }
         }
     }
@@ -296,15 +381,27 @@ impl ContactLaw {
     fn times(&self, factor: f64) -> Self {
         let mut law = self.clone();
         match &mut law {
-            Self::Linear { stiffness_n_m } | Self::Tangent { stiffness_n_m, .. } => *stiffness_n_m *= factor,
-            Self::Power { coefficient_n_mn, .. } | Self::HuntCrossley { coefficient_n_mn, .. } => {
+            Self::Linear { stiffness_n_m } | Self::Tangent { stiffness_n_m, .. } => {
+                *stiffness_n_m *= factor
+            }
+            Self::Power {
+                coefficient_n_mn, ..
+            }
+            | Self::HuntCrossley {
+                coefficient_n_mn, ..
+            } => {
                 *coefficient_n_mn *= factor;
             }
-            Self::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            Self::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => {
                 *stiffness_n_m *= factor;
                 *damping_n_s_m *= factor;
             }
-            Self::Tabulated { forces_n, .. } => forces_n.iter_mut().for_each(|force_n| *force_n *= factor),
+            Self::Tabulated { forces_n, .. } => {
+                forces_n.iter_mut().for_each(|force_n| *force_n *= factor)
+            }
             Self::Series { parts } => parts.iter_mut().for_each(|part| *part = part.times(factor)),
         }
         law
@@ -321,20 +418,35 @@ struct Line {
 
 impl Line {
     fn at_compression(compressions_m: &[f64], forces_n: &[f64], d: f64) -> Self {
-        Self::piece(compressions_m, forces_n, compressions_m.partition_point(|&x| x <= d))
+        Self::piece(
+            compressions_m,
+            forces_n,
+            compressions_m.partition_point(|&x| x <= d),
+        )
     }
 
     fn at_force(compressions_m: &[f64], forces_n: &[f64], force_n: f64) -> Self {
-        Self::piece(compressions_m, forces_n, forces_n.partition_point(|&f| f <= force_n))
+        Self::piece(
+            compressions_m,
+            forces_n,
+            forces_n.partition_point(|&f| f <= force_n),
+        )
     }
 
     /// The line that ends at point `end`; the last line also applies beyond the table.
     fn piece(compressions_m: &[f64], forces_n: &[f64], end: usize) -> Self {
         let end = end.clamp(1, compressions_m.len() - 1);
         let (x, f) = (&compressions_m[..=end], &forces_n[..=end]);
-        let energy_j = (1..end).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
+        let energy_j = (1..end)
+            .map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]))
+            .sum();
         let slope_n_m = (f[end] - f[end - 1]) / (x[end] - x[end - 1]);
-        Self { compression_m: x[end - 1], force_n: f[end - 1], slope_n_m, energy_j }
+        Self {
+            compression_m: x[end - 1],
+            force_n: f[end - 1],
+            slope_n_m,
+            energy_j,
+        }
     }
 }
 
@@ -342,7 +454,12 @@ fn check_table(compressions_m: &[f64], forces_n: &[f64]) -> Result<(), CushionEr
     if compressions_m.len() != forces_n.len() || compressions_m.len() < 2 {
         return Err(CushionError::ShortTable);
     }
-    let refuse = |number: usize, requirement: &'static str| Err(CushionError::Table { number, requirement });
+    let refuse = |number: usize, requirement: &'static str| {
+        Err(CushionError::Table {
+            number,
+            requirement,
+        })
+    };
     if compressions_m[0] != 0.0 || forces_n[0] != 0.0 {
         return refuse(1, "the first point must be (0, 0)");
     }
@@ -354,12 +471,18 @@ fn check_table(compressions_m: &[f64], forces_n: &[f64]) -> Result<(), CushionEr
             return refuse(i + 1, "the compression must rise from point to point");
         }
         if forces_n[i] < forces_n[i - 1] {
-            return refuse(i + 1, "the force falls: use the loading branch only, smoothed if it is noisy");
+            return refuse(
+                i + 1,
+                "the force falls: use the loading branch only, smoothed if it is noisy",
+            );
         }
     }
     let last = forces_n.len() - 1;
     if forces_n[last] <= forces_n[last - 1] {
-        return refuse(last + 1, "the last line must rise, because it continues beyond the table");
+        return refuse(
+            last + 1,
+            "the last line must rise, because it continues beyond the table",
+        );
     }
     Ok(())
 }
@@ -376,8 +499,12 @@ fn check_series(parts: &[ContactLaw]) -> Result<(), CushionError> {
         if let ContactLaw::Tabulated { forces_n, .. } = part
             && let Some(i) = (1..forces_n.len()).find(|&i| forces_n[i] <= forces_n[i - 1])
         {
-            let requirement = "the force must rise from point to point, because the table is part of a series";
-            return Err(CushionError::Table { number: i + 1, requirement });
+            let requirement =
+                "the force must rise from point to point, because the table is part of a series";
+            return Err(CushionError::Table {
+                number: i + 1,
+                requirement,
+            });
         }
     }
     Ok(())
@@ -417,14 +544,20 @@ impl Cushion {
         if let [one] = layers {
             return Ok(one.clone());
         }
-        let springs = layers.iter().filter_map(Self::linear_stiffness_n_m).map(f64::recip).sum::<f64>();
+        let springs = layers
+            .iter()
+            .filter_map(Self::linear_stiffness_n_m)
+            .map(f64::recip)
+            .sum::<f64>();
         let mut parts: Vec<ContactLaw> = layers
             .iter()
             .filter(|layer| layer.linear_stiffness_n_m().is_none())
             .map(|layer| layer.law.clone())
             .collect();
         if springs > 0.0 {
-            parts.push(ContactLaw::Linear { stiffness_n_m: springs.recip() });
+            parts.push(ContactLaw::Linear {
+                stiffness_n_m: springs.recip(),
+            });
         }
         if let [one] = parts.as_slice() {
             return Self::new(one.clone());
@@ -434,7 +567,9 @@ impl Cushion {
 
     /// `count` cushions like this one side by side, which share the load: the pads under one edge.
     pub fn side_by_side(&self, count: u32) -> Self {
-        Self { law: self.law.times(f64::from(count.max(1))) }
+        Self {
+            law: self.law.times(f64::from(count.max(1))),
+        }
     }
 
     /// The law.
@@ -454,7 +589,9 @@ impl Cushion {
     pub fn is_curved(&self) -> bool {
         match &self.law {
             ContactLaw::Linear { .. } | ContactLaw::KelvinVoigt { .. } => false,
-            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => *exponent != 1.0,
+            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => {
+                *exponent != 1.0
+            }
             _ => true,
         }
     }
@@ -488,7 +625,9 @@ impl Cushion {
         let elastic_n = self.law.elastic_force_n(compression_m);
         let force_n = match self.law {
             ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic_n + damping_n_s_m * speed_m_s,
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic_n * (1.0 + dissipation_s_m * speed_m_s),
+            ContactLaw::HuntCrossley {
+                dissipation_s_m, ..
+            } => elastic_n * (1.0 + dissipation_s_m * speed_m_s),
             _ => elastic_n,
         };
         force_n.max(0.0)
@@ -497,7 +636,11 @@ impl Cushion {
     /// The energy that the compressed cushion releases if it is unloaded slowly, ∫F dd without
     /// damping \[J\].
     pub fn stored_energy_j(&self, compression_m: f64) -> f64 {
-        if compression_m > 0.0 { self.law.elastic_energy_j(compression_m) } else { 0.0 }
+        if compression_m > 0.0 {
+            self.law.elastic_energy_j(compression_m)
+        } else {
+            0.0
+        }
     }
 
     /// The compression under a constant force such as a weight \[m\].
@@ -511,7 +654,10 @@ impl Cushion {
         match &self.law {
             ContactLaw::Series { parts } => {
                 let force_n = self.law.elastic_force_n(compression_m);
-                parts.iter().map(|part| (part, part.compression_m(force_n))).collect()
+                parts
+                    .iter()
+                    .map(|part| (part, part.compression_m(force_n)))
+                    .collect()
             }
             law => vec![(law, compression_m)],
         }
@@ -526,17 +672,38 @@ impl Cushion {
 impl ContactLaw {
     fn slope_n_m(&self, d: f64) -> f64 {
         match self {
-            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => *stiffness_n_m,
-            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
-                coefficient_n_mn * exponent * d.powf(exponent - 1.0)
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => {
+                *stiffness_n_m
             }
-            Self::Tangent { stiffness_n_m, bottoming_m } => {
-                stiffness_n_m / (std::f64::consts::FRAC_PI_2 * d / bottoming_m).cos().powi(2)
+            Self::Power {
+                coefficient_n_mn,
+                exponent,
             }
-            Self::Tabulated { compressions_m, forces_n } => Line::at_compression(compressions_m, forces_n, d).slope_n_m,
+            | Self::HuntCrossley {
+                coefficient_n_mn,
+                exponent,
+                ..
+            } => coefficient_n_mn * exponent * d.powf(exponent - 1.0),
+            Self::Tangent {
+                stiffness_n_m,
+                bottoming_m,
+            } => {
+                stiffness_n_m
+                    / (std::f64::consts::FRAC_PI_2 * d / bottoming_m)
+                        .cos()
+                        .powi(2)
+            }
+            Self::Tabulated {
+                compressions_m,
+                forces_n,
+            } => Line::at_compression(compressions_m, forces_n, d).slope_n_m,
             Self::Series { parts } => {
                 let force_n = Self::force_in_series_n(parts, d);
-                parts.iter().map(|part| part.slope_n_m(part.compression_m(force_n)).recip()).sum::<f64>().recip()
+                parts
+                    .iter()
+                    .map(|part| part.slope_n_m(part.compression_m(force_n)).recip())
+                    .sum::<f64>()
+                    .recip()
             }
         }
     }

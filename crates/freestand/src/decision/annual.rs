@@ -77,23 +77,51 @@ pub fn level_below(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Op
 /// assert!((rate.rate_per_year - 8.0 / 475.0).abs() < 1e-12 && rate.is_at_least);
 /// # Ok::<(), freestand::decision::DecisionError>(())
 /// ```
-pub fn annual_rate(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Result<AnnualRate, DecisionError> {
-    within(levels.len() >= 2, "the number of levels", "2 or more", levels.len() as f64)?;
+pub fn annual_rate(
+    levels: &[Level],
+    hazard_per_year: impl Fn(f64) -> f64,
+) -> Result<AnnualRate, DecisionError> {
+    within(
+        levels.len() >= 2,
+        "the number of levels",
+        "2 or more",
+        levels.len() as f64,
+    )?;
     let mut below = 0.0;
     for level in levels {
         let ratio = level.intensity_ratio;
-        within(ratio > below && ratio.is_finite(), "a level of intensity", "above 0 and above the one before", ratio)?;
+        within(
+            ratio > below && ratio.is_finite(),
+            "a level of intensity",
+            "above 0 and above the one before",
+            ratio,
+        )?;
         let is_probability = (0.0..=1.0).contains(&level.probability);
-        within(is_probability, "the probability at a level", "0 to 1", level.probability)?;
+        within(
+            is_probability,
+            "the probability at a level",
+            "0 to 1",
+            level.probability,
+        )?;
         below = ratio;
     }
     let ratios: Vec<f64> = levels.iter().map(|level| level.intensity_ratio).collect();
     let strips = strip_rates(&ratios, hazard_per_year)?;
-    let parts: Vec<f64> = levels.iter().zip(strips).map(|(level, strip)| level.probability * strip).collect();
+    let parts: Vec<f64> = levels
+        .iter()
+        .zip(strips)
+        .map(|(level, strip)| level.probability * strip)
+        .collect();
     let rate_per_year = parts.iter().sum::<f64>();
     let probability_per_year = -(-rate_per_year).exp_m1();
-    let is_at_least = parts.first().is_some_and(|lowest| *lowest > NEGLIGIBLE * rate_per_year);
-    Ok(AnnualRate { rate_per_year, probability_per_year, is_at_least })
+    let is_at_least = parts
+        .first()
+        .is_some_and(|lowest| *lowest > NEGLIGIBLE * rate_per_year);
+    Ok(AnnualRate {
+        rate_per_year,
+        probability_per_year,
+        is_at_least,
+    })
 }
 
 /// Yearly rate of the motions that each of the rising levels s₁ < s₂ < … stands for,
@@ -102,20 +130,39 @@ pub fn annual_rate(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Re
 /// # Errors
 /// Fewer than two levels, levels that do not rise from above 0, or a hazard that grows with the
 /// intensity.
-pub fn strip_rates(levels: &[f64], hazard_per_year: impl Fn(f64) -> f64) -> Result<Vec<f64>, DecisionError> {
-    within(levels.len() >= 2, "the number of levels", "2 or more", levels.len() as f64)?;
+pub fn strip_rates(
+    levels: &[f64],
+    hazard_per_year: impl Fn(f64) -> f64,
+) -> Result<Vec<f64>, DecisionError> {
+    within(
+        levels.len() >= 2,
+        "the number of levels",
+        "2 or more",
+        levels.len() as f64,
+    )?;
     let mut below = 0.0;
     for &level in levels {
-        within(level > below && level.is_finite(), "a level of intensity", "above 0 and above the one before", level)?;
+        within(
+            level > below && level.is_finite(),
+            "a level of intensity",
+            "above 0 and above the one before",
+            level,
+        )?;
         below = level;
     }
     let first = levels[0] * (levels[0] / levels[1]).sqrt();
-    let edges = std::iter::once(first).chain(levels.windows(2).map(|pair| (pair[0] * pair[1]).sqrt()));
+    let edges =
+        std::iter::once(first).chain(levels.windows(2).map(|pair| (pair[0] * pair[1]).sqrt()));
     let rates: Vec<f64> = edges.map(hazard_per_year).chain([0.0]).collect();
     let mut strips = Vec::with_capacity(levels.len());
     for pair in rates.windows(2) {
         let strip = pair[0] - pair[1];
-        within(strip >= 0.0 && strip.is_finite(), "the rate of a strip of intensities", "0 or more", strip)?;
+        within(
+            strip >= 0.0 && strip.is_finite(),
+            "the rate of a strip of intensities",
+            "0 or more",
+            strip,
+        )?;
         strips.push(strip);
     }
     Ok(strips)

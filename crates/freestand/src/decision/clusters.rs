@@ -78,10 +78,19 @@ impl Clusters {
         least_correlation_ratio: f64,
     ) -> Result<Self, DecisionError> {
         let least = least_correlation_ratio;
-        within((0.0..=1.0).contains(&least), "the least correlation between worlds of a record", "0 to 1", least)?;
+        within(
+            (0.0..=1.0).contains(&least),
+            "the least correlation between worlds of a record",
+            "0 to 1",
+            least,
+        )?;
         let most = hits.iter().copied().max().unwrap_or(1);
         if hits.is_empty() || worlds_per_record == 0 || most > worlds_per_record {
-            return Err(DecisionError::Clusters { records: hits.len(), worlds_per_record, hits: most });
+            return Err(DecisionError::Clusters {
+                records: hits.len(),
+                worlds_per_record,
+                hits: most,
+            });
         }
         let (records, per_record) = (hits.len() as f64, f64::from(worlds_per_record));
         let shares = hits.iter().map(|&hits| f64::from(hits) / per_record);
@@ -91,14 +100,20 @@ impl Clusters {
         let is_mixed = share > 0.0 && share < 1.0;
         let correlation = if is_mixed && worlds_per_record > 1 {
             // s²(n−1) is the scatter.
-            let estimate = (scatter * per_record / (records * share * (1.0 - share)) - 1.0) / (per_record - 1.0);
+            let estimate = (scatter * per_record / (records * share * (1.0 - share)) - 1.0)
+                / (per_record - 1.0);
             estimate.clamp(least, 1.0)
         } else {
             least
         };
         let effective = (worlds / (1.0 + (per_record - 1.0) * correlation)).max(records);
         let unknown = (f64::from(unknown) / worlds).min(1.0 - share);
-        Ok(Self { share, unknown, effective, correlation })
+        Ok(Self {
+            share,
+            unknown,
+            effective,
+            correlation,
+        })
     }
 
     /// Share of all worlds with the event.
@@ -119,6 +134,9 @@ impl Clusters {
     /// The interval of Clopper and Pearson with the effective number of worlds.
     pub fn interval(self, confidence: f64) -> Interval {
         let end = |share: f64| clopper_pearson(share * self.effective, self.effective, confidence);
-        Interval { low: end(self.share).0, high: end(self.share + self.unknown).1 }
+        Interval {
+            low: end(self.share).0,
+            high: end(self.share + self.unknown).1,
+        }
     }
 }

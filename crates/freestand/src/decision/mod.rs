@@ -68,7 +68,9 @@ pub enum DecisionError {
         most: u32,
     },
     /// Records that were not all used equally often.
-    #[error("each of {records} records must be used {worlds_per_record} times, but its worlds hold {hits} events")]
+    #[error(
+        "each of {records} records must be used {worlds_per_record} times, but its worlds hold {hits} events"
+    )]
     Clusters {
         /// Number of records.
         records: usize,
@@ -79,12 +81,30 @@ pub enum DecisionError {
     },
 }
 
-fn within(fine: bool, name: &'static str, requirement: &'static str, value: f64) -> Result<(), DecisionError> {
-    if fine { Ok(()) } else { Err(DecisionError::Range { name, requirement, value }) }
+fn within(
+    fine: bool,
+    name: &'static str,
+    requirement: &'static str,
+    value: f64,
+) -> Result<(), DecisionError> {
+    if fine {
+        Ok(())
+    } else {
+        Err(DecisionError::Range {
+            name,
+            requirement,
+            value,
+        })
+    }
 }
 
 fn check_accepted(accepted: f64) -> Result<(), DecisionError> {
-    within(accepted > 0.0 && accepted < 1.0, "the accepted probability", "above 0 and below 1", accepted)
+    within(
+        accepted > 0.0 && accepted < 1.0,
+        "the accepted probability",
+        "above 0 and below 1",
+        accepted,
+    )
 }
 
 /// The ends of a confidence interval of a probability.
@@ -169,7 +189,11 @@ pub struct Count {
 impl Count {
     /// hits/worlds; 0 without worlds.
     pub fn share_ratio(self) -> f64 {
-        if self.worlds == 0 { 0.0 } else { f64::from(self.hits) / f64::from(self.worlds) }
+        if self.worlds == 0 {
+            0.0
+        } else {
+            f64::from(self.hits) / f64::from(self.worlds)
+        }
     }
 
     /// The interval of Clopper and Pearson for independent worlds. A world without an answer counts
@@ -183,7 +207,11 @@ impl Count {
     /// assert!(interval.low == 0.0 && (interval.high - (1.0 - 0.01_f64.powf(1.0 / 320.0))).abs() < 1e-12);
     /// ```
     pub fn interval(self, confidence: f64) -> Interval {
-        let (worlds, hits, unknown) = (f64::from(self.worlds), f64::from(self.hits), f64::from(self.unknown));
+        let (worlds, hits, unknown) = (
+            f64::from(self.worlds),
+            f64::from(self.hits),
+            f64::from(self.unknown),
+        );
         let (low, _) = clopper_pearson(hits, worlds, confidence);
         let (_, high) = clopper_pearson(hits + unknown, worlds, confidence);
         Interval { low, high }
@@ -201,7 +229,11 @@ pub struct Looks {
 impl Default for Looks {
     /// 20 worlds at the first look, 1280 in all, 98 % at every look.
     fn default() -> Self {
-        Self { first: 20, most: 1280, confidence: 0.98 }
+        Self {
+            first: 20,
+            most: 1280,
+            confidence: 0.98,
+        }
     }
 }
 
@@ -212,12 +244,26 @@ impl Looks {
     /// No worlds at the first look, `first` above `most`, or a confidence that is not above ½ and
     /// below 1.
     pub fn new(first: u32, most: u32, confidence: f64) -> Result<Self, DecisionError> {
-        within(first >= 1, "the number of worlds at the first look", "1 or more", f64::from(first))?;
-        within(confidence > 0.5 && confidence < 1.0, "the confidence", "above 0.5 and below 1", confidence)?;
+        within(
+            first >= 1,
+            "the number of worlds at the first look",
+            "1 or more",
+            f64::from(first),
+        )?;
+        within(
+            confidence > 0.5 && confidence < 1.0,
+            "the confidence",
+            "above 0.5 and below 1",
+            confidence,
+        )?;
         if first > most {
             return Err(DecisionError::FirstAboveMost { first, most });
         }
-        Ok(Self { first, most, confidence })
+        Ok(Self {
+            first,
+            most,
+            confidence,
+        })
     }
 
     /// Worlds at the first look.
@@ -280,9 +326,18 @@ impl Looks {
         check_accepted(accepted)?;
         let least = ((1.0 - self.confidence) / 2.0).ln() / (1.0 - accepted).ln();
         let worlds = least.ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
-        let none = Count { worlds, hits: 0, unknown: 0 }.interval(self.confidence);
+        let none = Count {
+            worlds,
+            hits: 0,
+            unknown: 0,
+        }
+        .interval(self.confidence);
         // The upper end is to be below it, not at it.
-        Ok(if none.side(accepted) == Side::Below { worlds } else { worlds.saturating_add(1) })
+        Ok(if none.side(accepted) == Side::Below {
+            worlds
+        } else {
+            worlds.saturating_add(1)
+        })
     }
 
     /// As [`Looks::worlds`] for worlds that use `records` motions in turn: whole passes, 1, 2, 4 … of them and as many
@@ -299,7 +354,12 @@ impl Looks {
     /// ```
     pub fn worlds_in_passes(self, accepted: f64, records: u32) -> Result<Vec<u32>, DecisionError> {
         check_accepted(accepted)?;
-        within(records >= 1, "the number of records", "1 or more", f64::from(records))?;
+        within(
+            records >= 1,
+            "the number of records",
+            "1 or more",
+            f64::from(records),
+        )?;
         let enough = (EVENTS_AT_CAP / accepted).max(f64::from(self.first));
         let mut looks = Vec::new();
         let whole = self.most - self.most % records;
@@ -332,10 +392,23 @@ impl Looks {
     /// assert_eq!(Looks::default().fewest_records(0.10, LEAST_CORRELATION_RATIO)?, Some(20));
     /// # Ok::<(), freestand::decision::DecisionError>(())
     /// ```
-    pub fn fewest_records(self, accepted: f64, least_correlation_ratio: f64) -> Result<Option<u32>, DecisionError> {
+    pub fn fewest_records(
+        self,
+        accepted: f64,
+        least_correlation_ratio: f64,
+    ) -> Result<Option<u32>, DecisionError> {
         for records in 1..=self.most {
-            let worlds = self.worlds_in_passes(accepted, records)?.last().copied().unwrap_or(records);
-            let none = Clusters::with(&vec![0; records as usize], 0, worlds / records, least_correlation_ratio)?;
+            let worlds = self
+                .worlds_in_passes(accepted, records)?
+                .last()
+                .copied()
+                .unwrap_or(records);
+            let none = Clusters::with(
+                &vec![0; records as usize],
+                0,
+                worlds / records,
+                least_correlation_ratio,
+            )?;
             if none.interval(self.confidence).side(accepted) == Side::Below {
                 return Ok(Some(records));
             }

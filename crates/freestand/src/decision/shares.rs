@@ -43,5 +43,8 @@ pub fn jansen_share(answers: &[(bool, bool)]) -> Option<Share> {
     let worlds = answers.len() as f64;
     let p = (hits + count(&|pair| pair.1)) as f64 / (2.0 * worlds);
     let changed_ratio = count(&|pair| pair.0 != pair.1) as f64 / worlds;
-    Some(Share { total_ratio: changed_ratio / (2.0 * p * (1.0 - p)), changed_ratio })
+    Some(Share {
+        total_ratio: changed_ratio / (2.0 * p * (1.0 - p)),
+        changed_ratio,
+    })
 }

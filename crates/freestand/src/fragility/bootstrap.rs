@@ -53,9 +53,17 @@ pub struct CurveInterval {
 impl Bootstrap {
     /// The curves of one limit state in the samples that have one.
     pub fn lognormals(&self, state: LimitState) -> impl Iterator<Item = (f64, f64)> {
-        self.samples.iter().flatten().filter(move |curve| curve.limit_state == state).filter_map(|curve| {
-            if let CurveKind::Lognormal { median, beta } = curve.kind { Some((median, beta)) } else { None }
-        })
+        self.samples
+            .iter()
+            .flatten()
+            .filter(move |curve| curve.limit_state == state)
+            .filter_map(|curve| {
+                if let CurveKind::Lognormal { median, beta } = curve.kind {
+                    Some((median, beta))
+                } else {
+                    None
+                }
+            })
     }
 
     /// Why the samples tell no interval of a limit state; `None`: they do.
@@ -67,8 +75,13 @@ impl Bootstrap {
         let mut medians = self.lognormals(state).map(|(median, _)| median);
         let first = medians.next();
         if 2 * known < self.samples.len() || known == 0 {
-            Some(NoInterval::FewCurves { known, samples: self.samples.len() })
-        } else if medians.all(|median| first.is_some_and(|first| (median / first - 1.0).abs() < SAME_RATIO)) {
+            Some(NoInterval::FewCurves {
+                known,
+                samples: self.samples.len(),
+            })
+        } else if medians
+            .all(|median| first.is_some_and(|first| (median / first - 1.0).abs() < SAME_RATIO))
+        {
             Some(NoInterval::AllEqual)
         } else {
             None
@@ -82,7 +95,10 @@ impl Bootstrap {
             return None;
         }
         let (medians, betas): (Vec<f64>, Vec<f64>) = self.lognormals(state).unzip();
-        Some(CurveInterval { median: percentiles(medians)?, beta: percentiles(betas)? })
+        Some(CurveInterval {
+            median: percentiles(medians)?,
+            beta: percentiles(betas)?,
+        })
     }
 }
 
@@ -99,7 +115,9 @@ pub fn percentiles(mut values: Vec<f64>) -> Option<(f64, f64)> {
         let place = share * (values.len() - 1) as f64;
         let (below, part) = (place.floor(), place.fract());
         let low = values[below as usize];
-        values.get(below as usize + 1).map_or(low, |high| low + part * (high - low))
+        values
+            .get(below as usize + 1)
+            .map_or(low, |high| low + part * (high - low))
     };
     (!values.is_empty()).then(|| (at(0.025), at(0.975)))
 }
@@ -142,7 +160,11 @@ pub fn bootstrap(
         .collect::<Option<_>>()?;
     let fits = |curves: &&Vec<Curve>| {
         let is_fitted = |curve: &&Curve| matches!(curve.kind, CurveKind::Lognormal { .. });
-        let fitted: Vec<LimitState> = curves.iter().filter(is_fitted).map(|curve| curve.limit_state).collect();
+        let fitted: Vec<LimitState> = curves
+            .iter()
+            .filter(is_fitted)
+            .map(|curve| curve.limit_state)
+            .collect();
         expected.iter().all(|state| fitted.contains(state))
     };
     let failed = samples.len() - samples.iter().filter(fits).count();
@@ -175,7 +197,9 @@ impl Goodness {
     /// Whether the curves do not fit: less than 5 % of samples deviate as much. `None`: it was not
     /// tested, because fewer than 20 samples could be compared.
     pub fn is_misfit(&self) -> Option<bool> {
-        self.p_value.filter(|_| self.simulated >= FEWEST_SIMULATED).map(|p| p < 0.05)
+        self.p_value
+            .filter(|_| self.simulated >= FEWEST_SIMULATED)
+            .map(|p| p < 0.05)
     }
 }
 
@@ -186,7 +210,12 @@ impl Goodness {
 /// intensity x the limit states whose ln(x/θ)/β is above it are reached. So the levels of a motion
 /// belong together, as those of a motion that is scaled do. Counts have no motions, and every run
 /// has its own ε. Sample i uses the random numbers of (seed, i).
-pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), go_on: GoOn) -> Option<Goodness> {
+pub fn goodness(
+    outcomes: &Outcomes,
+    fit: &Fit,
+    (replicates, seed): (u32, u64),
+    go_on: GoOn,
+) -> Option<Goodness> {
     let states = fit.fitted_states();
     if states.is_empty() {
         return None;
@@ -198,22 +227,43 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), 
         if !go_on() {
             return None;
         }
-        let Some(simulated) = simulated(outcomes, fit, &states, seed, replicate) else { return Some(None) };
+        let Some(simulated) = simulated(outcomes, fit, &states, seed, replicate) else {
+            return Some(None);
+        };
         let counts = simulated.counts(None);
         let again = fit_counts(simulated.levels(), &counts, &states, fit.kind, &fit.curves);
-        Some((again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0))
+        Some(
+            (again.fitted_states() == states)
+                .then(|| self::deviance(&simulated, &again, &states).0),
+        )
     };
-    let simulated: Vec<Option<f64>> = (0..replicates).into_par_iter().map(simulate).collect::<Option<_>>()?;
+    let simulated: Vec<Option<f64>> = (0..replicates)
+        .into_par_iter()
+        .map(simulate)
+        .collect::<Option<_>>()?;
     let simulated: Vec<f64> = simulated.into_iter().flatten().collect();
     let larger = simulated.iter().filter(|other| **other >= deviance).count();
     // The sample itself is one of them.
-    let p_value = (!simulated.is_empty()).then(|| (larger + 1) as f64 / (simulated.len() + 1) as f64);
-    Some(Goodness { deviance, dof, p_value, simulated: simulated.len(), ks: distance(outcomes, fit, &states) })
+    let p_value =
+        (!simulated.is_empty()).then(|| (larger + 1) as f64 / (simulated.len() + 1) as f64);
+    Some(Goodness {
+        deviance,
+        dof,
+        p_value,
+        simulated: simulated.len(),
+        ks: distance(outcomes, fit, &states),
+    })
 }
 
 /// Runs with the outcomes that the curves give to drawn capacities. `None`: counts whose weights are
 /// so small that no whole run is drawn at any level.
-fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, replicate: u32) -> Option<Outcomes> {
+fn simulated(
+    outcomes: &Outcomes,
+    fit: &Fit,
+    states: &[LimitState],
+    seed: u64,
+    replicate: u32,
+) -> Option<Outcomes> {
     let mut random = draw_stream(seed, SIMULATED, u64::from(replicate), 0);
     let class = |level: usize, epsilon: f64| {
         let x = outcomes.levels()[level].ln();
@@ -225,7 +275,9 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
     };
     match outcomes.motions() {
         Some(motions) => {
-            let capacities: Vec<f64> = (0..motions).map(|_| StandardNormal.sample(&mut random)).collect();
+            let capacities: Vec<f64> = (0..motions)
+                .map(|_| StandardNormal.sample(&mut random))
+                .collect();
             Some(outcomes.with_classes(|run| class(run.level, capacities[run.motion])))
         }
         None => {
@@ -235,9 +287,15 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
                 // Class by class, beginning with the worst: how many of the remaining runs have it.
                 let (mut left, mut worse) = (counts.iter().sum::<f64>().round() as u64, 0.0_f64);
                 for state in states.iter().rev() {
-                    let reached = fit.curve(*state).and_then(|kind| kind.probability(outcomes.levels()[level]));
+                    let reached = fit
+                        .curve(*state)
+                        .and_then(|kind| kind.probability(outcomes.levels()[level]));
                     let reached = reached.unwrap_or(0.0).max(worse);
-                    let share = if worse < 1.0 { (reached - worse) / (1.0 - worse) } else { 0.0 };
+                    let share = if worse < 1.0 {
+                        (reached - worse) / (1.0 - worse)
+                    } else {
+                        0.0
+                    };
                     let count = Binomial::new(left, share).map_or(0, |law| law.sample(&mut random));
                     drawn[state.first_class().index()] += count as f64;
                     (left, worse) = (left - count, reached);
@@ -261,7 +319,10 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
 fn deviance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> (f64, i64) {
     let counts = outcomes.counts(None);
     let by_states = |states: &[LimitState]| -> (f64, i64) {
-        let mut firsts: Vec<usize> = states.iter().map(|state| state.first_class().index()).collect();
+        let mut firsts: Vec<usize> = states
+            .iter()
+            .map(|state| state.first_class().index())
+            .collect();
         firsts.dedup();
         let saturated: f64 = counts.iter().map(|counts| saturated(counts, &firsts)).sum();
         (saturated, (counts.len() * firsts.len()) as i64)
@@ -273,11 +334,16 @@ fn deviance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> (f64, i64)
         }
         FitKind::Separate => {
             let each: Vec<(f64, i64)> = states.iter().map(|state| by_states(&[*state])).collect();
-            let sum = each.iter().fold((0.0, 0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
+            let sum = each
+                .iter()
+                .fold((0.0, 0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
             (sum.0, sum.1, 2 * states.len())
         }
     };
-    (2.0 * (saturated - fit.log_likelihood), shares - parameters as i64)
+    (
+        2.0 * (saturated - fit.log_likelihood),
+        shares - parameters as i64,
+    )
 }
 
 /// Σ n ln(n/N) over the groups of classes that begin with these.
@@ -287,7 +353,11 @@ fn saturated(counts: &Counts, firsts: &[usize]) -> f64 {
     for (class, count) in counts.iter().enumerate() {
         groups[firsts.iter().filter(|first| class >= **first).count()] += count;
     }
-    groups.iter().filter(|count| **count > 0.0).map(|count| count * (count / all).ln()).sum()
+    groups
+        .iter()
+        .filter(|count| **count > 0.0)
+        .map(|count| count * (count / all).ln())
+        .sum()
 }
 
 /// The largest distance between what was seen and the curves; `None` for one run per motion.
@@ -298,10 +368,13 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> Option<f64
     }
     let mut largest: f64 = 0.0;
     for state in states {
-        let Some(kind) = fit.curve(*state) else { continue };
+        let Some(kind) = fit.curve(*state) else {
+            continue;
+        };
         let mut seen: Vec<(f64, f64)> = Vec::new();
         if let Some(motions) = outcomes.motions() {
-            let mut capacities: Vec<f64> = outcomes.capacities(*state).into_iter().flatten().collect();
+            let mut capacities: Vec<f64> =
+                outcomes.capacities(*state).into_iter().flatten().collect();
             capacities.sort_by(f64::total_cmp);
             let share = |reached: usize| reached as f64 / motions as f64;
             if sampling == Sampling::Shared {
@@ -314,7 +387,12 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> Option<f64
                 for equal in capacities.chunk_by(|one, next| one == next) {
                     let before = share(reached);
                     reached += equal.len();
-                    seen.extend(equal.first().into_iter().flat_map(|x| [(*x, before), (*x, share(reached))]));
+                    seen.extend(
+                        equal
+                            .first()
+                            .into_iter()
+                            .flat_map(|x| [(*x, before), (*x, share(reached))]),
+                    );
                 }
             }
         } else {
@@ -339,7 +417,11 @@ pub fn capacity_spread(outcomes: &Outcomes, state: LimitState) -> Option<f64> {
     if !outcomes.tells_capacities() {
         return None;
     }
-    let logs: Option<Vec<f64>> = outcomes.capacities(state).into_iter().map(|x| x.map(f64::ln)).collect();
+    let logs: Option<Vec<f64>> = outcomes
+        .capacities(state)
+        .into_iter()
+        .map(|x| x.map(f64::ln))
+        .collect();
     let (_, spread) = mean_and_sd(&logs?)?;
     // Rounding alone gives equal numbers a tiny spread.
     (spread > 1e-12).then_some(spread)
@@ -385,11 +467,15 @@ const RUNS_OF_BIN: usize = 5;
 pub fn empirical(outcomes: &Outcomes, state: LimitState) -> Vec<Empirical> {
     let first = state.first_class().index();
     let shares = || {
-        outcomes.levels().iter().zip(outcomes.counts(None)).map(|(level, counts)| Empirical {
-            intensity: *level,
-            trials: counts.iter().sum(),
-            reached: counts[first..].iter().sum(),
-        })
+        outcomes
+            .levels()
+            .iter()
+            .zip(outcomes.counts(None))
+            .map(|(level, counts)| Empirical {
+                intensity: *level,
+                trials: counts.iter().sum(),
+                reached: counts[first..].iter().sum(),
+            })
     };
     match outcomes.sampling() {
         Sampling::Shared => shares().collect(),
@@ -399,7 +485,12 @@ pub fn empirical(outcomes: &Outcomes, state: LimitState) -> Vec<Empirical> {
             let mut known: Vec<f64> = capacities.into_iter().flatten().collect();
             known.sort_by(f64::total_cmp);
             let seen = known.iter().enumerate();
-            seen.map(|(i, x)| Empirical { intensity: *x, trials, reached: (i + 1) as f64 }).collect()
+            seen.map(|(i, x)| Empirical {
+                intensity: *x,
+                trials,
+                reached: (i + 1) as f64,
+            })
+            .collect()
         }
         Sampling::Cloud => binned(&shares().collect::<Vec<_>>()),
     }
@@ -423,7 +514,11 @@ fn binned(levels: &[Empirical]) -> Vec<Empirical> {
         let sum = |of: fn(&Empirical) -> f64| bin.iter().map(|(_, level)| of(level)).sum::<f64>();
         let trials = sum(|level| level.trials);
         let intensity = (sum(|level| level.trials * level.intensity.ln()) / trials).exp();
-        Empirical { intensity, trials, reached: sum(|level| level.reached) }
+        Empirical {
+            intensity,
+            trials,
+            reached: sum(|level| level.reached),
+        }
     });
     joined.collect()
 }

@@ -90,7 +90,9 @@ pub fn scales_of_motion(
     // A vertical motion may lift it below the threshold of the horizontal one.
     let mut lowest_ratio = start_ratio;
     for _ in 0..MAX_STEPS {
-        let lifts = runs.first().is_some_and(|run| run.class.is_none_or(|class| class > OutcomeClass::NoUplift));
+        let lifts = runs
+            .first()
+            .is_some_and(|run| run.class.is_none_or(|class| class > OutcomeClass::NoUplift));
         if !lifts || lowest_ratio < 1e-6 * start_ratio {
             break;
         }
@@ -99,15 +101,22 @@ pub fn scales_of_motion(
     }
     for state in states {
         for _ in 0..MAX_STEPS {
-            let Some(scale_ratio) = middle_of_bracket(&runs, *state) else { break };
+            let Some(scale_ratio) = middle_of_bracket(&runs, *state) else {
+                break;
+            };
             at(&mut runs, scale_ratio);
         }
     }
-    let first = runs.iter().find(|run| run.class == Some(OutcomeClass::Overturned)).map(|run| run.scale_ratio);
+    let first = runs
+        .iter()
+        .find(|run| run.class == Some(OutcomeClass::Overturned))
+        .map(|run| run.scale_ratio);
     if let Some(first) = first {
         for i in 1..=BEYOND {
             let scale_ratio = first * BEYOND_RATIO.powf(f64::from(i) / f64::from(BEYOND));
-            let is_new = runs.iter().all(|run| (run.scale_ratio / scale_ratio - 1.0).abs() > 1e-9);
+            let is_new = runs
+                .iter()
+                .all(|run| (run.scale_ratio / scale_ratio - 1.0).abs() > 1e-9);
             if scale_ratio <= max_ratio && is_new {
                 at(&mut runs, scale_ratio);
             }
@@ -121,8 +130,15 @@ pub fn scales_of_motion(
 /// over, unless it is the mean itself.
 fn middle_of_bracket(runs: &[ScaleRun], state: LimitState) -> Option<f64> {
     let known = |run: &&ScaleRun| run.class.is_some();
-    let upper = runs.iter().find(|run| run.class.is_some_and(|class| state.is_reached(class)))?.scale_ratio;
-    let lower = runs.iter().filter(known).rfind(|run| run.scale_ratio < upper)?.scale_ratio;
+    let upper = runs
+        .iter()
+        .find(|run| run.class.is_some_and(|class| state.is_reached(class)))?
+        .scale_ratio;
+    let lower = runs
+        .iter()
+        .filter(known)
+        .rfind(|run| run.scale_ratio < upper)?
+        .scale_ratio;
     let middle = (lower * upper).sqrt();
     let is_new = runs.iter().all(|run| run.scale_ratio != middle);
     (upper / lower > BRACKET_RATIO && is_new).then_some(middle)
@@ -130,8 +146,15 @@ fn middle_of_bracket(runs: &[ScaleRun], state: LimitState) -> Option<f64> {
 
 /// Number of runs that did not overturn above the lowest scale that did; `runs` rise.
 pub fn resurrections(runs: &[ScaleRun]) -> usize {
-    let after = runs.iter().skip_while(|run| run.class != Some(OutcomeClass::Overturned));
-    after.filter(|run| run.class.is_some_and(|class| class < OutcomeClass::Overturned)).count()
+    let after = runs
+        .iter()
+        .skip_while(|run| run.class != Some(OutcomeClass::Overturned));
+    after
+        .filter(|run| {
+            run.class
+                .is_some_and(|class| class < OutcomeClass::Overturned)
+        })
+        .count()
 }
 
 /// The intensities that are missing between `from` and `to`, so that no gap is wider than
@@ -147,18 +170,30 @@ pub fn resurrections(runs: &[ScaleRun]) -> usize {
 pub fn missing_levels(levels: &[f64], from: f64, to: f64) -> Vec<f64> {
     let rounding = 1.0 + 1e-9;
     let mut missing = Vec::new();
-    let mut last: Option<f64> = levels.iter().copied().rfind(|level| *level <= from * rounding);
+    let mut last: Option<f64> = levels
+        .iter()
+        .copied()
+        .rfind(|level| *level <= from * rounding);
     if last.is_none() {
         missing.push(from);
         last = Some(from);
     }
-    let within = levels.iter().copied().filter(|level| *level > from * rounding && *level < to / rounding);
+    let within = levels
+        .iter()
+        .copied()
+        .filter(|level| *level > from * rounding && *level < to / rounding);
     let is_closed = levels.iter().any(|level| *level >= to / rounding);
-    let above = levels.iter().copied().find(|level| *level >= to / rounding).unwrap_or(to);
+    let above = levels
+        .iter()
+        .copied()
+        .find(|level| *level >= to / rounding)
+        .unwrap_or(to);
     for level in within.chain([above]) {
         let before = last.unwrap_or(level);
         // Below the band nothing is missing.
-        let parts = ((level / before).ln() / STEP_RATIO.ln() - 1e-9).ceil().max(1.0);
+        let parts = ((level / before).ln() / STEP_RATIO.ln() - 1e-9)
+            .ceil()
+            .max(1.0);
         for part in 1..parts as usize {
             let between = before * (level / before).powf(part as f64 / parts);
             if between >= from / rounding && between <= to * rounding {
@@ -195,21 +230,30 @@ pub fn level_weights(levels: &[f64], from: f64, to: f64) -> Vec<f64> {
     }
     let half_gap = STEP_RATIO.sqrt();
     let ends = levels.first().zip(levels.last());
-    let Some((low, high)) = ends.map(|(first, last)| (from.max(first / half_gap), to.min(last * half_gap))) else {
+    let Some((low, high)) =
+        ends.map(|(first, last)| (from.max(first / half_gap), to.min(last * half_gap)))
+    else {
         return Vec::new();
     };
-    let between = |i: usize| match (i.checked_sub(1).and_then(|before| levels.get(before)), levels.get(i)) {
+    let between = |i: usize| match (
+        i.checked_sub(1).and_then(|before| levels.get(before)),
+        levels.get(i),
+    ) {
         (Some(before), Some(after)) => (before * after).sqrt().clamp(low, high.max(low)),
         (None, _) => low,
         (_, None) => high.max(low),
     };
-    (0..levels.len()).map(|i| (between(i + 1) / between(i)).ln().max(0.0)).collect()
+    (0..levels.len())
+        .map(|i| (between(i + 1) / between(i)).ln().max(0.0))
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fragility::{CurveKind, FitKind, Outcomes, Run, draw_stream, fit_curves, lognormal_draw};
+    use crate::fragility::{
+        CurveKind, FitKind, Outcomes, Run, draw_stream, fit_curves, lognormal_draw,
+    };
 
     const STATES: [LimitState; 2] = [LimitState::Rocks, LimitState::Overturns];
 
@@ -226,10 +270,16 @@ mod tests {
     fn boundaries_are_bracketed_and_nothing_is_run_beyond_the_largest_scale() {
         for capacity in [1.01, 1.7, 4.0, 9.99, 20.0] {
             let runs = scales_of_motion(1.0, 10.0, &STATES, |scale| Some(class(scale, capacity)));
-            assert!(runs.windows(2).all(|pair| pair[0].scale_ratio < pair[1].scale_ratio), "{capacity}");
+            assert!(
+                runs.windows(2)
+                    .all(|pair| pair[0].scale_ratio < pair[1].scale_ratio),
+                "{capacity}"
+            );
             assert!(runs.iter().all(|run| run.scale_ratio <= 10.0), "{capacity}");
             for state in STATES {
-                let place = runs.iter().position(|run| run.class.is_some_and(|class| state.is_reached(class)));
+                let place = runs
+                    .iter()
+                    .position(|run| run.class.is_some_and(|class| state.is_reached(class)));
                 let Some(place) = place else {
                     assert_eq!(
                         (state, capacity, runs.last().unwrap().scale_ratio),
@@ -238,7 +288,10 @@ mod tests {
                     continue;
                 };
                 let (below, above) = (runs[place - 1].scale_ratio, runs[place].scale_ratio);
-                assert!(above / below <= BRACKET_RATIO, "{capacity} {state:?} {below} {above}");
+                assert!(
+                    above / below <= BRACKET_RATIO,
+                    "{capacity} {state:?} {below} {above}"
+                );
             }
         }
     }
@@ -247,15 +300,29 @@ mod tests {
     #[test]
     fn the_uplift_threshold_is_bracketed_closely_up_to_the_largest_scale() {
         for threshold in [0.3, 1.0, 7.3] {
-            let runs = scales_of_motion(threshold, 10.0, &STATES, |scale| Some(class(scale / threshold, 20.0)));
-            let place = runs.iter().position(|run| run.class != Some(OutcomeClass::NoUplift)).unwrap();
+            let runs = scales_of_motion(threshold, 10.0, &STATES, |scale| {
+                Some(class(scale / threshold, 20.0))
+            });
+            let place = runs
+                .iter()
+                .position(|run| run.class != Some(OutcomeClass::NoUplift))
+                .unwrap();
             let (below, above) = (runs[place - 1].scale_ratio, runs[place].scale_ratio);
             // The rounding of a product and a root.
-            assert!(((below * above).sqrt() / threshold - 1.0).abs() < 1e-15, "{threshold}");
+            assert!(
+                ((below * above).sqrt() / threshold - 1.0).abs() < 1e-15,
+                "{threshold}"
+            );
             assert!(above / below < 1.0021, "{threshold}");
         }
         let weak = scales_of_motion(30.0, 10.0, &STATES, |scale| Some(class(scale / 30.0, 20.0)));
-        assert_eq!(weak, [ScaleRun { scale_ratio: 10.0, class: Some(OutcomeClass::NoUplift) }]);
+        assert_eq!(
+            weak,
+            [ScaleRun {
+                scale_ratio: 10.0,
+                class: Some(OutcomeClass::NoUplift)
+            }]
+        );
     }
 
     #[test]
@@ -266,12 +333,25 @@ mod tests {
     #[test]
     fn survivors_above_the_first_overturning_are_counted() {
         let runs = scales_of_motion(1.0, 10.0, &STATES, |scale| {
-            Some(if (2.3..2.6).contains(&scale) { OutcomeClass::Rocked } else { class(scale, 2.0) })
+            Some(if (2.3..2.6).contains(&scale) {
+                OutcomeClass::Rocked
+            } else {
+                class(scale, 2.0)
+            })
         });
-        let first = runs.iter().find(|run| run.class == Some(OutcomeClass::Overturned)).unwrap().scale_ratio;
+        let first = runs
+            .iter()
+            .find(|run| run.class == Some(OutcomeClass::Overturned))
+            .unwrap()
+            .scale_ratio;
         assert!((2.0..2.1).contains(&first));
         assert!(resurrections(&runs) > 0);
-        assert_eq!(resurrections(&scales_of_motion(1.0, 10.0, &STATES, |scale| Some(class(scale, 2.0)))), 0);
+        assert_eq!(
+            resurrections(&scales_of_motion(1.0, 10.0, &STATES, |scale| Some(class(
+                scale, 2.0
+            )))),
+            0
+        );
     }
 
     #[test]
@@ -316,10 +396,20 @@ mod tests {
                 _ => OutcomeClass::NoUplift,
             };
             let runs = scales_of_motion(uplift, 30.0, &STATES, |scale| Some(of(scale)));
-            each.push((runs.iter().map(|run| run.scale_ratio).collect::<Vec<f64>>(), uplift, capacity));
+            each.push((
+                runs.iter().map(|run| run.scale_ratio).collect::<Vec<f64>>(),
+                uplift,
+                capacity,
+            ));
         }
-        let from = each.iter().map(|one| one.0[0]).fold(f64::INFINITY, f64::min);
-        let to = each.iter().filter_map(|one| one.0.last().copied()).fold(0.0, f64::max);
+        let from = each
+            .iter()
+            .map(|one| one.0[0])
+            .fold(f64::INFINITY, f64::min);
+        let to = each
+            .iter()
+            .filter_map(|one| one.0.last().copied())
+            .fold(0.0, f64::max);
         let mut found = Vec::new();
         for is_weighted in [true, false] {
             let mut runs = Vec::new();
@@ -334,20 +424,37 @@ mod tests {
                         _ => OutcomeClass::NoUplift,
                     };
                     let weight = if is_weighted { weight } else { 1.0 };
-                    runs.push(Run { motion: Some(motion), intensity: *x, class, weight });
+                    runs.push(Run {
+                        motion: Some(motion),
+                        intensity: *x,
+                        class,
+                        weight,
+                    });
                 }
             }
             let fit = fit_curves(&Outcomes::new(&runs).unwrap(), &STATES, FitKind::Ordered);
-            let Some(CurveKind::Lognormal { median, beta }) = fit.curve(LimitState::Overturns) else { panic!() };
+            let Some(CurveKind::Lognormal { median, beta }) = fit.curve(LimitState::Overturns)
+            else {
+                panic!()
+            };
             found.push((median, beta));
         }
         let capacities: Vec<f64> = each.iter().map(|one| one.2.ln()).collect();
         let mean = capacities.iter().sum::<f64>() / capacities.len() as f64;
-        let spread = capacities.iter().map(|ln| (ln - mean).powi(2)).sum::<f64>() / (capacities.len() - 1) as f64;
+        let spread = capacities.iter().map(|ln| (ln - mean).powi(2)).sum::<f64>()
+            / (capacities.len() - 1) as f64;
         // The levels are up to 5 % (0.05 of ln x) above a capacity and 1.3 apart elsewhere.
         let [weighted, alike] = [found[0], found[1]];
-        assert!((weighted.0.ln() - mean).abs() < 0.03, "{weighted:?} {}", mean.exp());
-        assert!((weighted.1 / spread.sqrt() - 1.0).abs() < 0.05, "{weighted:?} {}", spread.sqrt());
+        assert!(
+            (weighted.0.ln() - mean).abs() < 0.03,
+            "{weighted:?} {}",
+            mean.exp()
+        );
+        assert!(
+            (weighted.1 / spread.sqrt() - 1.0).abs() < 0.05,
+            "{weighted:?} {}",
+            spread.sqrt()
+        );
         assert!(alike.1 / spread.sqrt() > 1.1, "{alike:?} {}", spread.sqrt());
     }
 }

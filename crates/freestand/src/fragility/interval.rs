@@ -40,7 +40,10 @@ const WORTH_OF_A_MOTION: f64 = 1.5;
 /// ```
 pub fn probability_interval(values_by_motion: &[f64], confidence: f64) -> (f64, f64) {
     let is_probability = |value: &f64| (0.0..=1.0).contains(value);
-    if values_by_motion.is_empty() || !values_by_motion.iter().all(is_probability) || !is_probability(&confidence) {
+    if values_by_motion.is_empty()
+        || !values_by_motion.iter().all(is_probability)
+        || !is_probability(&confidence)
+    {
         return (0.0, 1.0);
     }
     let mean = values_by_motion.iter().sum::<f64>() / values_by_motion.len() as f64;
@@ -56,10 +59,18 @@ fn effective_trials(values: &[f64], mean: f64, tail: f64) -> f64 {
     if binomial <= 0.0 || values.len() < 2 {
         return count;
     }
-    let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    let variance = values
+        .iter()
+        .map(|value| (value - mean).powi(2))
+        .sum::<f64>()
+        / (count - 1.0);
     // p(1−p)/(s²/n), without division by a variance of 0.
     let most = WORTH_OF_A_MOTION * count;
-    let effective = if binomial * count < most * variance { binomial * count / variance } else { most };
+    let effective = if binomial * count < most * variance {
+        binomial * count / variance
+    } else {
+        most
+    };
     effective * (student(effective - 1.0, tail) / student(count - 1.0, tail)).powi(2)
 }
 
@@ -92,13 +103,22 @@ fn student(freedom: f64, tail: f64) -> f64 {
 /// ```
 pub fn clopper_pearson(hits: f64, trials: f64, confidence: f64) -> (f64, f64) {
     // Rounding of share · trials may leave more hits than trials.
-    let is_count = trials > 0.0 && trials.is_finite() && (0.0..=trials * (1.0 + 1e-12)).contains(&hits);
+    let is_count =
+        trials > 0.0 && trials.is_finite() && (0.0..=trials * (1.0 + 1e-12)).contains(&hits);
     if !is_count || !(0.0..=1.0).contains(&confidence) {
         return (0.0, 1.0);
     }
     let (hits, tail) = (hits.min(trials), 0.5 * (1.0 - confidence));
-    let low = if hits > 0.0 { beta_quantile(hits, trials - hits + 1.0, tail) } else { 0.0 };
-    let high = if hits < trials { beta_quantile(hits + 1.0, trials - hits, 1.0 - tail) } else { 1.0 };
+    let low = if hits > 0.0 {
+        beta_quantile(hits, trials - hits + 1.0, tail)
+    } else {
+        0.0
+    };
+    let high = if hits < trials {
+        beta_quantile(hits + 1.0, trials - hits, 1.0 - tail)
+    } else {
+        1.0
+    };
     (low, high)
 }
 
@@ -108,7 +128,11 @@ fn beta_quantile(a: f64, b: f64, probability: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..52 {
         let middle = 0.5 * (low + high);
-        if checked_beta_reg(a, b, middle).unwrap_or(1.0) < probability { low = middle } else { high = middle }
+        if checked_beta_reg(a, b, middle).unwrap_or(1.0) < probability {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     0.5 * (low + high)
 }

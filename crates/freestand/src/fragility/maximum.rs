@@ -10,7 +10,11 @@ pub(super) struct Derivatives<const N: usize> {
 
 impl<const N: usize> Derivatives<N> {
     pub(super) fn zero() -> Self {
-        Self { value: 0.0, gradient: [0.0; N], hessian: [[0.0; N]; N] }
+        Self {
+            value: 0.0,
+            gradient: [0.0; N],
+            hessian: [[0.0; N]; N],
+        }
     }
 }
 
@@ -34,13 +38,25 @@ pub(super) fn maximum<const N: usize>(
     let mut found = at(&here);
     let mut size = score(&here, &found.gradient);
     for _ in 0..MAX_STEPS {
-        let Some(step) = newton_step(&found, count) else { break };
+        let Some(step) = newton_step(&found, count) else {
+            break;
+        };
         let moved = |part: f64| {
             let mut there = here;
-            there.iter_mut().zip(step).take(count).for_each(|(value, by)| *value += part * by);
+            there
+                .iter_mut()
+                .zip(step)
+                .take(count)
+                .for_each(|(value, by)| *value += part * by);
             there
         };
-        let gain: f64 = found.gradient.iter().zip(step).take(count).map(|(slope, by)| slope * by).sum();
+        let gain: f64 = found
+            .gradient
+            .iter()
+            .zip(step)
+            .take(count)
+            .map(|(slope, by)| slope * by)
+            .sum();
         // Close to the top the value no longer shows which point is better, but its slope does.
         let is_close = gain <= 1e-9 * (1.0 + found.value.abs());
         let next = if is_close {
@@ -68,16 +84,31 @@ pub(super) fn maximum<const N: usize>(
 
 /// The step s with −H s = g, with a multiple of the diagonal added until −H is positive definite.
 fn newton_step<const N: usize>(at: &Derivatives<N>, count: usize) -> Option<[f64; N]> {
-    let diagonal = (0..count).map(|i| at.hessian[i][i].abs()).fold(f64::MIN_POSITIVE, f64::max);
-    (0..14).map(|i| if i == 0 { 0.0 } else { 1e-12 * diagonal * 10_f64.powi(i) }).find_map(|added| {
-        let matrix: [[f64; N]; N] =
-            std::array::from_fn(|i| std::array::from_fn(|j| if i == j { added } else { 0.0 } - at.hessian[i][j]));
-        solve_positive(&matrix, &at.gradient, count)
-    })
+    let diagonal = (0..count)
+        .map(|i| at.hessian[i][i].abs())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    (0..14)
+        .map(|i| {
+            if i == 0 {
+                0.0
+            } else {
+                1e-12 * diagonal * 10_f64.powi(i)
+            }
+        })
+        .find_map(|added| {
+            let matrix: [[f64; N]; N] = std::array::from_fn(|i| {
+                std::array::from_fn(|j| if i == j { added } else { 0.0 } - at.hessian[i][j])
+            });
+            solve_positive(&matrix, &at.gradient, count)
+        })
 }
 
 /// Solves A x = b for a positive definite matrix by Cholesky's decomposition; `None` for another.
-pub(super) fn solve_positive<const N: usize>(a: &[[f64; N]; N], b: &[f64; N], count: usize) -> Option<[f64; N]> {
+pub(super) fn solve_positive<const N: usize>(
+    a: &[[f64; N]; N],
+    b: &[f64; N],
+    count: usize,
+) -> Option<[f64; N]> {
     let mut root = [[0.0; N]; N];
     for i in 0..count {
         for j in 0..=i {

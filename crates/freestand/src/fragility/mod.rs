@@ -19,12 +19,13 @@ use thiserror::Error;
 use crate::block::Block;
 
 pub use bootstrap::{
-    Bootstrap, CurveInterval, Empirical, GoOn, Goodness, NoInterval, bootstrap, capacity_spread, empirical, goodness,
-    mean_and_sd, percentiles,
+    Bootstrap, CurveInterval, Empirical, GoOn, Goodness, NoInterval, bootstrap, capacity_spread,
+    empirical, goodness, mean_and_sd, percentiles,
 };
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
 pub use incremental::{
-    BEYOND_RATIO, BRACKET_RATIO, STEP_RATIO, ScaleRun, level_weights, missing_levels, resurrections, scales_of_motion,
+    BEYOND_RATIO, BRACKET_RATIO, STEP_RATIO, ScaleRun, level_weights, missing_levels,
+    resurrections, scales_of_motion,
 };
 pub use interval::{clopper_pearson, probability_interval};
 pub use ordered::{Curve, CurveKind, Fit, FitKind, fit_curves};
@@ -61,7 +62,11 @@ pub fn lognormal_probability(demand: f64, median: f64, beta: f64) -> f64 {
         return 0.0;
     }
     let log = (demand / median).ln();
-    if log == 0.0 { 0.5 } else { normal_ratio(log / beta) }
+    if log == 0.0 {
+        0.5
+    } else {
+        normal_ratio(log / beta)
+    }
 }
 
 /// A lognormal fragility fitted to failures counted at levels of intensity.
@@ -176,7 +181,12 @@ pub enum FragilityError {
 pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, FragilityError> {
     for (i, &(intensity, failures, trials)) in levels.iter().enumerate() {
         if !(intensity > 0.0 && intensity.is_finite() && trials > 0 && failures <= trials) {
-            return Err(FragilityError::Level { level: i + 1, intensity, failures, trials });
+            return Err(FragilityError::Level {
+                level: i + 1,
+                intensity,
+                failures,
+                trials,
+            });
         }
     }
     let run = |intensity: f64, class: OutcomeClass, count: u32| Run {
@@ -188,7 +198,10 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
     let runs: Vec<Run> = levels
         .iter()
         .flat_map(|&(x, failures, trials)| {
-            [run(x, OutcomeClass::NoUplift, trials - failures), run(x, OutcomeClass::Overturned, failures)]
+            [
+                run(x, OutcomeClass::NoUplift, trials - failures),
+                run(x, OutcomeClass::Overturned, failures),
+            ]
         })
         .collect();
     let trials = levels.iter().map(|&(_, _, trials)| u64::from(trials)).sum();
@@ -199,13 +212,22 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
         Some(CurveKind::Lognormal { median, beta }) => (median, beta),
         Some(CurveKind::All { .. }) => return Err(FragilityError::AllFailed { trials }),
         Some(CurveKind::Step { lower, upper }) => {
-            return Err(FragilityError::NoSpread { fails_from: upper, survives_to: lower });
+            return Err(FragilityError::NoSpread {
+                fails_from: upper,
+                survives_to: lower,
+            });
         }
         Some(CurveKind::Bounds { .. }) => {
             // The one level at which some failed and some did not is the lowest with a failure.
-            let failing = levels.iter().filter(|(_, failures, _)| *failures > 0).map(|(x, ..)| *x);
+            let failing = levels
+                .iter()
+                .filter(|(_, failures, _)| *failures > 0)
+                .map(|(x, ..)| *x);
             let mixed = failing.fold(f64::INFINITY, f64::min);
-            return Err(FragilityError::NoSpread { fails_from: mixed, survives_to: mixed });
+            return Err(FragilityError::NoSpread {
+                fails_from: mixed,
+                survives_to: mixed,
+            });
         }
         Some(CurveKind::NotIncreasing { .. }) => return Err(FragilityError::NotIncreasing),
         // A fit has a curve for each state that it was asked for.
@@ -213,7 +235,12 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
     };
     let (median_log_error, beta_error) =
         errors(levels, median, beta).ok_or(FragilityError::NoErrors { median, beta })?;
-    Ok(LognormalFragility { median, beta, median_log_error, beta_error })
+    Ok(LognormalFragility {
+        median,
+        beta,
+        median_log_error,
+        beta_error,
+    })
 }
 
 /// Standard errors of ln median and of β, from the expected information by both.
@@ -231,8 +258,13 @@ fn errors(levels: &[(f64, u32, u32)], median: f64, beta: f64) -> Option<(f64, f6
             }
         }
     }
-    let variance = |unit: [f64; 2], i: usize| maximum::solve_positive(&information, &unit, 2).map(|column| column[i]);
-    Some((variance([1.0, 0.0], 0)?.sqrt(), variance([0.0, 1.0], 1)?.sqrt()))
+    let variance = |unit: [f64; 2], i: usize| {
+        maximum::solve_positive(&information, &unit, 2).map(|column| column[i])
+    };
+    Some((
+        variance([1.0, 0.0], 0)?.sqrt(),
+        variance([0.0, 1.0], 1)?.sqrt(),
+    ))
 }
 
 /// Peak floor velocity at which half of the blocks of this size overturn, by an empirical

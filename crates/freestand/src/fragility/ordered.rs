@@ -78,21 +78,34 @@ impl CurveKind {
             Self::Step { lower, upper } => {
                 let product = lower * upper;
                 // The product of huge or tiny ends overflows or underflows.
-                Some(if product.is_normal() { product.sqrt() } else { lower.sqrt() * upper.sqrt() })
+                Some(if product.is_normal() {
+                    product.sqrt()
+                } else {
+                    lower.sqrt() * upper.sqrt()
+                })
             }
-            Self::Bounds { .. } | Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,
+            Self::Bounds { .. }
+            | Self::None { .. }
+            | Self::All { .. }
+            | Self::NotIncreasing { .. } => None,
         }
     }
 
     /// β; `None` where it is not known.
     pub fn beta(self) -> Option<f64> {
-        if let Self::Lognormal { beta, .. } = self { Some(beta) } else { None }
+        if let Self::Lognormal { beta, .. } = self {
+            Some(beta)
+        } else {
+            None
+        }
     }
 
     /// The lower of the two intensities between which it changes, as far as they are known.
     pub fn lower(self) -> Option<f64> {
         match self {
-            Self::Step { lower, .. } | Self::None { lower } | Self::NotIncreasing { lower, .. } => Some(lower),
+            Self::Step { lower, .. } | Self::None { lower } | Self::NotIncreasing { lower, .. } => {
+                Some(lower)
+            }
             Self::Bounds { lower, .. } => lower,
             Self::Lognormal { .. } | Self::All { .. } => None,
         }
@@ -101,7 +114,9 @@ impl CurveKind {
     /// The upper one.
     pub fn upper(self) -> Option<f64> {
         match self {
-            Self::Step { upper, .. } | Self::All { upper } | Self::NotIncreasing { upper, .. } => Some(upper),
+            Self::Step { upper, .. } | Self::All { upper } | Self::NotIncreasing { upper, .. } => {
+                Some(upper)
+            }
             Self::Bounds { upper, .. } => upper,
             Self::Lognormal { .. } | Self::None { .. } => None,
         }
@@ -110,7 +125,8 @@ impl CurveKind {
     /// The probability at an intensity; a step is a jump at its median. `None` where no curve is
     /// known.
     pub fn probability(self, intensity: f64) -> Option<f64> {
-        self.median().map(|median| lognormal_probability(intensity, median, self.beta().unwrap_or(0.0)))
+        self.median()
+            .map(|median| lognormal_probability(intensity, median, self.beta().unwrap_or(0.0)))
     }
 
     /// The probability at an intensity, also where no curve is known: then the least that the runs
@@ -127,9 +143,16 @@ impl CurveKind {
     /// ```
     pub fn least_probability(self, intensity: f64) -> f64 {
         match self {
-            Self::Lognormal { .. } | Self::Step { .. } => self.probability(intensity).unwrap_or(0.0),
-            Self::All { upper } | Self::Bounds { upper: Some(upper), .. } => f64::from(u8::from(intensity >= upper)),
-            Self::Bounds { upper: None, .. } | Self::None { .. } | Self::NotIncreasing { .. } => 0.0,
+            Self::Lognormal { .. } | Self::Step { .. } => {
+                self.probability(intensity).unwrap_or(0.0)
+            }
+            Self::All { upper }
+            | Self::Bounds {
+                upper: Some(upper), ..
+            } => f64::from(u8::from(intensity >= upper)),
+            Self::Bounds { upper: None, .. } | Self::None { .. } | Self::NotIncreasing { .. } => {
+                0.0
+            }
         }
     }
 }
@@ -169,12 +192,18 @@ pub struct Fit {
 impl Fit {
     /// The curve of a limit state.
     pub fn curve(&self, state: LimitState) -> Option<CurveKind> {
-        self.curves.iter().find(|curve| curve.limit_state == state).map(|curve| curve.kind)
+        self.curves
+            .iter()
+            .find(|curve| curve.limit_state == state)
+            .map(|curve| curve.kind)
     }
 
     /// The limit states with a lognormal curve.
     pub fn fitted_states(&self) -> Vec<LimitState> {
-        let fitted = self.curves.iter().filter(|curve| matches!(curve.kind, CurveKind::Lognormal { .. }));
+        let fitted = self
+            .curves
+            .iter()
+            .filter(|curve| matches!(curve.kind, CurveKind::Lognormal { .. }));
         fitted.map(|curve| curve.limit_state).collect()
     }
 
@@ -182,15 +211,30 @@ impl Fit {
     /// ln x = (β₂ ln θ₁ − β₁ ln θ₂)/(β₂ − β₁). Beyond it the more severe state would be the more
     /// probable one. `None` if none cross between the given intensities.
     pub fn crossing(&self, from: f64, to: f64) -> Option<(LimitState, LimitState, f64)> {
-        self.curves.iter().zip(self.curves.iter().skip(1)).find_map(|(one, other)| {
-            let (CurveKind::Lognormal { median: m1, beta: b1 }, CurveKind::Lognormal { median: m2, beta: b2 }) =
-                (one.kind, other.kind)
-            else {
-                return None;
-            };
-            let at = ((b2 * m1.ln() - b1 * m2.ln()) / (b2 - b1)).exp();
-            (b1 != b2 && (from..=to).contains(&at)).then_some((one.limit_state, other.limit_state, at))
-        })
+        self.curves
+            .iter()
+            .zip(self.curves.iter().skip(1))
+            .find_map(|(one, other)| {
+                let (
+                    CurveKind::Lognormal {
+                        median: m1,
+                        beta: b1,
+                    },
+                    CurveKind::Lognormal {
+                        median: m2,
+                        beta: b2,
+                    },
+                ) = (one.kind, other.kind)
+                else {
+                    return None;
+                };
+                let at = ((b2 * m1.ln() - b1 * m2.ln()) / (b2 - b1)).exp();
+                (b1 != b2 && (from..=to).contains(&at)).then_some((
+                    one.limit_state,
+                    other.limit_state,
+                    at,
+                ))
+            })
     }
 }
 
@@ -248,7 +292,10 @@ pub(super) fn fit_counts(
     if kind == FitKind::Ordered {
         return ordered(levels, counts, &states, near);
     }
-    let each: Vec<Fit> = states.iter().map(|state| ordered(levels, counts, &[*state], near)).collect();
+    let each: Vec<Fit> = states
+        .iter()
+        .map(|state| ordered(levels, counts, &[*state], near))
+        .collect();
     Fit {
         kind,
         log_likelihood: each.iter().map(|fit| fit.log_likelihood).sum(),
@@ -261,8 +308,10 @@ pub(super) fn fit_counts(
 fn degenerate(levels: &[f64], counts: &[Counts], state: LimitState) -> Option<CurveKind> {
     let first = state.first_class().index();
     let of = |range: std::ops::Range<usize>| {
-        let found =
-            levels.iter().zip(counts).filter(move |(_, counts)| counts[range.clone()].iter().sum::<f64>() > 0.0);
+        let found = levels
+            .iter()
+            .zip(counts)
+            .filter(move |(_, counts)| counts[range.clone()].iter().sum::<f64>() > 0.0);
         found.map(|(level, _)| *level)
     };
     let (reached, spared) = (|| of(first..4), || of(0..first));
@@ -270,17 +319,31 @@ fn degenerate(levels: &[f64], counts: &[Counts], state: LimitState) -> Option<Cu
     let (Some(lowest), Some(highest)) = (reached_from, spared_to) else {
         return Some(match (reached_from, spared_to) {
             (Some(upper), _) => CurveKind::All { upper },
-            (None, lower) => CurveKind::None { lower: lower.unwrap_or(0.0) },
+            (None, lower) => CurveKind::None {
+                lower: lower.unwrap_or(0.0),
+            },
         });
     };
     if spared().next() >= reached().next_back() {
-        return Some(CurveKind::NotIncreasing { lower: lowest, upper: highest });
+        return Some(CurveKind::NotIncreasing {
+            lower: lowest,
+            upper: highest,
+        });
     }
     if lowest == highest {
-        let (below, above) = (spared().rfind(|level| *level < lowest), reached().find(|level| *level > highest));
-        return Some(CurveKind::Bounds { lower: below, upper: above });
+        let (below, above) = (
+            spared().rfind(|level| *level < lowest),
+            reached().find(|level| *level > highest),
+        );
+        return Some(CurveKind::Bounds {
+            lower: below,
+            upper: above,
+        });
     }
-    (lowest > highest).then_some(CurveKind::Step { lower: highest, upper: lowest })
+    (lowest > highest).then_some(CurveKind::Step {
+        lower: highest,
+        upper: lowest,
+    })
 }
 
 fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState], near: &[Curve]) -> Fit {
@@ -291,12 +354,18 @@ fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState], near: &[Cur
         if kind.is_none() {
             fitted.push(limit_state);
         }
-        let kind = kind.unwrap_or(CurveKind::NotIncreasing { lower: 0.0, upper: 0.0 });
+        let kind = kind.unwrap_or(CurveKind::NotIncreasing {
+            lower: 0.0,
+            upper: 0.0,
+        });
         curves.push(Curve { limit_state, kind });
     }
     let model = Model::new(levels, counts, &fitted);
     let (mut log_likelihood, mut score_per_run) = (0.0, 0.0);
-    let found = model.start_near(&fitted, near).and_then(|start| model.fit_from(start)).or_else(|| model.fit());
+    let found = model
+        .start_near(&fitted, near)
+        .and_then(|start| model.fit_from(start))
+        .or_else(|| model.fit());
     if let Some((found, derivatives)) = found {
         let [slope, ref thresholds @ ..] = found;
         log_likelihood = derivatives.value;
@@ -312,14 +381,30 @@ fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState], near: &[Cur
         }
     } else {
         // The likelihood grows towards ever flatter or falling curves.
-        for curve in curves.iter_mut().filter(|curve| fitted.contains(&curve.limit_state)) {
-            let used = || levels.iter().zip(counts).filter(|(_, counts)| counts.iter().sum::<f64>() > 0.0);
+        for curve in curves
+            .iter_mut()
+            .filter(|curve| fitted.contains(&curve.limit_state))
+        {
+            let used = || {
+                levels
+                    .iter()
+                    .zip(counts)
+                    .filter(|(_, counts)| counts.iter().sum::<f64>() > 0.0)
+            };
             let (first, last) = (used().next(), used().next_back());
             let level = |pair: Option<(&f64, &Counts)>| pair.map_or(0.0, |(level, _)| *level);
-            curve.kind = CurveKind::NotIncreasing { lower: level(first), upper: level(last) };
+            curve.kind = CurveKind::NotIncreasing {
+                lower: level(first),
+                upper: level(last),
+            };
         }
     }
-    Fit { kind: FitKind::Ordered, curves, log_likelihood, score_per_run }
+    Fit {
+        kind: FitKind::Ordered,
+        curves,
+        log_likelihood,
+        score_per_run,
+    }
 }
 
 /// The ordered probit model: P(group ≥ g | z) = Φ(b z − c_g), z = (ln x − middle)/scale. The
@@ -343,7 +428,10 @@ type Parameters = [f64; 4];
 impl Model {
     fn new(levels: &[f64], counts: &[Counts], states: &[LimitState]) -> Self {
         let total = |classes: std::ops::Range<usize>| -> f64 {
-            counts.iter().map(|counts| counts[classes.clone()].iter().sum::<f64>()).sum()
+            counts
+                .iter()
+                .map(|counts| counts[classes.clone()].iter().sum::<f64>())
+                .sum()
         };
         // The first class of each group. A state shares the threshold of the one before it if no
         // run ended between them.
@@ -366,15 +454,30 @@ impl Model {
         };
         let runs = total(0..4);
         let mean = |of: &dyn Fn(f64) -> f64| {
-            let weighted = levels.iter().zip(counts).map(|(level, counts)| of(level.ln()) * counts.iter().sum::<f64>());
+            let weighted = levels
+                .iter()
+                .zip(counts)
+                .map(|(level, counts)| of(level.ln()) * counts.iter().sum::<f64>());
             weighted.sum::<f64>() / runs.max(f64::MIN_POSITIVE)
         };
         let middle = mean(&|ln_x| ln_x);
         let scale = mean(&|ln_x| (ln_x - middle).powi(2)).sqrt();
         let scale = if scale > 0.0 { scale } else { 1.0 };
-        let points = levels.iter().zip(counts).map(|(level, counts)| ((level.ln() - middle) / scale, grouped(counts)));
-        let points = points.filter(|(_, groups)| groups.iter().sum::<f64>() > 0.0).collect();
-        Self { middle, scale, points, runs, group_of, thresholds: firsts.len() }
+        let points = levels
+            .iter()
+            .zip(counts)
+            .map(|(level, counts)| ((level.ln() - middle) / scale, grouped(counts)));
+        let points = points
+            .filter(|(_, groups)| groups.iter().sum::<f64>() > 0.0)
+            .collect();
+        Self {
+            middle,
+            scale,
+            points,
+            runs,
+            group_of,
+            thresholds: firsts.len(),
+        }
     }
 
     /// The parameters with the largest likelihood; `None` without limit states, or where no rising
@@ -386,7 +489,11 @@ impl Model {
         // Flat curves at the observed shares: the likelihood is finite there, and concave.
         let mut start = [0.0; 4];
         for (i, threshold) in start.iter_mut().skip(1).take(self.thresholds).enumerate() {
-            let above: f64 = self.points.iter().map(|(_, groups)| groups[i + 1..].iter().sum::<f64>()).sum();
+            let above: f64 = self
+                .points
+                .iter()
+                .map(|(_, groups)| groups[i + 1..].iter().sum::<f64>())
+                .sum();
             *threshold = -std::f64::consts::SQRT_2 * erf_inv(2.0 * above / self.runs - 1.0);
         }
         self.fit_from(start)
@@ -398,7 +505,9 @@ impl Model {
         let mut start = [0.0; 4];
         for (state, group) in states.iter().zip(&self.group_of) {
             let kind = near.iter().find(|curve| curve.limit_state == *state)?.kind;
-            let CurveKind::Lognormal { median, beta } = kind else { return None };
+            let CurveKind::Lognormal { median, beta } = kind else {
+                return None;
+            };
             start[0] = self.scale / beta;
             // Of states that share a threshold the first counts.
             let threshold = &mut start[group + 1];
@@ -408,24 +517,43 @@ impl Model {
         }
         let used = &start[1..=self.thresholds];
         let is_rising = used.windows(2).all(|pair| pair[0] < pair[1]);
-        (self.thresholds > 0 && is_rising && start.iter().all(|value| value.is_finite())).then_some(start)
+        (self.thresholds > 0 && is_rising && start.iter().all(|value| value.is_finite()))
+            .then_some(start)
     }
 
     /// As [`Model::fit`], from other parameters.
     fn fit_from(&self, start: Parameters) -> Option<(Parameters, Derivatives<4>)> {
         let score = |at: &Parameters, gradient: &Parameters| self.score(at, gradient);
         let target = 1e-8 * self.runs;
-        let (found, derivatives) = maximum(start, 1 + self.thresholds, target, |at| self.log_likelihood(at), score)?;
+        let (found, derivatives) = maximum(
+            start,
+            1 + self.thresholds,
+            target,
+            |at| self.log_likelihood(at),
+            score,
+        )?;
         (found[0] > 0.0).then_some((found, derivatives))
     }
 
     /// The largest derivative of the log-likelihood by ln θ or ln β: with β = scale/b and
     /// ln θ = middle + scale c/b, these are ∂/∂c · b/scale and −(b ∂/∂b + Σ c ∂/∂c).
     fn score(&self, at: &Parameters, gradient: &Parameters) -> f64 {
-        let by_beta: f64 = at.iter().zip(gradient).map(|(value, slope)| value * slope).sum();
-        let by_median = gradient.iter().skip(1).map(|slope| (slope * at[0] / self.scale).abs()).fold(0.0, f64::max);
+        let by_beta: f64 = at
+            .iter()
+            .zip(gradient)
+            .map(|(value, slope)| value * slope)
+            .sum();
+        let by_median = gradient
+            .iter()
+            .skip(1)
+            .map(|slope| (slope * at[0] / self.scale).abs())
+            .fold(0.0, f64::max);
         // At b = 0 the derivatives by ln θ vanish, so those of the parameters count too.
-        let own = if at[0] > 0.0 { 0.0 } else { gradient.iter().map(|slope| slope.abs()).fold(0.0, f64::max) };
+        let own = if at[0] > 0.0 {
+            0.0
+        } else {
+            gradient.iter().map(|slope| slope.abs()).fold(0.0, f64::max)
+        };
         by_beta.abs().max(by_median).max(own)
     }
 
@@ -456,7 +584,10 @@ impl Model {
         // u and v depend on b by z, and on their own threshold by −1.
         sum.gradient[0] += count * z * (by_upper + by_lower);
         sum.hessian[0][0] += count * z * z * (upper_twice + lower_twice + 2.0 * both);
-        let sides = [(group, by_upper, upper_twice), (group + 1, by_lower, lower_twice)];
+        let sides = [
+            (group, by_upper, upper_twice),
+            (group + 1, by_lower, lower_twice),
+        ];
         for (i, by, twice) in sides {
             if (1..=self.thresholds).contains(&i) {
                 sum.gradient[i] -= count * by;
@@ -484,7 +615,9 @@ fn between(upper: Option<f64>, lower: Option<f64>) -> f64 {
         (None, None) => 1.0,
         (Some(upper), None) => normal_ratio(upper),
         (None, Some(lower)) => normal_ratio(-lower),
-        (Some(upper), Some(lower)) if upper > 0.0 && lower > 0.0 => normal_ratio(-lower) - normal_ratio(-upper),
+        (Some(upper), Some(lower)) if upper > 0.0 && lower > 0.0 => {
+            normal_ratio(-lower) - normal_ratio(-upper)
+        }
         (Some(upper), Some(lower)) => normal_ratio(upper) - normal_ratio(lower),
     }
 }

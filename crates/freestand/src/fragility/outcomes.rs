@@ -17,7 +17,12 @@ pub enum OutcomeClass {
 
 impl OutcomeClass {
     /// All classes, from harmless to severe.
-    pub const ALL: [Self; 4] = [Self::NoUplift, Self::Rocked, Self::Exceeded, Self::Overturned];
+    pub const ALL: [Self; 4] = [
+        Self::NoUplift,
+        Self::Rocked,
+        Self::Exceeded,
+        Self::Overturned,
+    ];
 
     /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
@@ -159,7 +164,16 @@ impl Outcomes {
     /// motion among others with one.
     pub fn new(runs: &[Run]) -> Result<Self, OutcomesError> {
         let has_motions = runs.first().ok_or(OutcomesError::Empty)?.motion.is_some();
-        for (i, &Run { motion, intensity, weight, .. }) in runs.iter().enumerate() {
+        for (
+            i,
+            &Run {
+                motion,
+                intensity,
+                weight,
+                ..
+            },
+        ) in runs.iter().enumerate()
+        {
             let run = i + 1;
             if !(intensity > 0.0 && intensity.is_finite()) {
                 return Err(OutcomesError::Intensity { run, intensity });
@@ -184,12 +198,18 @@ impl Outcomes {
         motions.dedup();
         let leveled = |run: &&Run| Leveled {
             level: levels.partition_point(|level| *level < run.intensity),
-            motion: run.motion.map_or(0, |motion| motions.partition_point(|other| *other < motion)),
+            motion: run
+                .motion
+                .map_or(0, |motion| motions.partition_point(|other| *other < motion)),
             class: run.class,
             weight: run.weight,
         };
         let runs = counted.iter().map(leveled).collect();
-        Ok(Self { runs, motions: motions.len(), levels })
+        Ok(Self {
+            runs,
+            motions: motions.len(),
+            levels,
+        })
     }
 
     /// Distinct intensities, rising.
@@ -208,7 +228,11 @@ impl Outcomes {
             return Sampling::Shared;
         }
         let several = self.motions_with_levels();
-        if 2 * several >= self.motions { Sampling::Own } else { Sampling::Cloud }
+        if 2 * several >= self.motions {
+            Sampling::Own
+        } else {
+            Sampling::Cloud
+        }
     }
 
     /// How many motions were run at more than one level.
@@ -221,7 +245,10 @@ impl Outcomes {
                 *ends = Some((low.min(run.level), high.max(run.level)));
             }
         }
-        ends.into_iter().flatten().filter(|(low, high)| low < high).count()
+        ends.into_iter()
+            .flatten()
+            .filter(|(low, high)| low < high)
+            .count()
     }
 
     /// Whether the lowest level at which a motion reached a limit state tells its capacity: every
@@ -242,15 +269,22 @@ impl Outcomes {
 
     /// The limit states that the runs can tell: `exceeds` only where a run exceeded a tolerance.
     pub fn limit_states(&self) -> Vec<LimitState> {
-        let has_tolerance = self.runs.iter().any(|run| run.class == OutcomeClass::Exceeded);
-        LimitState::ALL.into_iter().filter(|state| *state != LimitState::Exceeds || has_tolerance).collect()
+        let has_tolerance = self
+            .runs
+            .iter()
+            .any(|run| run.class == OutcomeClass::Exceeded);
+        LimitState::ALL
+            .into_iter()
+            .filter(|state| *state != LimitState::Exceeds || has_tolerance)
+            .collect()
     }
 
     /// Counts at each level, with each motion counted this often; once without `times`.
     pub(super) fn counts(&self, times: Option<&[f64]>) -> Vec<Counts> {
         let mut counts = vec![[0.0; 4]; self.levels.len()];
         for run in &self.runs {
-            counts[run.level][run.class.index()] += run.weight * times.map_or(1.0, |times| times[run.motion]);
+            counts[run.level][run.class.index()] +=
+                run.weight * times.map_or(1.0, |times| times[run.motion]);
         }
         counts
     }
@@ -258,7 +292,10 @@ impl Outcomes {
     /// How many runs reached a limit state at each level, of how many, weighted.
     pub(crate) fn shares(&self, state: LimitState) -> Vec<(f64, f64)> {
         let share = |counts: &Counts| {
-            let reached = OutcomeClass::ALL.into_iter().zip(counts).filter(|(class, _)| state.is_reached(*class));
+            let reached = OutcomeClass::ALL
+                .into_iter()
+                .zip(counts)
+                .filter(|(class, _)| state.is_reached(*class));
             (reached.map(|(_, count)| count).sum(), counts.iter().sum())
         };
         self.counts(None).iter().map(share).collect()
@@ -267,14 +304,29 @@ impl Outcomes {
     /// The runs that reached a limit state at the lowest level: the place of their motion among those
     /// with runs (`None` for counts), and their weight.
     pub(crate) fn reached_at_lowest(&self, state: LimitState) -> Vec<(Option<usize>, f64)> {
-        let runs = self.runs.iter().filter(|run| run.level == 0 && state.is_reached(run.class));
-        runs.map(|run| ((self.motions > 0).then_some(run.motion), run.weight)).collect()
+        let runs = self
+            .runs
+            .iter()
+            .filter(|run| run.level == 0 && state.is_reached(run.class));
+        runs.map(|run| ((self.motions > 0).then_some(run.motion), run.weight))
+            .collect()
     }
 
     /// The same runs with other outcomes, `class(run, old)`.
     pub(super) fn with_classes(&self, mut class: impl FnMut(&Leveled) -> OutcomeClass) -> Self {
-        let runs = self.runs.iter().map(|run| Leveled { class: class(run), ..*run }).collect();
-        Self { runs, levels: self.levels.clone(), motions: self.motions }
+        let runs = self
+            .runs
+            .iter()
+            .map(|run| Leveled {
+                class: class(run),
+                ..*run
+            })
+            .collect();
+        Self {
+            runs,
+            levels: self.levels.clone(),
+            motions: self.motions,
+        }
     }
 
     /// The capacity of each motion: the lowest intensity at which it reached the limit state. `None`
@@ -289,6 +341,9 @@ impl Outcomes {
                 *known = Some(known.map_or(run.level, |level| level.min(run.level)));
             }
         }
-        lowest.into_iter().map(|level| level.and_then(|level| self.levels.get(level).copied())).collect()
+        lowest
+            .into_iter()
+            .map(|level| level.and_then(|level| self.levels.get(level).copied()))
+            .collect()
     }
 }

@@ -43,7 +43,12 @@ impl Line {
 /// assert!((line.slope - 2.0).abs() < 1e-12 && (line.intercept - 7.0 / 6.0).abs() < 1e-12);
 /// ```
 pub fn line_through(points: &[(f64, f64)]) -> Option<Line> {
-    weighted_line(&points.iter().map(|(x, y)| (*x, *y, 1.0)).collect::<Vec<_>>())
+    weighted_line(
+        &points
+            .iter()
+            .map(|(x, y)| (*x, *y, 1.0))
+            .collect::<Vec<_>>(),
+    )
 }
 
 /// As [`line_through`], of points (x, y, weight), each of which counts as often as its weight says;
@@ -65,8 +70,13 @@ pub fn weighted_line(points: &[(f64, f64, f64)]) -> Option<Line> {
         return None;
     }
     let all = points.iter().map(|point| point.2).sum::<f64>();
-    let mean =
-        |of: &dyn Fn(f64, f64) -> f64| points.iter().map(|(x, y, weight)| weight * of(*x, *y)).sum::<f64>() / all;
+    let mean = |of: &dyn Fn(f64, f64) -> f64| {
+        points
+            .iter()
+            .map(|(x, y, weight)| weight * of(*x, *y))
+            .sum::<f64>()
+            / all
+    };
     let (middle, level) = (mean(&|x, _| x), mean(&|_, y| y));
     let square = mean(&|x, _| (x - middle).powi(2));
     if square.partial_cmp(&(1e-24 * (1.0 + middle * middle))) != Some(std::cmp::Ordering::Greater) {
@@ -77,7 +87,12 @@ pub fn weighted_line(points: &[(f64, f64, f64)]) -> Option<Line> {
     let residuals: Vec<f64> = points.iter().map(|(x, y, _)| residual(*x, *y)).collect();
     let count = count as f64;
     let residual_sd = (mean(&|x, y| residual(x, y).powi(2)) * count / (count - 2.0)).sqrt();
-    Some(Line { intercept: level - slope * middle, slope, residual_sd, residuals })
+    Some(Line {
+        intercept: level - slope * middle,
+        slope,
+        residual_sd,
+        residuals,
+    })
 }
 
 /// Σ (x − x̄)².

@@ -30,7 +30,9 @@ impl ShockRun {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShockFitError {
     /// A shock that is not positive, or above the ceiling.
-    #[error("run {run}: the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g")]
+    #[error(
+        "run {run}: the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g"
+    )]
     Shock {
         /// The run, counted from 1.
         run: usize,
@@ -40,7 +42,9 @@ pub enum ShockFitError {
         ceiling_g: f64,
     },
     /// Fewer than three runs, or all at one intensity.
-    #[error("the shocks of at least three runs at two intensities are needed, and there are {runs}")]
+    #[error(
+        "the shocks of at least three runs at two intensities are needed, and there are {runs}"
+    )]
     TooFew {
         /// Number of runs with a shock.
         runs: usize,
@@ -75,7 +79,9 @@ impl ShockDistribution {
         if tolerance_g >= self.ceiling_g {
             return 0.0;
         }
-        let of = |shock_g: f64| (shock_g.ln() - self.intercept - self.slope * intensity.ln()) / self.sigma;
+        let of = |shock_g: f64| {
+            (shock_g.ln() - self.intercept - self.slope * intensity.ln()) / self.sigma
+        };
         let (z, top) = (of(tolerance_g), of(self.ceiling_g));
         // Φ(z)/Φ(top) of two small tails is the ratio of rounding errors beyond −37.
         if top < -37.0 {
@@ -101,10 +107,16 @@ impl ShockDistribution {
 /// A shock above the ceiling, too few runs, or shocks that no such distribution fits.
 pub fn fit_shock(runs: &[ShockRun], ceiling_g: f64) -> Result<ShockDistribution, ShockFitError> {
     if let Some(i) = runs.iter().position(|run| !run.is_below(ceiling_g)) {
-        return Err(ShockFitError::Shock { run: i + 1, shock_g: runs[i].shock_g, ceiling_g });
+        return Err(ShockFitError::Shock {
+            run: i + 1,
+            shock_g: runs[i].shock_g,
+            ceiling_g,
+        });
     }
     let weight: f64 = runs.iter().map(|run| run.weight).sum();
-    let mean = |of: &dyn Fn(&ShockRun) -> f64| runs.iter().map(|run| run.weight * of(run)).sum::<f64>() / weight;
+    let mean = |of: &dyn Fn(&ShockRun) -> f64| {
+        runs.iter().map(|run| run.weight * of(run)).sum::<f64>() / weight
+    };
     let middle = mean(&|run| run.intensity.ln());
     let spread = mean(&|run| (run.intensity.ln() - middle).powi(2)).sqrt();
     if runs.len() < 3 || spread.partial_cmp(&1e-12) != Some(std::cmp::Ordering::Greater) {
@@ -114,19 +126,35 @@ pub fn fit_shock(runs: &[ShockRun], ceiling_g: f64) -> Result<ShockDistribution,
     // Centred and scaled, the parameters are nearly independent.
     let points: Vec<[f64; 3]> = runs
         .iter()
-        .map(|run| [(run.intensity.ln() - middle) / spread, run.shock_g.ln().min(top), run.weight])
+        .map(|run| {
+            [
+                (run.intensity.ln() - middle) / spread,
+                run.shock_g.ln().min(top),
+                run.weight,
+            ]
+        })
         .collect();
     // The line and the spread without a ceiling are the start.
     let mean_log = mean(&|run| run.shock_g.ln());
-    let along = points.iter().map(|[z, s, weight]| weight * z * (s - mean_log)).sum::<f64>() / weight;
-    let rest = points.iter().map(|[z, s, w]| w * (s - mean_log - along * z).powi(2)).sum::<f64>() / weight;
+    let along = points
+        .iter()
+        .map(|[z, s, weight]| weight * z * (s - mean_log))
+        .sum::<f64>()
+        / weight;
+    let rest = points
+        .iter()
+        .map(|[z, s, w]| w * (s - mean_log - along * z).powi(2))
+        .sum::<f64>()
+        / weight;
     if rest.partial_cmp(&1e-20) != Some(std::cmp::Ordering::Greater) {
         return Err(ShockFitError::NoMaximum);
     }
     let scale = rest.sqrt();
     let start = [1.0, mean_log - top, along].map(|value| value / scale);
     let at = |parameters: &[f64; 3]| shock_likelihood(&points, top, parameters);
-    let score = |_: &[f64; 3], gradient: &[f64; 3]| gradient.iter().map(|slope| slope.abs()).fold(0.0, f64::max);
+    let score = |_: &[f64; 3], gradient: &[f64; 3]| {
+        gradient.iter().map(|slope| slope.abs()).fold(0.0, f64::max)
+    };
     let found = maximum(start, 3, 1e-8 * weight, at, score);
     let ([tau, level, slope], derivatives) = found.ok_or(ShockFitError::NoMaximum)?;
     if tau <= 0.0 {
@@ -145,7 +173,11 @@ pub fn fit_shock(runs: &[ShockRun], ceiling_g: f64) -> Result<ShockDistribution,
 
 /// ln τ − ½ e² − ln Φ(t) with e = τ(ln s − ln c) − α − γ z and t = −α − γ z, so that
 /// μ = ln c + (α + γ z)/τ.
-fn shock_likelihood(points: &[[f64; 3]], top: f64, &[tau, level, slope]: &[f64; 3]) -> Derivatives<3> {
+fn shock_likelihood(
+    points: &[[f64; 3]],
+    top: f64,
+    &[tau, level, slope]: &[f64; 3],
+) -> Derivatives<3> {
     let mut sum = Derivatives::zero();
     if tau <= 0.0 {
         sum.value = f64::NEG_INFINITY;
@@ -157,9 +189,16 @@ fn shock_likelihood(points: &[[f64; 3]], top: f64, &[tau, level, slope]: &[f64; 
         let t = -level - slope * z;
         let share = normal_ratio(t);
         // φ/Φ; far in the tail −t.
-        let ratio = if t < -36.0 { -t - 1.0 / t } else { density(t) / share };
-        let log_share =
-            if t < -36.0 { -0.5 * t * t - (-t).ln() - 0.5 * std::f64::consts::TAU.ln() } else { share.ln() };
+        let ratio = if t < -36.0 {
+            -t - 1.0 / t
+        } else {
+            density(t) / share
+        };
+        let log_share = if t < -36.0 {
+            -0.5 * t * t - (-t).ln() - 0.5 * std::f64::consts::TAU.ln()
+        } else {
+            share.ln()
+        };
         sum.value += weight * (tau.ln() - 0.5 * e * e - log_share);
         let by = [below, -1.0, -z];
         let by_t = [0.0, -1.0, -z];
@@ -219,7 +258,9 @@ impl TwoStage {
             kind => kind.least_probability(intensity),
         };
         let overturns = self.overturns.least_probability(intensity);
-        let exceedance = self.shock.map_or(0.0, |shock| shock.exceedance(self.tolerance_g, intensity));
+        let exceedance = self
+            .shock
+            .map_or(0.0, |shock| shock.exceedance(self.tolerance_g, intensity));
         overturns + (rocks - overturns).max(0.0) * exceedance
     }
 }

@@ -71,20 +71,35 @@ fn median(values: &[f64]) -> f64 {
 /// Finds the first pulse and flags what makes it unusable; `Err` where there is no pulse at all.
 pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     let rough_zero = median(samples);
-    let highest = samples.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
-    let lowest = samples.iter().fold(0.0, |most: f64, a| most.max(rough_zero - a));
+    let highest = samples
+        .iter()
+        .fold(0.0, |most: f64, a| most.max(a - rough_zero));
+    let lowest = samples
+        .iter()
+        .fold(0.0, |most: f64, a| most.max(rough_zero - a));
     if lowest > 2.0 * highest {
         // Where the pulse fills the record, the median is not a zero line.
-        let quiet = samples.iter().filter(|a| (*a - rough_zero).abs() < PULSE_SHARE * lowest).count();
-        return Err(if 5 * quiet > 2 * samples.len() { Flag::UpsideDown } else { Flag::NoPreTrigger });
+        let quiet = samples
+            .iter()
+            .filter(|a| (*a - rough_zero).abs() < PULSE_SHARE * lowest)
+            .count();
+        return Err(if 5 * quiet > 2 * samples.len() {
+            Flag::UpsideDown
+        } else {
+            Flag::NoPreTrigger
+        });
     }
     if highest <= 0.0 {
         return Err(Flag::NoPulse);
     }
     let (smooth, reach) = smoothed(samples, rough_zero, highest);
-    let highest = smooth.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
+    let highest = smooth
+        .iter()
+        .fold(0.0, |most: f64, a| most.max(a - rough_zero));
     let level = rough_zero + PULSE_SHARE * highest;
-    let Some(rise) = smooth.iter().position(|&a| a > level) else { return Err(Flag::NoPulse) };
+    let Some(rise) = smooth.iter().position(|&a| a > level) else {
+        return Err(Flag::NoPulse);
+    };
     let width = fall(&smooth, rise, level, reach) - rise;
     // A soft cushion rises slowly: samples that may already belong to the contact are not part of
     // the zero line.
@@ -92,18 +107,36 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     if rise < MIN_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
-    let (zero, noise) = (mean(&samples[..rise - guard]), deviation(&samples[..rise - guard]));
+    let (zero, noise) = (
+        mean(&samples[..rise - guard]),
+        deviation(&samples[..rise - guard]),
+    );
     let quiet = deviation(&smooth[..rise - guard]);
-    let end = fall(&smooth, rise, zero + (THRESHOLD_SIGMA * quiet).max(THRESHOLD_SHARE * highest), reach);
-    let peak = samples[rise..end].iter().fold(0.0, |most: f64, a| most.max(a - zero));
+    let end = fall(
+        &smooth,
+        rise,
+        zero + (THRESHOLD_SIGMA * quiet).max(THRESHOLD_SHARE * highest),
+        reach,
+    );
+    let peak = samples[rise..end]
+        .iter()
+        .fold(0.0, |most: f64, a| most.max(a - zero));
     if peak < 8.0 * noise {
         return Err(Flag::NoPulse);
     }
     let threshold = zero + (THRESHOLD_SIGMA * quiet).max(THRESHOLD_SHARE * peak);
-    let before = smooth[..rise].iter().rposition(|&a| a <= threshold).unwrap_or(0);
+    let before = smooth[..rise]
+        .iter()
+        .rposition(|&a| a <= threshold)
+        .unwrap_or(0);
     let mut after = fall(&smooth, rise, threshold, reach);
     if after >= samples.len()
-        && let Some(plateau) = plateau(&smooth, fall(&smooth, rise, zero + PULSE_SHARE * peak, reach), quiet, peak)
+        && let Some(plateau) = plateau(
+            &smooth,
+            fall(&smooth, rise, zero + PULSE_SHARE * peak, reach),
+            quiet,
+            peak,
+        )
     {
         after = fall(&smooth, rise, plateau + threshold - zero, reach);
     }
@@ -137,10 +170,17 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     // was held and released.
     let left = error * (all.len() as f64 / 12.0).sqrt();
     let is_drift = rise.abs() > ZERO_SHIFT_GATE * peak && rise.abs() > SIGNIFICANT * error;
-    if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {
+    if is_drift
+        && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak)
+        && !pulse.flags.contains(&Flag::Drift)
+    {
         pulse.flags.push(Flag::Drift);
     }
-    if is_clipped(&samples[before..after.min(samples.len())], pulse.noise_m_s2, least_step(samples)) {
+    if is_clipped(
+        &samples[before..after.min(samples.len())],
+        pulse.noise_m_s2,
+        least_step(samples),
+    ) {
         pulse.flags.push(Flag::Clipped);
     }
     Ok(pulse)
@@ -193,12 +233,18 @@ pub(super) fn parts(samples: &[f64], dt_s: f64, speed_m_s: Option<f64>) -> Vec<P
             _ => drops.push((bump, bump)),
         }
     }
-    let middle = |i: usize| match (i.checked_sub(1).and_then(|before| drops.get(before)), drops.get(i)) {
+    let middle = |i: usize| match (
+        i.checked_sub(1).and_then(|before| drops.get(before)),
+        drops.get(i),
+    ) {
         (None, _) => 0,
         (Some(_), None) => samples.len(),
         (Some((_, before)), Some((next, _))) => before.to + (next.from - before.to) / 2,
     };
-    let part = |(i, (first, _)): (usize, &(Bump, Bump))| Part { samples: middle(i)..middle(i + 1), start: first.from };
+    let part = |(i, (first, _)): (usize, &(Bump, Bump))| Part {
+        samples: middle(i)..middle(i + 1),
+        start: first.from,
+    };
     drops.iter().enumerate().map(part).collect()
 }
 
@@ -206,7 +252,10 @@ pub(super) fn parts(samples: &[f64], dt_s: f64, speed_m_s: Option<f64>) -> Vec<P
 fn bumps(smooth: &[f64], zero: f64, level: f64, reach: usize, dt_s: f64) -> Vec<Bump> {
     let mut found: Vec<Bump> = Vec::new();
     let mut at = 0;
-    while let Some(rise) = smooth.get(at..).and_then(|rest| rest.iter().position(|&a| a > level)) {
+    while let Some(rise) = smooth
+        .get(at..)
+        .and_then(|rest| rest.iter().position(|&a| a > level))
+    {
         let from = at + rise;
         let to = fall(smooth, from, level, reach).max(from + 1);
         let inside = smooth.get(from..to).unwrap_or_default();
@@ -233,8 +282,14 @@ fn bumps(smooth: &[f64], zero: f64, level: f64, reach: usize, dt_s: f64) -> Vec<
 /// each side. The pulse lasts from half of the largest sample down to a fifth, a difference that
 /// exceeds the noise.
 fn smoothed(samples: &[f64], zero: f64, highest: f64) -> (Vec<f64>, usize) {
-    let rise = samples.iter().position(|&a| a > zero + 0.5 * highest).unwrap_or(0);
-    let width = samples[rise..].iter().take_while(|&&a| a > zero + PULSE_SHARE * highest).count();
+    let rise = samples
+        .iter()
+        .position(|&a| a > zero + 0.5 * highest)
+        .unwrap_or(0);
+    let width = samples[rise..]
+        .iter()
+        .take_while(|&&a| a > zero + PULSE_SHARE * highest)
+        .count();
     let reach = width / SMOOTH_PART;
     let of = |i: usize| mean(&samples[i.saturating_sub(reach)..(i + reach + 1).min(samples.len())]);
     ((0..samples.len()).map(of).collect(), reach)
@@ -243,14 +298,22 @@ fn smoothed(samples: &[f64], zero: f64, highest: f64) -> (Vec<f64>, usize) {
 /// The first sample from `from` on that is not above `level` and is not soon followed by one that
 /// is.
 fn fall(samples: &[f64], from: usize, level: f64, reach: usize) -> usize {
-    let is_down = |i: usize| samples[i..samples.len().min(i + 2 + 2 * reach)].iter().all(|&a| a <= level);
-    (from..samples.len()).find(|&i| is_down(i)).unwrap_or(samples.len())
+    let is_down = |i: usize| {
+        samples[i..samples.len().min(i + 2 + 2 * reach)]
+            .iter()
+            .all(|&a| a <= level)
+    };
+    (from..samples.len())
+        .find(|&i| is_down(i))
+        .unwrap_or(samples.len())
 }
 
 /// The level at which a record stays from `from` on, if it stays: a zero line that the impact
 /// shifted.
 fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
-    let tail = smooth.get(from..).filter(|tail| tail.len() >= MIN_PLATEAU)?;
+    let tail = smooth
+        .get(from..)
+        .filter(|tail| tail.len() >= MIN_PLATEAU)?;
     let level = median(tail);
     let apart: Vec<f64> = tail.iter().map(|a| (a - level).abs()).collect();
     let (first, last) = tail.split_at(tail.len() / 2);
@@ -262,9 +325,13 @@ fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
 fn post_window(samples: &[f64], pulse: &mut Pulse, threshold: f64) -> std::ops::Range<usize> {
     let contact = pulse.after - pulse.before;
     let from = (pulse.after + contact.div_ceil(4).max(2)).min(samples.len());
-    let next = samples[from..].iter().position(|&a| a > threshold.max(pulse.zero_m_s2 + 0.1 * pulse.peak_m_s2));
+    let next = samples[from..]
+        .iter()
+        .position(|&a| a > threshold.max(pulse.zero_m_s2 + 0.1 * pulse.peak_m_s2));
     pulse.flight = next.map(|steps| from + steps - pulse.after);
-    let quiet = next.map_or(samples.len(), |steps| from + steps.saturating_sub(contact.div_ceil(4)));
+    let quiet = next.map_or(samples.len(), |steps| {
+        from + steps.saturating_sub(contact.div_ceil(4))
+    });
     let most = from + (AFTER * contact as f64).ceil() as usize;
     from..quiet.clamp(from, most.max(from))
 }
@@ -275,7 +342,8 @@ fn judge_zero(pre: &[f64], post: &[f64], pulse: &mut Pulse) {
     let mut flags = Vec::new();
     if post.len() >= 5 {
         let shift = of_peak(mean(post) - pulse.zero_m_s2);
-        let error = of_peak(pulse.noise_m_s2 * (1.0 / post.len() as f64 + 1.0 / pre.len() as f64).sqrt());
+        let error =
+            of_peak(pulse.noise_m_s2 * (1.0 / post.len() as f64 + 1.0 / pre.len() as f64).sqrt());
         pulse.zero_shift_ratio = Some(shift);
         if shift.abs() > ZERO_SHIFT_GATE && shift.abs() > SIGNIFICANT * error {
             flags.push(Flag::ZeroShift);
@@ -283,7 +351,10 @@ fn judge_zero(pre: &[f64], post: &[f64], pulse: &mut Pulse) {
     }
     for window in [pre, post] {
         let (rise, error) = trend(window);
-        if of_peak(rise.abs()) > ZERO_SHIFT_GATE && rise.abs() > SIGNIFICANT * error && !flags.contains(&Flag::Drift) {
+        if of_peak(rise.abs()) > ZERO_SHIFT_GATE
+            && rise.abs() > SIGNIFICANT * error
+            && !flags.contains(&Flag::Drift)
+        {
             flags.push(Flag::Drift);
         }
     }
@@ -300,9 +371,21 @@ fn trend(window: &[f64]) -> (f64, f64) {
     let centre = 0.5 * (count - 1.0);
     let m = mean(window);
     let xx = count * (count * count - 1.0) / 12.0;
-    let slope = window.iter().enumerate().map(|(i, v)| (i as f64 - centre) * (v - m)).sum::<f64>() / xx;
-    let left: f64 = window.iter().enumerate().map(|(i, v)| (v - m - slope * (i as f64 - centre)).powi(2)).sum();
-    (slope * (count - 1.0), (left / (count - 2.0) / xx).sqrt() * (count - 1.0))
+    let slope = window
+        .iter()
+        .enumerate()
+        .map(|(i, v)| (i as f64 - centre) * (v - m))
+        .sum::<f64>()
+        / xx;
+    let left: f64 = window
+        .iter()
+        .enumerate()
+        .map(|(i, v)| (v - m - slope * (i as f64 - centre)).powi(2))
+        .sum();
+    (
+        slope * (count - 1.0),
+        (left / (count - 2.0) / xx).sqrt() * (count - 1.0),
+    )
 }
 
 /// Equal largest samples that may be a flat top.
@@ -322,7 +405,10 @@ fn is_clipped(pulse: &[f64], noise: f64, rounding: f64) -> bool {
     let top = pulse.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let range = top - pulse.iter().copied().fold(f64::INFINITY, f64::min);
     let is_top = |a: &f64| top - a <= 1e-9 * range;
-    let (Some(first), Some(last)) = (pulse.iter().position(is_top), pulse.iter().rposition(is_top)) else {
+    let (Some(first), Some(last)) = (
+        pulse.iter().position(is_top),
+        pulse.iter().rposition(is_top),
+    ) else {
         return false;
     };
     let (length, equal) = (last + 1 - first, pulse.iter().filter(|a| is_top(a)).count());
@@ -334,9 +420,16 @@ fn is_clipped(pulse: &[f64], noise: f64, rounding: f64) -> bool {
     let is_beside = |i: usize| (i < first && i + reach >= first) || (i > last && i <= last + reach);
     let is_flank = |(i, a): &(usize, &f64)| is_beside(*i) && top - **a < (1.0 - TOP_SHARE) * range;
     let point = |(i, a): (usize, &f64)| ((i as f64 - middle) / length as f64, *a);
-    let flanks: Vec<(f64, f64)> = pulse.iter().enumerate().filter(is_flank).map(point).collect();
+    let flanks: Vec<(f64, f64)> = pulse
+        .iter()
+        .enumerate()
+        .filter(is_flank)
+        .map(point)
+        .collect();
     // A top without flanks is a step.
-    let Some(Parabola { value, variance }) = parabola(&flanks) else { return true };
+    let Some(Parabola { value, variance }) = parabola(&flanks) else {
+        return true;
+    };
     value - top > ROUNDED_TOP * rounding + NOISY_TOP * noise * variance.sqrt()
 }
 
@@ -344,9 +437,14 @@ fn is_clipped(pulse: &[f64], noise: f64, rounding: f64) -> bool {
 fn least_step(samples: &[f64]) -> f64 {
     let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let (Some(low), Some(high)) = (sorted.first(), sorted.last()) else { return 0.0 };
+    let (Some(low), Some(high)) = (sorted.first(), sorted.last()) else {
+        return 0.0;
+    };
     let range = high - low;
-    let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 1e-9 * range);
+    let steps = sorted
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .filter(|step| *step > 1e-9 * range);
     steps.fold(range, f64::min)
 }
 
@@ -360,10 +458,17 @@ const ON_GRID: f64 = 0.1;
 fn resolution(samples: &[f64]) -> f64 {
     let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else { return 0.0 };
+    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
+        return 0.0;
+    };
     let range = high - low;
-    let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 1e-6 * range);
-    let (count, least) = steps.fold((0, f64::INFINITY), |(count, least), step| (count + 1, step.min(least)));
+    let steps = sorted
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .filter(|step| *step > 1e-6 * range);
+    let (count, least) = steps.fold((0, f64::INFINITY), |(count, least), step| {
+        (count + 1, step.min(least))
+    });
     if count < MIN_VALUES || !least.is_finite() {
         return 0.0;
     }
@@ -393,7 +498,13 @@ pub(super) fn smooth_peak(values: &[f64]) -> f64 {
     let n = reach as f64;
     let x = |i: usize| (i as f64 - n) / n;
     let s = |power: i32| (0..window.len()).map(|i| x(i).powi(power)).sum::<f64>();
-    let t = |power: i32| window.iter().enumerate().map(|(i, v)| v * x(i).powi(power)).sum::<f64>();
+    let t = |power: i32| {
+        window
+            .iter()
+            .enumerate()
+            .map(|(i, v)| v * x(i).powi(power))
+            .sum::<f64>()
+    };
     let (s0, s2, s4) = (s(0), s(2), s(4));
     let curvature = (t(2) * s0 - t(0) * s2) / (s4 * s0 - s2 * s2);
     let level = (t(0) - curvature * s2) / s0;
@@ -429,11 +540,19 @@ fn parabola(points: &[(f64, f64)]) -> Option<Parabola> {
         let powers = [1.0, *x, x * x];
         for (row, a) in powers.iter().enumerate() {
             right[row] += a * value;
-            normal[row].iter_mut().zip(&powers).for_each(|(sum, b)| *sum += a * b);
+            normal[row]
+                .iter_mut()
+                .zip(&powers)
+                .for_each(|(sum, b)| *sum += a * b);
         }
     }
-    let variance = solve(normal.clone(), vec![1.0, 0.0, 0.0])?.first().copied()?;
-    Some(Parabola { value: solve(normal, right)?.first().copied()?, variance })
+    let variance = solve(normal.clone(), vec![1.0, 0.0, 0.0])?
+        .first()
+        .copied()?;
+    Some(Parabola {
+        value: solve(normal, right)?.first().copied()?,
+        variance,
+    })
 }
 
 #[cfg(test)]
@@ -460,7 +579,11 @@ mod tests {
     /// Whether one of so many pulses is taken for a clipped one. A step of the converter is a noise, too.
     fn clipped(order: i32, count: usize, (noise, step): (f64, f64), top: f64, seeds: u64) -> u64 {
         let is_one = |seed: &u64| {
-            is_clipped(&pulse(order, count, noise, step, top, *seed), noise.max(step / 12f64.sqrt()), step)
+            is_clipped(
+                &pulse(order, count, noise, step, top, *seed),
+                noise.max(step / 12f64.sqrt()),
+                step,
+            )
         };
         (0..seeds).filter(is_one).count() as u64
     }
@@ -471,8 +594,19 @@ mod tests {
     fn equal_largest_samples_are_no_clipped_top() {
         for order in [2, 4] {
             for count in COUNTS {
-                for noise in [(0.0, 1e-3), (3e-4, 1e-3), (1e-3, 1e-3), (5e-3, 1e-3), (1e-2, 1e-3), (5e-3, 8e-3)] {
-                    assert_eq!(clipped(order, count, noise, f64::INFINITY, 200), 0, "{order} {count} {noise:?}");
+                for noise in [
+                    (0.0, 1e-3),
+                    (3e-4, 1e-3),
+                    (1e-3, 1e-3),
+                    (5e-3, 1e-3),
+                    (1e-2, 1e-3),
+                    (5e-3, 8e-3),
+                ] {
+                    assert_eq!(
+                        clipped(order, count, noise, f64::INFINITY, 200),
+                        0,
+                        "{order} {count} {noise:?}"
+                    );
                 }
             }
         }
@@ -481,10 +615,22 @@ mod tests {
     /// What was clipped is found where it takes more off the top than the noise of the samples hides.
     #[test]
     fn a_flat_top_is_clipped() {
-        for (noise, most) in [((0.0, 1e-3), 0.98), ((1e-3, 1e-3), 0.98), ((5e-3, 1e-3), 0.95), ((1e-2, 1e-3), 0.9)] {
-            for (order, count) in [2, 4].into_iter().flat_map(|order| COUNTS.map(|count| (order, count))) {
+        for (noise, most) in [
+            ((0.0, 1e-3), 0.98),
+            ((1e-3, 1e-3), 0.98),
+            ((5e-3, 1e-3), 0.95),
+            ((1e-2, 1e-3), 0.9),
+        ] {
+            for (order, count) in [2, 4]
+                .into_iter()
+                .flat_map(|order| COUNTS.map(|count| (order, count)))
+            {
                 for top in [most, 0.9, 0.6] {
-                    assert_eq!(clipped(order, count, noise, top, 50), 50, "{order} {count} {noise:?} {top}");
+                    assert_eq!(
+                        clipped(order, count, noise, top, 50),
+                        50,
+                        "{order} {count} {noise:?} {top}"
+                    );
                 }
             }
         }

@@ -6,8 +6,8 @@ use super::filter::Poles;
 use super::fit::{Data, Fit, Measured};
 use super::model::Elastic;
 use super::{
-    Candidate, DropError, DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, LoopPoint,
-    StiffnessEstimates,
+    Candidate, DropError, DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity,
+    LoopPoint, StiffnessEstimates,
 };
 use crate::cushion::ContactLaw;
 
@@ -110,7 +110,11 @@ const ROUNDING: f64 = 0.05;
 /// assert!((stiffness_n_m / 2.19e6 - 1.0).abs() < 0.005 && test.flags.is_empty());
 /// # Ok::<(), freestand::identify::DropError>(())
 /// ```
-pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<DropTest, DropError> {
+pub fn drop_test(
+    samples_m_s2: &[f64],
+    dt_s: f64,
+    setup: &DropSetup,
+) -> Result<DropTest, DropError> {
     check(samples_m_s2, dt_s, setup)?;
     let pulse = match contact::find(samples_m_s2) {
         Ok(pulse) => pulse,
@@ -130,7 +134,10 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
         && let Some(choice) = contact.choose()
     {
         contact.report(choice, &mut test);
-        if test.contact_time_s.is_some_and(|time_s| time_s < MIN_SAMPLES * dt_s) {
+        if test
+            .contact_time_s
+            .is_some_and(|time_s| time_s < MIN_SAMPLES * dt_s)
+        {
             test.flags.push(Flag::FewSamples);
             test.identified = None;
         }
@@ -139,8 +146,12 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
         test.flags.push(Flag::PoorFit);
     }
     test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
-    let shown_hz = test.identified.as_ref().and_then(|found| found.filter_corner_hz);
-    if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz.or(shown_hz), test.contact_time_s)
+    let shown_hz = test
+        .identified
+        .as_ref()
+        .and_then(|found| found.filter_corner_hz);
+    if let (Some(corner_hz), Some(time_s)) =
+        (setup.filter_corner_hz.or(shown_hz), test.contact_time_s)
         && corner_hz * time_s < MIN_CORNER
     {
         test.flags.push(Flag::Filter);
@@ -171,7 +182,11 @@ pub struct DropOfRecord {
 ///
 /// # Errors
 /// As [`drop_test`].
-pub fn drop_tests(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<Vec<DropOfRecord>, DropError> {
+pub fn drop_tests(
+    samples_m_s2: &[f64],
+    dt_s: f64,
+    setup: &DropSetup,
+) -> Result<Vec<DropOfRecord>, DropError> {
     check(samples_m_s2, dt_s, setup)?;
     let speed_m_s = match setup.impact_velocity {
         ImpactVelocity::Known { speed_m_s, .. } => Some(speed_m_s),
@@ -180,7 +195,10 @@ pub fn drop_tests(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<
     let parts = contact::parts(samples_m_s2, dt_s, speed_m_s);
     if parts.len() < 2 {
         let start_time_s = parts.first().map(|part| part.start as f64 * dt_s);
-        return Ok(vec![DropOfRecord { start_time_s, test: drop_test(samples_m_s2, dt_s, setup)? }]);
+        return Ok(vec![DropOfRecord {
+            start_time_s,
+            test: drop_test(samples_m_s2, dt_s, setup)?,
+        }]);
     }
     let one = |part: contact::Part| {
         let samples = samples_m_s2.get(part.samples).unwrap_or_default();
@@ -189,7 +207,10 @@ pub fn drop_tests(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<
             true => DropTest::nothing(Flag::NoPreTrigger),
             false => drop_test(samples, dt_s, setup)?,
         };
-        Ok(DropOfRecord { start_time_s: Some(part.start as f64 * dt_s), test })
+        Ok(DropOfRecord {
+            start_time_s: Some(part.start as f64 * dt_s),
+            test,
+        })
     };
     parts.into_iter().map(one).collect()
 }
@@ -202,16 +223,26 @@ fn physical(restitution_ratio: f64) -> Option<f64> {
 
 fn check(samples: &[f64], dt_s: f64, setup: &DropSetup) -> Result<(), DropError> {
     let positive = |name, value: f64| {
-        if value > 0.0 && value.is_finite() { Ok(()) } else { Err(DropError::NotPositive { name, value }) }
+        if value > 0.0 && value.is_finite() {
+            Ok(())
+        } else {
+            Err(DropError::NotPositive { name, value })
+        }
     };
     positive("mass", setup.mass_kg)?;
     positive("time step", dt_s)?;
-    if let ImpactVelocity::Known { speed_m_s, error_ratio } = setup.impact_velocity {
+    if let ImpactVelocity::Known {
+        speed_m_s,
+        error_ratio,
+    } = setup.impact_velocity
+    {
         positive("impact velocity", speed_m_s)?;
         positive("error of the impact velocity", error_ratio)?;
     }
     if samples.len() < MIN_RECORD {
-        return Err(DropError::TooShort { samples: samples.len() });
+        return Err(DropError::TooShort {
+            samples: samples.len(),
+        });
     }
     match samples.iter().position(|a| !a.is_finite()) {
         Some(index) => Err(DropError::NotFinite { number: index + 1 }),
@@ -330,7 +361,10 @@ impl<'a> Contact<'a> {
         let is_shifted = self.pulse.flags.contains(&Flag::ZeroShift);
         let mean_error = self.pulse.noise_m_s2 / (self.pulse.pre_count as f64).sqrt();
         let (speed_m_s, speed_error_ratio) = match self.setup.impact_velocity {
-            ImpactVelocity::Known { speed_m_s, error_ratio } => (speed_m_s, error_ratio),
+            ImpactVelocity::Known {
+                speed_m_s,
+                error_ratio,
+            } => (speed_m_s, error_ratio),
             ImpactVelocity::FromImpulse => (0.53 * self.impulse_m_s, UNKNOWN_SPEED),
         };
         Data {
@@ -342,7 +376,12 @@ impl<'a> Contact<'a> {
             noise_m_s2: self.pulse.noise_m_s2,
             corner_hz: self.setup.filter_corner_hz,
             poles: Poles::Two,
-            zero_error_m_s2: mean_error + if is_shifted { 0.5 * shift_m_s2.abs() } else { 0.0 },
+            zero_error_m_s2: mean_error
+                + if is_shifted {
+                    0.5 * shift_m_s2.abs()
+                } else {
+                    0.0
+                },
             speed_m_s,
             speed_error_ratio,
             touch: (self.pulse.before - from) as f64 + 0.5,
@@ -356,29 +395,53 @@ impl<'a> Contact<'a> {
         let with = self.fits(gravity);
         if gravity == 0.0 {
             let (best, others) = self.simplest(self.with_filters(with, 0.0))?;
-            return Some(Choice { best, others, has_gravity: false, gravity_error: 0.0 });
+            return Some(Choice {
+                best,
+                others,
+                has_gravity: false,
+                gravity_error: 0.0,
+            });
         }
         let (best, _) = self.simplest(with.clone())?;
         let without = self.fits(0.0);
         let Some((best_without, _)) = self.simplest(without.clone()) else {
             let (best, others) = self.simplest(self.with_filters(with, gravity))?;
-            return Some(Choice { best, others, has_gravity: true, gravity_error: 0.0 });
+            return Some(Choice {
+                best,
+                others,
+                has_gravity: true,
+                gravity_error: 0.0,
+            });
         };
         let scale = (best.chi_squared.min(best_without.chi_squared) / best.degrees).max(1.0);
         let gain = best.unlikeliness(scale) - best_without.unlikeliness(scale);
         let apart = (best.secant_n_m / best_without.secant_n_m).ln().abs();
         let gravity_error = if gain.abs() > DECISIVE { 0.0 } else { apart };
         let has_gravity = gain <= LIKELY;
-        let all = if has_gravity { self.with_filters(with, gravity) } else { self.with_filters(without, 0.0) };
+        let all = if has_gravity {
+            self.with_filters(with, gravity)
+        } else {
+            self.with_filters(without, 0.0)
+        };
         let (best, others) = self.simplest(all)?;
-        Some(Choice { best, others, has_gravity, gravity_error })
+        Some(Choice {
+            best,
+            others,
+            has_gravity,
+            gravity_error,
+        })
     }
 
     /// Every law behind the stated filter; those that are not wanted show how far the samples allow another one.
     fn fits(&self, gravity_m_s2: f64) -> Vec<Fit> {
         let data = self.data(gravity_m_s2);
-        let all =
-            [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley, FittedLaw::Cubic];
+        let all = [
+            FittedLaw::Linear,
+            FittedLaw::Power,
+            FittedLaw::KelvinVoigt,
+            FittedLaw::HuntCrossley,
+            FittedLaw::Cubic,
+        ];
         let mut fits: Vec<Fit> = all.iter().filter_map(|&law| data.fit(law)).collect();
         let curve = data.curve(&fits, self.measured(&data).as_ref());
         fits.extend(curve);
@@ -388,24 +451,34 @@ impl<'a> Contact<'a> {
     /// Adds what the samples allow about the filter: one that nobody stated, or one of another order.
     fn with_filters(&self, mut fits: Vec<Fit>, gravity_m_s2: f64) -> Vec<Fit> {
         let data = self.data(gravity_m_s2);
-        let behind = |poles| Data { poles, ..data.clone() };
+        let behind = |poles| Data {
+            poles,
+            ..data.clone()
+        };
         let more: Vec<Fit> = match data.corner_hz {
             None => {
                 let simple = |fit: &&Fit| fit.law != FittedLaw::HuntCrossley;
                 let slow = |fit: &Fit| {
-                    fit.fitted_corner_hz().is_some_and(|corner| corner * fit.predicted.contact_s < LOOKED_FOR_CORNER)
+                    fit.fitted_corner_hz()
+                        .is_some_and(|corner| corner * fit.predicted.contact_s < LOOKED_FOR_CORNER)
                 };
                 // A curve takes much time, and the poles of its filter change little.
-                let is_tried = |fit: &Fit, poles| fit.law != FittedLaw::Tabulated || poles == Poles::Two;
+                let is_tried =
+                    |fit: &Fit, poles| fit.law != FittedLaw::Tabulated || poles == Poles::Two;
                 let of = |poles| {
-                    let tried = fits.iter().filter(simple).filter(move |fit| is_tried(fit, poles));
+                    let tried = fits
+                        .iter()
+                        .filter(simple)
+                        .filter(move |fit| is_tried(fit, poles));
                     tried.filter_map(move |fit| behind(poles).behind_filter(fit))
                 };
                 Poles::ALL.into_iter().flat_map(of).filter(slow).collect()
             }
             Some(corner_hz) if corner_hz * self.rough_s < FREE_CORNER => {
                 let others = Poles::ALL.into_iter().filter(|poles| *poles != data.poles);
-                others.flat_map(|poles| fits.iter().filter_map(move |fit| behind(poles).refit(fit))).collect()
+                others
+                    .flat_map(|poles| fits.iter().filter_map(move |fit| behind(poles).refit(fit)))
+                    .collect()
             }
             Some(_) => Vec::new(),
         };
@@ -416,13 +489,19 @@ impl<'a> Contact<'a> {
     /// The simplest law that no other outweighs; a law with negative damping is excluded. What the other laws make of the
     /// samples is part of its error, each as much as it is likely.
     fn simplest(&self, mut fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
-        let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
+        let least = fits
+            .iter()
+            .map(|fit| fit.chi_squared / fit.degrees)
+            .fold(f64::INFINITY, f64::min)
+            .max(1.0);
         let is_wanted = |fit: &Fit| match self.setup.law {
             Some(law) => fit.law == law,
             None => fit.is_law(),
         };
         let wanted = || fits.iter().enumerate().filter(|(_, fit)| is_wanted(fit));
-        let likeliest = wanted().map(|(_, fit)| fit.unlikeliness(least)).fold(f64::INFINITY, f64::min);
+        let likeliest = wanted()
+            .map(|(_, fit)| fit.unlikeliness(least))
+            .fold(f64::INFINITY, f64::min);
         let best = wanted()
             .filter(|(_, fit)| fit.unlikeliness(least) <= likeliest + OUTWEIGHED)
             .min_by(|a, b| a.1.simpler(b.1, least))
@@ -433,13 +512,20 @@ impl<'a> Contact<'a> {
         // No pad follows a formula exactly: a curve counts no less than all of them.
         let curves = all().filter(|fit| fit.law == FittedLaw::Tabulated);
         let curved = chosen.error_among(curves, least);
-        let even = if curved.is_finite() { (0.5 * (likely * likely + curved * curved)).sqrt() } else { likely };
+        let even = if curved.is_finite() {
+            (0.5 * (likely * likely + curved * curved)).sqrt()
+        } else {
+            likely
+        };
         // A law that the others outweigh is no more certain for that.
         chosen.secant_error_ratio = chosen.secant_error_ratio.max(likely).max(even);
         if chosen.fitted_corner_hz().is_some() {
             // Nobody stated this filter: without it, the samples give this.
-            let plain = fits.iter().filter(|fit| fit.fitted_corner_hz().is_none() && is_wanted(fit));
-            let plain = plain.min_by(|a, b| a.unlikeliness(least).total_cmp(&b.unlikeliness(least)));
+            let plain = fits
+                .iter()
+                .filter(|fit| fit.fitted_corner_hz().is_none() && is_wanted(fit));
+            let plain =
+                plain.min_by(|a, b| a.unlikeliness(least).total_cmp(&b.unlikeliness(least)));
             let apart = plain.map_or(0.0, |fit| (fit.secant_n_m / chosen.secant_n_m).ln());
             chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
         }
@@ -447,17 +533,33 @@ impl<'a> Contact<'a> {
     }
 
     fn report(&self, choice: Choice, test: &mut DropTest) {
-        let Choice { best, others, has_gravity, gravity_error } = choice;
-        let gravity = if has_gravity { self.setup.gravity_m_s2 } else { 0.0 };
+        let Choice {
+            best,
+            others,
+            has_gravity,
+            gravity_error,
+        } = choice;
+        let gravity = if has_gravity {
+            self.setup.gravity_m_s2
+        } else {
+            0.0
+        };
         let speed = self.known_speed().unwrap_or(best.model.speed_m_s);
         let contact_s = best.predicted.contact_s;
         let data = self.data(gravity);
         // A filter shows everything later.
         let delay_s = best.model.filter.map_or(0.0, |filter| filter.delay_s());
-        let touch_s = best.touch_s + delay_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
-        let start = Start { touch_s, speed_m_s: speed, jump_m_s2: best.predicted.at(0.0) };
+        let touch_s =
+            best.touch_s + delay_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
+        let start = Start {
+            touch_s,
+            speed_m_s: speed,
+            jump_m_s2: best.predicted.at(0.0),
+        };
         let points = self.integrate(self.accel, &start, contact_s, gravity);
-        let Some(deepest) = deepest(&points) else { return };
+        let Some(deepest) = deepest(&points) else {
+            return;
+        };
         let m = self.setup.mass_kg;
         let a = self.peak_m_s2;
         let d = deepest.compression_m;
@@ -479,17 +581,17 @@ impl<'a> Contact<'a> {
         let e = physical(e);
         test.restitution_ratio = e;
         test.energy_lost_ratio = e.map(|e| 1.0 - e * e);
-        test.restitution_bounce_ratio = self
-            .pulse
-            .flight
-            .filter(|_| has_gravity)
-            .and_then(|steps| physical(self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed)));
+        test.restitution_bounce_ratio =
+            self.pulse.flight.filter(|_| has_gravity).and_then(|steps| {
+                physical(self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed))
+            });
         if self.is_cut(&data, &best, &others) {
             test.flags.push(Flag::Clipped);
             return;
         }
         test.points = points;
-        let is_more = best.chi_squared > POOR_CHI * best.degrees && best.residual_ratio > VISIBLE_RESIDUAL;
+        let is_more =
+            best.chi_squared > POOR_CHI * best.degrees && best.residual_ratio > VISIBLE_RESIDUAL;
         if is_more || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
             test.flags.push(Flag::PoorFit);
             // No pad that the laws know gives this pulse: an interval would say nothing about the error of the laws. That
@@ -498,14 +600,25 @@ impl<'a> Contact<'a> {
                 return;
             }
         }
-        let floor = if best.law == FittedLaw::Tabulated { CURVE_FLOOR } else { FLOOR };
+        let floor = if best.law == FittedLaw::Tabulated {
+            CURVE_FLOOR
+        } else {
+            FLOOR
+        };
         let error_ratio = best.secant_error_ratio.hypot(gravity_error).hypot(floor);
-        if let Some(Integrated { secant_n_m, error_ratio: own }) = integrated
-            && (secant_n_m / best.secant_n_m).ln().abs() > APART + APART_ERRORS * own.hypot(error_ratio)
+        if let Some(Integrated {
+            secant_n_m,
+            error_ratio: own,
+        }) = integrated
+            && (secant_n_m / best.secant_n_m).ln().abs()
+                > APART + APART_ERRORS * own.hypot(error_ratio)
         {
             test.flags.push(Flag::Integration);
         }
-        if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity
+        if let ImpactVelocity::Known {
+            speed_m_s,
+            error_ratio,
+        } = self.setup.impact_velocity
             && (best.model.speed_m_s / speed_m_s).ln().abs() > 3.0 * error_ratio
         {
             test.flags.push(Flag::Velocity);
@@ -525,12 +638,17 @@ impl<'a> Contact<'a> {
                 Elastic::Power { .. } | Elastic::Curve { .. } => None,
             },
             filter_corner_hz: best.fitted_corner_hz(),
-            exponent: free.as_ref().map_or(best.model.exponent(), |fit| fit.model.exponent()),
+            exponent: free
+                .as_ref()
+                .map_or(best.model.exponent(), |fit| fit.model.exponent()),
             exponent_error: free.as_ref().and_then(|fit| fit.exponent_error),
             exponent_by_identity: 2.0 * a * d / (speed * speed) - 1.0,
             damping_ratio: damping_ratio(&best),
             fitted_velocity_m_s: best.model.speed_m_s,
-            candidates: std::iter::once(&best).chain(&others).map(candidate).collect(),
+            candidates: std::iter::once(&best)
+                .chain(&others)
+                .map(candidate)
+                .collect(),
             has_gravity,
             residual_ratio: best.residual_ratio,
         });
@@ -540,8 +658,12 @@ impl<'a> Contact<'a> {
     /// sensor reached the end of its range, and noise that was added later hides the flat top.
     fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
         let all = || std::iter::once(best).chain(others);
-        let likeliest = all().map(|fit| fit.unlikeliness(1.0)).fold(f64::INFINITY, f64::min);
-        let gain = |fit: &Fit| Some(fit.chi_squared - data.cut(fit)? - (fit.unlikeliness(1.0) - likeliest));
+        let likeliest = all()
+            .map(|fit| fit.unlikeliness(1.0))
+            .fold(f64::INFINITY, f64::min);
+        let gain = |fit: &Fit| {
+            Some(fit.chi_squared - data.cut(fit)? - (fit.unlikeliness(1.0) - likeliest))
+        };
         all().any(|fit| gain(fit).is_some_and(|gain| gain > CLEARLY_CUT))
     }
 
@@ -551,7 +673,8 @@ impl<'a> Contact<'a> {
     fn integrated(&self, best: &Fit, speed: f64, gravity: f64) -> Option<Integrated> {
         let (known, beginning) = self.twice(self.accel, speed, gravity, None)?;
         if best.model.filter.is_none() {
-            return Some(known).filter(|known| known.secant_n_m > 0.0 && known.secant_n_m.is_finite());
+            return Some(known)
+                .filter(|known| known.secant_n_m > 0.0 && known.secant_n_m.is_finite());
         }
         let data = self.data(gravity);
         let touch = best.touch_s / self.dt_s + self.pulse.before as f64 + 0.5 - data.touch;
@@ -560,7 +683,10 @@ impl<'a> Contact<'a> {
         let predicted: Vec<f64> = (0..self.accel.len()).map(law).collect();
         let (of_law, _) = self.twice(&predicted, best.model.speed_m_s, gravity, Some(beginning))?;
         let secant_n_m = best.secant_n_m * known.secant_n_m / of_law.secant_n_m;
-        (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated { secant_n_m, ..known })
+        (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated {
+            secant_n_m,
+            ..known
+        })
     }
 
     fn flank<'b>(&self, accel: &'b [f64]) -> Flank<'b> {
@@ -576,19 +702,43 @@ impl<'a> Contact<'a> {
     /// Force and compression of the samples, integrated from the touch that their flank shows.
     fn measured(&self, data: &Data) -> Option<Measured> {
         let Touch { at, .. } = self.flank(self.accel).touch(None)?;
-        let start = Start { touch_s: at * self.dt_s, speed_m_s: data.speed_m_s, jump_m_s2: 0.0 };
+        let start = Start {
+            touch_s: at * self.dt_s,
+            speed_m_s: data.speed_m_s,
+            jump_m_s2: 0.0,
+        };
         let loaded = self.integrate(self.accel, &start, 1.2 * self.rough_s, data.gravity_m_s2);
         let loaded = loaded.iter().take_while(|point| point.speed_m_s > 0.0);
-        let points: Vec<(f64, f64)> = loaded.map(|point| (point.compression_m, point.force_n)).collect();
+        let points: Vec<(f64, f64)> = loaded
+            .map(|point| (point.compression_m, point.force_n))
+            .collect();
         let depth_m = points.last().filter(|last| last.0 > 0.0 && last.1 > 0.0)?.0;
-        Some(Measured { touch: at - (self.pulse.before as f64 + 0.5 - data.touch), depth_m, points })
+        Some(Measured {
+            touch: at - (self.pulse.before as f64 + 0.5 - data.touch),
+            depth_m,
+            points,
+        })
     }
 
     /// The stiffness of a pulse from two integrations, and how its flank begins.
-    fn twice(&self, accel: &[f64], speed: f64, gravity: f64, beginning: Option<usize>) -> Option<(Integrated, usize)> {
+    fn twice(
+        &self,
+        accel: &[f64],
+        speed: f64,
+        gravity: f64,
+        beginning: Option<usize>,
+    ) -> Option<(Integrated, usize)> {
         let flank = self.flank(accel);
-        let Touch { at, error, beginning } = flank.touch(beginning)?;
-        let start = Start { touch_s: at * self.dt_s, speed_m_s: speed, jump_m_s2: 0.0 };
+        let Touch {
+            at,
+            error,
+            beginning,
+        } = flank.touch(beginning)?;
+        let start = Start {
+            touch_s: at * self.dt_s,
+            speed_m_s: speed,
+            jump_m_s2: 0.0,
+        };
         let points = self.integrate(accel, &start, 1.2 * self.rough_s, gravity);
         let deepest = deepest(&points)?;
         let middle = at + deepest.time_s / self.dt_s;
@@ -599,8 +749,15 @@ impl<'a> Contact<'a> {
         };
         let d = deepest.compression_m;
         // d = ∫ḋ dt: a later touch takes v₀ for that time away, a higher velocity adds to all of the time.
-        let error_ratio = (speed / d * error * self.dt_s).hypot(speed / d * deepest.time_s * speed_error);
-        Some((Integrated { secant_n_m: force_n / d, error_ratio }, beginning))
+        let error_ratio =
+            (speed / d * error * self.dt_s).hypot(speed / d * deepest.time_s * speed_error);
+        Some((
+            Integrated {
+                secant_n_m: force_n / d,
+                error_ratio,
+            },
+            beginning,
+        ))
     }
 
     /// The fit that determines the exponent: another than the best one if its law has a fixed
@@ -621,8 +778,18 @@ impl<'a> Contact<'a> {
     /// ḋ = v₀ + gt − ∫a dt and d, from the first contact to its end: the trapezoidal rule with ends
     /// between two samples, where the acceleration is zero (or, if it jumps, that of the first
     /// sample).
-    fn integrate(&self, accel: &[f64], start: &Start, contact_s: f64, gravity: f64) -> Vec<LoopPoint> {
-        let Start { touch_s, speed_m_s: speed, jump_m_s2: jump } = *start;
+    fn integrate(
+        &self,
+        accel: &[f64],
+        start: &Start,
+        contact_s: f64,
+        gravity: f64,
+    ) -> Vec<LoopPoint> {
+        let Start {
+            touch_s,
+            speed_m_s: speed,
+            jump_m_s2: jump,
+        } = *start;
         let point = |time_s: f64, accel: f64, d: f64, v: f64| LoopPoint {
             time_s,
             acceleration_m_s2: accel,
@@ -642,7 +809,11 @@ impl<'a> Contact<'a> {
             (*t, *a) = (next_s, next_a);
             points.push(point(next_s, next_a, d, v));
         };
-        for (i, sample) in accel.iter().enumerate().skip(usize::try_from(first).unwrap_or(0)) {
+        for (i, sample) in accel
+            .iter()
+            .enumerate()
+            .skip(usize::try_from(first).unwrap_or(0))
+        {
             let time_s = i as f64 * self.dt_s - touch_s;
             if time_s >= contact_s {
                 break;
@@ -669,16 +840,30 @@ fn candidate(fit: &Fit) -> Candidate {
 
 fn law_of(fit: &Fit) -> ContactLaw {
     let model = &fit.model;
-    let Elastic::Power { coefficient_n_mn, exponent } = model.elastic else { return table_of(fit) };
+    let Elastic::Power {
+        coefficient_n_mn,
+        exponent,
+    } = model.elastic
+    else {
+        return table_of(fit);
+    };
     match fit.law {
-        FittedLaw::Linear => ContactLaw::Linear { stiffness_n_m: coefficient_n_mn },
-        FittedLaw::KelvinVoigt => {
-            ContactLaw::KelvinVoigt { stiffness_n_m: coefficient_n_mn, damping_n_s_m: model.damping_n_s_m.max(0.0) }
-        }
-        FittedLaw::HuntCrossley => {
-            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: model.dissipation_s_m.max(0.0) }
-        }
-        FittedLaw::Power | FittedLaw::DampedPower => ContactLaw::Power { coefficient_n_mn, exponent },
+        FittedLaw::Linear => ContactLaw::Linear {
+            stiffness_n_m: coefficient_n_mn,
+        },
+        FittedLaw::KelvinVoigt => ContactLaw::KelvinVoigt {
+            stiffness_n_m: coefficient_n_mn,
+            damping_n_s_m: model.damping_n_s_m.max(0.0),
+        },
+        FittedLaw::HuntCrossley => ContactLaw::HuntCrossley {
+            coefficient_n_mn,
+            exponent,
+            dissipation_s_m: model.dissipation_s_m.max(0.0),
+        },
+        FittedLaw::Power | FittedLaw::DampedPower => ContactLaw::Power {
+            coefficient_n_mn,
+            exponent,
+        },
         FittedLaw::Cubic | FittedLaw::Tabulated => table_of(fit),
     }
 }
@@ -692,10 +877,17 @@ fn table_of(fit: &Fit) -> ContactLaw {
     for &d in &compressions_m {
         // The force of a pad never falls; the noise of a fit is not allowed to.
         let before = forces_n.last().copied().unwrap_or(0.0);
-        let least = if forces_n.is_empty() { 0.0 } else { before * (1.0 + 1e-9) + 1e-9 };
+        let least = if forces_n.is_empty() {
+            0.0
+        } else {
+            before * (1.0 + 1e-9) + 1e-9
+        };
         forces_n.push(fit.model.elastic_n(d).max(least));
     }
-    ContactLaw::Tabulated { compressions_m, forces_n }
+    ContactLaw::Tabulated {
+        compressions_m,
+        forces_n,
+    }
 }
 
 /// ζ, or for Hunt–Crossley that of the Kelvin–Voigt pad with the same restitution: e = exp(−2ζ acos
@@ -707,7 +899,11 @@ fn damping_ratio(fit: &Fit) -> f64 {
         FittedLaw::HuntCrossley => {
             let e = fit.predicted.rebound_m_s / fit.model.speed_m_s;
             let of = |zeta: f64| (-2.0 * zeta * zeta.acos() / (1.0 - zeta * zeta).sqrt()).exp();
-            if e >= 1.0 { 0.0 } else { crate::search::bisect(0.0, 0.999, |zeta| of(zeta) <= e) }
+            if e >= 1.0 {
+                0.0
+            } else {
+                crate::search::bisect(0.0, 0.999, |zeta| of(zeta) <= e)
+            }
         }
         _ => 0.0,
     }
@@ -720,12 +916,23 @@ fn rough_contact(accel: &[f64], pulse: &Pulse) -> f64 {
         let level = share * pulse.peak_m_s2;
         let between = |i: usize, j: usize| {
             let (a, b) = (accel[i], accel[j]);
-            i as f64 + (j as f64 - i as f64) * if b == a { 0.5 } else { ((level - a) / (b - a)).clamp(0.0, 1.0) }
+            i as f64
+                + (j as f64 - i as f64)
+                    * if b == a {
+                        0.5
+                    } else {
+                        ((level - a) / (b - a)).clamp(0.0, 1.0)
+                    }
         };
         let found = if up {
-            (pulse.before..end).find(|&i| accel[i + 1] > level).map(|i| between(i, i + 1))
+            (pulse.before..end)
+                .find(|&i| accel[i + 1] > level)
+                .map(|i| between(i, i + 1))
         } else {
-            (pulse.before..end).rev().find(|&i| accel[i] > level).map(|i| between(i, i + 1))
+            (pulse.before..end)
+                .rev()
+                .find(|&i| accel[i] > level)
+                .map(|i| between(i, i + 1))
         };
         found.unwrap_or(if up { pulse.before as f64 } else { end as f64 })
     };
@@ -757,7 +964,11 @@ fn deepest(points: &[LoopPoint]) -> Option<Deepest> {
             let force_n = a.force_n + share * (b.force_n - a.force_n);
             energy_j += 0.5 * (a.force_n + force_n) * (compression_m - a.compression_m);
             let time_s = a.time_s + share * h;
-            return (compression_m > 0.0).then_some(Deepest { time_s, compression_m, energy_j });
+            return (compression_m > 0.0).then_some(Deepest {
+                time_s,
+                compression_m,
+                energy_j,
+            });
         }
         energy_j += 0.5 * (a.force_n + b.force_n) * (b.compression_m - a.compression_m);
     }

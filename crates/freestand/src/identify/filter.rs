@@ -52,7 +52,8 @@ impl LowPass {
             let (mut x1, mut x2, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0);
             for sample in samples.iter_mut() {
                 let x = *sample;
-                let y = scale * (w2 * (x + 2.0 * x1 + x2) - 2.0 * (w2 - 1.0) * y1 - (1.0 - root + w2) * y2);
+                let y = scale
+                    * (w2 * (x + 2.0 * x1 + x2) - 2.0 * (w2 - 1.0) * y1 - (1.0 - root + w2) * y2);
                 (x2, x1, y2, y1) = (x1, x, y1, y);
                 *sample = y;
             }

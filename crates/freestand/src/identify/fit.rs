@@ -97,8 +97,14 @@ pub(super) struct Measured {
 impl Measured {
     fn force_n(&self, d: f64) -> f64 {
         let next = self.points.partition_point(|point| point.0 < d);
-        let before = next.checked_sub(1).and_then(|before| self.points.get(before)).copied().unwrap_or_default();
-        let Some(after) = self.points.get(next) else { return before.1 };
+        let before = next
+            .checked_sub(1)
+            .and_then(|before| self.points.get(before))
+            .copied()
+            .unwrap_or_default();
+        let Some(after) = self.points.get(next) else {
+            return before.1;
+        };
         before.1 + (after.1 - before.1) * (d - before.0) / (after.0 - before.0)
     }
 }
@@ -143,8 +149,17 @@ fn free_of(law: FittedLaw) -> Vec<usize> {
         FittedLaw::DampedPower => &[EXPONENT, DAMPING],
         FittedLaw::Cubic => &[CUBE],
     };
-    let curve = if law == FittedLaw::Tabulated { CURVE..CURVE + PIECES } else { 0..0 };
-    [TOUCH, SPEED, STIFFNESS, OFFSET].iter().chain(more).copied().chain(curve).collect()
+    let curve = if law == FittedLaw::Tabulated {
+        CURVE..CURVE + PIECES
+    } else {
+        0..0
+    };
+    [TOUCH, SPEED, STIFFNESS, OFFSET]
+        .iter()
+        .chain(more)
+        .copied()
+        .chain(curve)
+        .collect()
 }
 
 impl Data<'_> {
@@ -154,12 +169,22 @@ impl Data<'_> {
         let depth_m = p[DEPTH];
         let elastic = if p[ROUGHNESS] > 0.0 {
             let mut ratios = [1.0; PIECES + 1];
-            ratios.iter_mut().skip(1).zip(&p[CURVE..]).for_each(|(ratio, q)| *ratio = q.exp());
+            ratios
+                .iter_mut()
+                .skip(1)
+                .zip(&p[CURVE..])
+                .for_each(|(ratio, q)| *ratio = q.exp());
             Elastic::curve(k, depth_m, &ratios)
         } else if p[CUBE] != 0.0 {
-            Elastic::Cubic { initial_n_m: k * (1.0 - p[CUBE]), cubic_n_m3: k * p[CUBE] / (depth_m * depth_m) }
+            Elastic::Cubic {
+                initial_n_m: k * (1.0 - p[CUBE]),
+                cubic_n_m3: k * p[CUBE] / (depth_m * depth_m),
+            }
         } else {
-            Elastic::Power { coefficient_n_mn: k * depth_m.powf(1.0 - p[EXPONENT]), exponent: p[EXPONENT] }
+            Elastic::Power {
+                coefficient_n_mn: k * depth_m.powf(1.0 - p[EXPONENT]),
+                exponent: p[EXPONENT],
+            }
         };
         Model {
             mass_kg: self.mass_kg,
@@ -169,7 +194,10 @@ impl Data<'_> {
             damping_n_s_m: 2.0 * p[DAMPING] * (k * self.mass_kg).sqrt(),
             dissipation_s_m: p[DISSIPATION] / speed_m_s,
             reference_m: depth_m,
-            filter: p[CORNER].is_finite().then(|| LowPass { corner_hz: p[CORNER].exp(), poles: self.poles }),
+            filter: p[CORNER].is_finite().then(|| LowPass {
+                corner_hz: p[CORNER].exp(),
+                poles: self.poles,
+            }),
         }
     }
 
@@ -198,19 +226,34 @@ impl Data<'_> {
         // The tangent of a curve changes from piece to piece by no more than it must.
         let curve = if p[ROUGHNESS] > 0.0 { &p[CURVE..] } else { &[] };
         let changes = curve.iter().zip(std::iter::once(&0.0).chain(curve));
-        left.chain(priors).chain(changes.map(|(q, before)| (q - before) / p[ROUGHNESS])).collect()
+        left.chain(priors)
+            .chain(changes.map(|(q, before)| (q - before) / p[ROUGHNESS]))
+            .collect()
     }
 
     fn start(&self, touch: f64, exponent: f64) -> Parameters {
         let omega = std::f64::consts::PI / (self.contact * self.dt_s);
         let mut p = [0.0; P];
-        (p[TOUCH], p[SPEED], p[STIFFNESS]) = (touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln());
+        (p[TOUCH], p[SPEED], p[STIFFNESS]) = (
+            touch,
+            self.speed_m_s.ln(),
+            (self.mass_kg * omega * omega).ln(),
+        );
         (p[EXPONENT], p[TOP], p[CORNER]) = (exponent, f64::INFINITY, f64::INFINITY);
         // Constant, so that k and n are nearly independent.
         p[DEPTH] = self.speed_m_s / omega;
-        if let Some(corner_hz) = self.corner_hz.map(f64::ln).filter(|corner| *corner < self.corner(FAST_CORNER)) {
+        if let Some(corner_hz) = self
+            .corner_hz
+            .map(f64::ln)
+            .filter(|corner| *corner < self.corner(FAST_CORNER))
+        {
             p[CORNER] = corner_hz;
-            p[TOUCH] -= LowPass { corner_hz: corner_hz.exp(), poles: self.poles }.delay_s() / self.dt_s;
+            p[TOUCH] -= LowPass {
+                corner_hz: corner_hz.exp(),
+                poles: self.poles,
+            }
+            .delay_s()
+                / self.dt_s;
         }
         p
     }
@@ -218,7 +261,11 @@ impl Data<'_> {
     /// The best fit of a law from a few starting points; `None` where none converges to a cushion.
     pub(super) fn fit(&self, law: FittedLaw) -> Option<Fit> {
         let free = free_of(law);
-        let exponents: &[f64] = if free.contains(&EXPONENT) { &[1.0, 1.6] } else { &[1.0] };
+        let exponents: &[f64] = if free.contains(&EXPONENT) {
+            &[1.0, 1.6]
+        } else {
+            &[1.0]
+        };
         let mut best: Option<Descent> = None;
         let enough = 1.5 * self.accel_m_s2.len() as f64;
         for early in [0.0, 1.0, 0.05 * self.contact] {
@@ -230,7 +277,10 @@ impl Data<'_> {
                 match law {
                     FittedLaw::HuntCrossley => p[DISSIPATION] = 0.1,
                     FittedLaw::KelvinVoigt | FittedLaw::DampedPower => p[DAMPING] = 0.1,
-                    FittedLaw::Linear | FittedLaw::Power | FittedLaw::Cubic | FittedLaw::Tabulated => {}
+                    FittedLaw::Linear
+                    | FittedLaw::Power
+                    | FittedLaw::Cubic
+                    | FittedLaw::Tabulated => {}
                 }
                 keep_better(&mut best, self.descend(p, &free, None));
             }
@@ -252,7 +302,11 @@ impl Data<'_> {
     /// samples themselves; its error includes what the other roughnesses make of the samples.
     pub(super) fn curve(&self, laws: &[Fit], measured: Option<&Measured>) -> Option<Fit> {
         let free = free_of(FittedLaw::Tabulated);
-        let of_law = |from: &Fit| curved(from.parameters, from.predicted.compression_m, |d| from.model.elastic_n(d));
+        let of_law = |from: &Fit| {
+            curved(from.parameters, from.predicted.compression_m, |d| {
+                from.model.elastic_n(d)
+            })
+        };
         let of_samples = measured.map(|measured| {
             let p = self.start(measured.touch, 1.0);
             curved(p, measured.depth_m, |d| measured.force_n(d))
@@ -270,27 +324,49 @@ impl Data<'_> {
             starts = vec![found.p];
             fits.extend(self.finished(FittedLaw::Tabulated, &found, free.clone()));
         }
-        let likeliest =
-            fits.iter().enumerate().min_by(|a, b| a.1.unlikeliness(1.0).total_cmp(&b.1.unlikeliness(1.0)))?.0;
+        let likeliest = fits
+            .iter()
+            .enumerate()
+            .min_by(|a, b| a.1.unlikeliness(1.0).total_cmp(&b.1.unlikeliness(1.0)))?
+            .0;
         let chosen = self.over_touches(fits.swap_remove(likeliest))?;
         let error = chosen.error_among(std::iter::once(&chosen).chain(&fits), 1.0);
-        Some(Fit { secant_error_ratio: error, ..chosen })
+        Some(Fit {
+            secant_error_ratio: error,
+            ..chosen
+        })
     }
 
     /// The likeliest of the same curve with other first contacts, with an error that includes all of them. What a toe below
     /// the noise allows is no neighbourhood of one minimum: whenever the first contact passes a sample, the curve changes.
     fn over_touches(&self, from: Fit) -> Option<Fit> {
-        let held: Vec<usize> = from.free.iter().copied().filter(|&which| which != TOUCH).collect();
-        let middle = Descent { p: from.parameters, cost: from.chi_squared };
-        let mut fits: Vec<Fit> = self.finished(from.law, &middle, held.clone()).into_iter().collect();
+        let held: Vec<usize> = from
+            .free
+            .iter()
+            .copied()
+            .filter(|&which| which != TOUCH)
+            .collect();
+        let middle = Descent {
+            p: from.parameters,
+            cost: from.chi_squared,
+        };
+        let mut fits: Vec<Fit> = self
+            .finished(from.law, &middle, held.clone())
+            .into_iter()
+            .collect();
         for step in [-from.touch_error, from.touch_error] {
             let mut p = from.parameters;
             for _ in 0..MOST_TOUCHES {
                 p[TOUCH] += step;
                 let found = self.descend(p, &held, None);
                 p = found.p;
-                let Some(fit) = self.finished(from.law, &found, held.clone()) else { break };
-                let likeliest = fits.iter().map(|fit| fit.unlikeliness(1.0)).fold(f64::INFINITY, f64::min);
+                let Some(fit) = self.finished(from.law, &found, held.clone()) else {
+                    break;
+                };
+                let likeliest = fits
+                    .iter()
+                    .map(|fit| fit.unlikeliness(1.0))
+                    .fold(f64::INFINITY, f64::min);
                 let is_far = fit.unlikeliness(1.0) > likeliest + UNLIKELY;
                 fits.push(fit);
                 if is_far {
@@ -298,11 +374,19 @@ impl Data<'_> {
                 }
             }
         }
-        let best = fits.iter().min_by(|a, b| a.unlikeliness(1.0).total_cmp(&b.unlikeliness(1.0)))?;
+        let best = fits
+            .iter()
+            .min_by(|a, b| a.unlikeliness(1.0).total_cmp(&b.unlikeliness(1.0)))?;
         let error = best.error_among(&fits, 1.0);
-        let best = Descent { p: best.parameters, cost: best.chi_squared };
+        let best = Descent {
+            p: best.parameters,
+            cost: best.chi_squared,
+        };
         let fit = self.finished(from.law, &best, from.free)?;
-        Some(Fit { secant_error_ratio: error.max(fit.secant_error_ratio), ..fit })
+        Some(Fit {
+            secant_error_ratio: error.max(fit.secant_error_ratio),
+            ..fit
+        })
     }
 
     /// The fit of a law behind a filter whose corner is not known either.
@@ -313,7 +397,12 @@ impl Data<'_> {
         for corner in CORNER_STARTS {
             let mut p = from.parameters;
             p[CORNER] = self.corner(corner);
-            p[TOUCH] -= LowPass { corner_hz: p[CORNER].exp(), poles: self.poles }.delay_s() / self.dt_s;
+            p[TOUCH] -= LowPass {
+                corner_hz: p[CORNER].exp(),
+                poles: self.poles,
+            }
+            .delay_s()
+                / self.dt_s;
             keep_better(&mut best, self.descend(p, &free, None));
         }
         self.finished(from.law, &best?, free)
@@ -323,8 +412,16 @@ impl Data<'_> {
     pub(super) fn refit(&self, from: &Fit) -> Option<Fit> {
         let mut p = from.parameters;
         if p[CORNER].is_finite() {
-            let delay = |poles| LowPass { corner_hz: p[CORNER].exp(), poles }.delay_s() / self.dt_s;
-            p[TOUCH] += from.model.filter.map_or(0.0, |filter| delay(filter.poles)) - delay(self.poles);
+            let delay = |poles| {
+                LowPass {
+                    corner_hz: p[CORNER].exp(),
+                    poles,
+                }
+                .delay_s()
+                    / self.dt_s
+            };
+            p[TOUCH] +=
+                from.model.filter.map_or(0.0, |filter| delay(filter.poles)) - delay(self.poles);
         }
         let found = self.descend(p, &from.free, None);
         self.finished(from.law, &found, from.free.clone())
@@ -335,7 +432,10 @@ impl Data<'_> {
     pub(super) fn cut(&self, from: &Fit) -> Option<f64> {
         let mut free = from.free.clone();
         free.push(TOP);
-        let data = Self { poles: from.model.filter.map_or(self.poles, |filter| filter.poles), ..self.clone() };
+        let data = Self {
+            poles: from.model.filter.map_or(self.poles, |filter| filter.poles),
+            ..self.clone()
+        };
         let mut p = from.parameters;
         p[TOP] = 0.97 * from.predicted.peak_m_s2() / self.peak_m_s2;
         let found = data.descend(p, &free, None);
@@ -359,7 +459,9 @@ impl Data<'_> {
                 p[DAMPING] = p[DAMPING].max(0.02);
                 keep_better(&mut next, self.descend(p, free, Some((gap - 0.999, gap))));
             }
-            let Some(next) = next.filter(|next| next.cost < best.cost) else { break };
+            let Some(next) = next.filter(|next| next.cost < best.cost) else {
+                break;
+            };
             best = next;
             if best.p[TOUCH].ceil() == centre {
                 break;
@@ -390,7 +492,8 @@ impl Data<'_> {
                 };
                 let mut next = moved(&p, free, &step, TOUCH_SHARE * self.contact);
                 if next[CORNER].is_finite() {
-                    next[CORNER] = next[CORNER].clamp(self.corner(SLOWEST_CORNER), self.corner(FAST_CORNER));
+                    next[CORNER] =
+                        next[CORNER].clamp(self.corner(SLOWEST_CORNER), self.corner(FAST_CORNER));
                 }
                 if let Some((low, high)) = bounds {
                     next[TOUCH] = next[TOUCH].clamp(low, high);
@@ -418,11 +521,18 @@ impl Data<'_> {
             .iter()
             .map(|&i| {
                 let (q, h) = perturbed(p, i);
-                self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / h).collect()
+                self.residuals(&q)
+                    .iter()
+                    .zip(r)
+                    .map(|(a, b)| (a - b) / h)
+                    .collect()
             })
             .collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let normal = columns.iter().map(|a| columns.iter().map(|b| dot(a, b)).collect()).collect();
+        let normal = columns
+            .iter()
+            .map(|a| columns.iter().map(|b| dot(a, b)).collect())
+            .collect();
         (normal, columns.iter().map(|a| -dot(a, r)).collect())
     }
 
@@ -438,7 +548,11 @@ impl Data<'_> {
                 sum -= 2.0 * covariance[at][next];
             }
         }
-        if places.is_empty() { 0.0 } else { sum / p[ROUGHNESS].powi(2) }
+        if places.is_empty() {
+            0.0
+        } else {
+            sum / p[ROUGHNESS].powi(2)
+        }
     }
 
     fn finished(&self, law: FittedLaw, found: &Descent, free: Vec<usize>) -> Option<Fit> {
@@ -466,14 +580,19 @@ impl Data<'_> {
             .collect();
         let mut variance = 0.0;
         for (i, row) in covariance.iter().enumerate() {
-            variance += row.iter().zip(&slopes).map(|(c, s)| c * s * slopes[i]).sum::<f64>();
+            variance += row
+                .iter()
+                .zip(&slopes)
+                .map(|(c, s)| c * s * slopes[i])
+                .sum::<f64>();
         }
         let of = |which: usize| {
             let at = free.iter().position(|&i| i == which)?;
             Some((covariance[at][at] * scale).max(0.0).sqrt())
         };
         let touch_error = of(TOUCH).unwrap_or(0.0);
-        let (exponent_error, damping_error) = (of(EXPONENT), of(DAMPING).or_else(|| of(DISSIPATION)));
+        let (exponent_error, damping_error) =
+            (of(EXPONENT), of(DAMPING).or_else(|| of(DISSIPATION)));
         let samples = &r[..self.accel_m_s2.len()];
         let model = self.model(p);
         let fit = Fit {
@@ -492,9 +611,12 @@ impl Data<'_> {
             chi_squared: cost,
             log_information: log_determinant(&normal)?,
             degrees,
-            residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma() / self.peak_m_s2,
+            residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma()
+                / self.peak_m_s2,
         };
-        let sound = fit.secant_n_m.is_finite() && fit.secant_error_ratio.is_finite() && fit.predicted.contact_s > 0.0;
+        let sound = fit.secant_n_m.is_finite()
+            && fit.secant_error_ratio.is_finite()
+            && fit.predicted.contact_s > 0.0;
         sound.then_some(fit)
     }
 }
@@ -521,7 +643,10 @@ impl Fit {
     /// Whether a fit has fewer parameters than another one, or as many and is likelier.
     pub(super) fn simpler(&self, other: &Self, scale: f64) -> Ordering {
         let parameters = self.free.len().cmp(&other.free.len());
-        parameters.then(self.unlikeliness(scale).total_cmp(&other.unlikeliness(scale)))
+        parameters.then(
+            self.unlikeliness(scale)
+                .total_cmp(&other.unlikeliness(scale)),
+        )
     }
 
     /// Where a parameter is expected and how far from there it may be: about a linear pad. Of the parameters that every
@@ -538,13 +663,23 @@ impl Fit {
     }
 
     /// The standard deviation of ln k about this fit, by what all fits make of the samples, each as much as it is likely.
-    pub(super) fn error_among<'a>(&self, fits: impl IntoIterator<Item = &'a Self>, scale: f64) -> f64 {
+    pub(super) fn error_among<'a>(
+        &self,
+        fits: impl IntoIterator<Item = &'a Self>,
+        scale: f64,
+    ) -> f64 {
         let of = |fit: &Self| {
             let apart = (fit.secant_n_m / self.secant_n_m).ln();
-            (fit.unlikeliness(scale), fit.secant_error_ratio.powi(2) + apart * apart)
+            (
+                fit.unlikeliness(scale),
+                fit.secant_error_ratio.powi(2) + apart * apart,
+            )
         };
         let variances: Vec<(f64, f64)> = fits.into_iter().map(of).collect();
-        let lowest = variances.iter().map(|(unlikeliness, _)| *unlikeliness).fold(f64::INFINITY, f64::min);
+        let lowest = variances
+            .iter()
+            .map(|(unlikeliness, _)| *unlikeliness)
+            .fold(f64::INFINITY, f64::min);
         let (mut sum, mut total) = (0.0, 0.0);
         for (unlikeliness, variance) in variances {
             let weight = (0.5 * (lowest - unlikeliness)).exp();
@@ -561,7 +696,9 @@ impl Fit {
 
     /// The corner of the filter, where it was fitted \[Hz\].
     pub(super) fn fitted_corner_hz(&self) -> Option<f64> {
-        self.free.contains(&CORNER).then(|| self.parameters[CORNER].exp())
+        self.free
+            .contains(&CORNER)
+            .then(|| self.parameters[CORNER].exp())
     }
 
     /// Whether the numbers are those of a pad: a curve that contains laws without damping may be negative by its error.
@@ -575,8 +712,9 @@ impl Fit {
     /// Whether the law fits the samples only with clearly negative damping.
     pub(super) fn gives_energy(&self) -> bool {
         let [damping, dissipation] = [DAMPING, DISSIPATION].map(|which| self.parameters[which]);
-        self.damping_error
-            .is_some_and(|error| damping.min(dissipation) < -(NEGATIVE_ERRORS * error).max(NEGATIVE_DAMPING))
+        self.damping_error.is_some_and(|error| {
+            damping.min(dissipation) < -(NEGATIVE_ERRORS * error).max(NEGATIVE_DAMPING)
+        })
     }
 }
 
@@ -596,10 +734,12 @@ fn keep_better(best: &mut Option<Descent>, found: Descent) {
 /// The curve of a force up to a compression.
 fn curved(mut p: Parameters, depth_m: f64, force_n: impl Fn(f64) -> f64) -> Parameters {
     let secant_n_m = force_n(depth_m) / depth_m;
-    (p[DEPTH], p[STIFFNESS], p[EXPONENT], p[CUBE], p[DISSIPATION]) = (depth_m, secant_n_m.ln(), 1.0, 0.0, 0.0);
+    (p[DEPTH], p[STIFFNESS], p[EXPONENT], p[CUBE], p[DISSIPATION]) =
+        (depth_m, secant_n_m.ln(), 1.0, 0.0, 0.0);
     let step_m = depth_m / PIECES as f64;
     let tangent = |i: usize| {
-        let [low, high] = [i as f64 - 0.5, i as f64 + 0.5].map(|x| x.clamp(0.0, PIECES as f64) * step_m);
+        let [low, high] =
+            [i as f64 - 0.5, i as f64 + 0.5].map(|x| x.clamp(0.0, PIECES as f64) * step_m);
         ((force_n(high) - force_n(low)) / (high - low)).max(LEAST_TANGENT * secant_n_m)
     };
     (0..PIECES).for_each(|i| p[CURVE + i] = (tangent(i + 1) / tangent(0)).ln());
@@ -619,9 +759,16 @@ fn perturbed(p: &Parameters, i: usize) -> (Parameters, f64) {
 
 /// Removes the first contact (the first of the free parameters) where it is at a bound and the step
 /// would leave the range.
-fn hold_at_bound(normal: &mut [Vec<f64>], gradient: &mut [f64], touch: f64, bounds: Option<(f64, f64)>) {
+fn hold_at_bound(
+    normal: &mut [Vec<f64>],
+    gradient: &mut [f64],
+    touch: f64,
+    bounds: Option<(f64, f64)>,
+) {
     let Some((low, high)) = bounds else { return };
-    let Some(down_hill) = gradient.first_mut() else { return };
+    let Some(down_hill) = gradient.first_mut() else {
+        return;
+    };
     if (touch >= high && *down_hill > 0.0) || (touch <= low && *down_hill < 0.0) {
         *down_hill = 0.0;
         for (i, row) in normal.iter_mut().enumerate() {
@@ -645,7 +792,9 @@ fn moved(p: &Parameters, free: &[usize], step: &[f64], touch: f64) -> Parameters
         };
         next[i] += s.clamp(-most, most);
     }
-    next.iter_mut().skip(CURVE).for_each(|q| *q = q.clamp(-MOST_CHANGE, MOST_CHANGE));
+    next.iter_mut()
+        .skip(CURVE)
+        .for_each(|q| *q = q.clamp(-MOST_CHANGE, MOST_CHANGE));
     next[EXPONENT] = next[EXPONENT].clamp(0.3, 8.0);
     next[DAMPING] = next[DAMPING].clamp(-0.2, 2.0);
     next[DISSIPATION] = next[DISSIPATION].clamp(-0.3, 20.0);
@@ -669,7 +818,10 @@ pub(super) fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let row = a[k].clone();
         for i in k + 1..n {
             let factor = a[i][k] / row[k];
-            a[i].iter_mut().zip(&row).skip(k).for_each(|(x, y)| *x -= factor * y);
+            a[i].iter_mut()
+                .zip(&row)
+                .skip(k)
+                .for_each(|(x, y)| *x -= factor * y);
             b[i] -= factor * b[k];
         }
     }
@@ -702,5 +854,14 @@ fn log_determinant(a: &[Vec<f64>]) -> Option<f64> {
 }
 
 fn inverse(a: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    (0..a.len()).map(|i| solve(a.to_vec(), (0..a.len()).map(|j| if i == j { 1.0 } else { 0.0 }).collect())).collect()
+    (0..a.len())
+        .map(|i| {
+            solve(
+                a.to_vec(),
+                (0..a.len())
+                    .map(|j| if i == j { 1.0 } else { 0.0 })
+                    .collect(),
+            )
+        })
+        .collect()
 }

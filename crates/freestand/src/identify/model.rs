@@ -14,11 +14,18 @@ pub(super) const PIECES: usize = 24;
 )]
 pub(super) enum Elastic {
     /// K dⁿ.
-    Power { coefficient_n_mn: f64, exponent: f64 },
+    Power {
+        coefficient_n_mn: f64,
+        exponent: f64,
+    },
     /// k d + k₃ d³.
     Cubic { initial_n_m: f64, cubic_n_m3: f64 },
     /// The tangent stiffness at equal distances, linear between them and constant after the last, and the force there.
-    Curve { step_m: f64, tangents_n_m: [f64; PIECES + 1], forces_n: [f64; PIECES + 1] },
+    Curve {
+        step_m: f64,
+        tangents_n_m: [f64; PIECES + 1],
+        forces_n: [f64; PIECES + 1],
+    },
 }
 
 impl Elastic {
@@ -33,15 +40,32 @@ impl Elastic {
             sum += scale * mean * step_m;
             *force_n = sum;
         }
-        Self::Curve { step_m, tangents_n_m: ratios.map(|ratio| scale * ratio), forces_n }
+        Self::Curve {
+            step_m,
+            tangents_n_m: ratios.map(|ratio| scale * ratio),
+            forces_n,
+        }
     }
 
     fn force_n(&self, d: f64) -> f64 {
         match self {
-            Self::Power { coefficient_n_mn, exponent: 1.0 } => coefficient_n_mn * d,
-            Self::Power { coefficient_n_mn, exponent } => coefficient_n_mn * d.powf(*exponent),
-            Self::Cubic { initial_n_m, cubic_n_m3 } => d * (initial_n_m + cubic_n_m3 * d * d),
-            Self::Curve { step_m, tangents_n_m, forces_n } => {
+            Self::Power {
+                coefficient_n_mn,
+                exponent: 1.0,
+            } => coefficient_n_mn * d,
+            Self::Power {
+                coefficient_n_mn,
+                exponent,
+            } => coefficient_n_mn * d.powf(*exponent),
+            Self::Cubic {
+                initial_n_m,
+                cubic_n_m3,
+            } => d * (initial_n_m + cubic_n_m3 * d * d),
+            Self::Curve {
+                step_m,
+                tangents_n_m,
+                forces_n,
+            } => {
                 let piece = ((d / step_m) as usize).min(PIECES);
                 let into = d - piece as f64 * step_m;
                 let [tangent, next] = [piece, (piece + 1).min(PIECES)].map(|i| tangents_n_m[i]);
@@ -113,7 +137,10 @@ impl Model {
     /// df/dd at the origin; `None` where it is infinite.
     pub(super) fn initial_n_m(&self) -> Option<f64> {
         match self.elastic {
-            Elastic::Power { coefficient_n_mn, exponent } => match exponent.total_cmp(&1.0) {
+            Elastic::Power {
+                coefficient_n_mn,
+                exponent,
+            } => match exponent.total_cmp(&1.0) {
                 Ordering::Less => None,
                 Ordering::Equal => Some(coefficient_n_mn),
                 Ordering::Greater => Some(0.0),
@@ -169,7 +196,11 @@ impl Model {
             out.accel_m_s2.push(accel);
         }
         // The last force continues to fall at the same rate.
-        let share = if fall > 0.0 { (last / fall).min(1.0) } else { 1.0 };
+        let share = if fall > 0.0 {
+            (last / fall).min(1.0)
+        } else {
+            1.0
+        };
         out.contact_s = ((out.accel_m_s2.len() - 1) as f64 + share) * h;
         out.rebound_m_s = -v;
         out.force_peak_m_s2 = out.peak_m_s2();
@@ -184,9 +215,12 @@ impl Model {
 impl Predicted {
     /// Replaces the force by what a filter shows of it.
     fn show(&mut self, filter: LowPass) {
-        let tail = (TAIL / (filter.corner_hz * self.step_s)).ceil().min(LONGEST as f64) as usize;
+        let tail = (TAIL / (filter.corner_hz * self.step_s))
+            .ceil()
+            .min(LONGEST as f64) as usize;
         // The force ends within the next step.
-        self.accel_m_s2.resize(self.accel_m_s2.len() + 1 + tail, 0.0);
+        self.accel_m_s2
+            .resize(self.accel_m_s2.len() + 1 + tail, 0.0);
         filter.apply(&mut self.accel_m_s2, self.step_s);
         self.end_s = (self.accel_m_s2.len() - 1) as f64 * self.step_s;
     }
@@ -207,7 +241,11 @@ impl Predicted {
             (Some(a), Some(b)) => a + share * (b - a),
             (Some(a), None) => {
                 let left = self.end_s / self.step_s - index as f64;
-                if left > 0.0 { a * (1.0 - share / left).max(0.0) } else { 0.0 }
+                if left > 0.0 {
+                    a * (1.0 - share / left).max(0.0)
+                } else {
+                    0.0
+                }
             }
             _ => 0.0,
         }

@@ -17,12 +17,20 @@ fn fall_m_s() -> f64 {
 fn dense(force_n: impl Fn(f64) -> f64, most_m: f64) -> Cushion {
     let compressions_m: Vec<f64> = (0..=400).map(|i| most_m * f64::from(i) / 400.0).collect();
     let forces_n = compressions_m.iter().map(|&d| force_n(d)).collect();
-    Cushion::new(ContactLaw::Tabulated { compressions_m, forces_n }).unwrap()
+    Cushion::new(ContactLaw::Tabulated {
+        compressions_m,
+        forces_n,
+    })
+    .unwrap()
 }
 
 fn table(points: &[(f64, f64)]) -> Cushion {
     let (compressions_m, forces_n) = points.iter().map(|&(d, f)| (1e-3 * d, 1e3 * f)).unzip();
-    Cushion::new(ContactLaw::Tabulated { compressions_m, forces_n }).unwrap()
+    Cushion::new(ContactLaw::Tabulated {
+        compressions_m,
+        forces_n,
+    })
+    .unwrap()
 }
 
 /// What a pad follows.
@@ -38,21 +46,58 @@ enum Family {
 
 /// Pads by name.
 fn pads() -> Vec<(Family, &'static str, Cushion)> {
-    let tangent =
-        |stiffness_n_m, bottoming_m| Cushion::new(ContactLaw::Tangent { stiffness_n_m, bottoming_m }).unwrap();
+    let tangent = |stiffness_n_m, bottoming_m| {
+        Cushion::new(ContactLaw::Tangent {
+            stiffness_n_m,
+            bottoming_m,
+        })
+        .unwrap()
+    };
     use Family::{Cubic, Other, Table, Tangent};
     vec![
-        (Cubic, "hardening weakly", dense(|d| 1.8e6 * d + 1.5e12 * d.powi(3), 2e-3)),
-        (Cubic, "hardening", dense(|d| 1.2e6 * d + 6e12 * d.powi(3), 2e-3)),
-        (Cubic, "hardening strongly", dense(|d| 4e5 * d + 9e12 * d.powi(3), 2e-3)),
+        (
+            Cubic,
+            "hardening weakly",
+            dense(|d| 1.8e6 * d + 1.5e12 * d.powi(3), 2e-3),
+        ),
+        (
+            Cubic,
+            "hardening",
+            dense(|d| 1.2e6 * d + 6e12 * d.powi(3), 2e-3),
+        ),
+        (
+            Cubic,
+            "hardening strongly",
+            dense(|d| 4e5 * d + 9e12 * d.powi(3), 2e-3),
+        ),
         // The force of this pad has its largest value at 1.05 mm.
-        (Cubic, "softening", dense(|d| 2.0e6 * d - 0.6e12 * d.powi(3), 1.04e-3)),
-        (Cubic, "softening weakly", dense(|d| 2.2e6 * d - 0.35e12 * d.powi(3), 1.4e-3)),
+        (
+            Cubic,
+            "softening",
+            dense(|d| 2.0e6 * d - 0.6e12 * d.powi(3), 1.04e-3),
+        ),
+        (
+            Cubic,
+            "softening weakly",
+            dense(|d| 2.2e6 * d - 0.35e12 * d.powi(3), 1.4e-3),
+        ),
         (Tangent, "tangent", tangent(1.0e6, 1.5e-3)),
         (Tangent, "tangent, nearly bottoming", tangent(6e5, 0.9e-3)),
-        (Table, "table, kink up", table(&[(0.0, 0.0), (0.3, 0.36), (0.6, 1.2), (1.0, 3.0)])),
-        (Table, "table, kink down", table(&[(0.0, 0.0), (0.25, 0.75), (0.6, 1.3), (1.2, 2.0)])),
-        (Other, "exponential", dense(|d| 420.0 * (d / 0.35e-3).exp_m1(), 2e-3)),
+        (
+            Table,
+            "table, kink up",
+            table(&[(0.0, 0.0), (0.3, 0.36), (0.6, 1.2), (1.0, 3.0)]),
+        ),
+        (
+            Table,
+            "table, kink down",
+            table(&[(0.0, 0.0), (0.25, 0.75), (0.6, 1.3), (1.2, 2.0)]),
+        ),
+        (
+            Other,
+            "exponential",
+            dense(|d| 420.0 * (d / 0.35e-3).exp_m1(), 2e-3),
+        ),
         (Other, "square", dense(|d| 1.0e6 * d + 1.6e9 * d * d, 2e-3)),
     ]
 }
@@ -67,12 +112,36 @@ struct Recorder {
 }
 
 const RECORDERS: [Recorder; 6] = [
-    Recorder { per_contact: 50.0, noise_ratio: 0.005, corner: None },
-    Recorder { per_contact: 75.0, noise_ratio: 0.001, corner: None },
-    Recorder { per_contact: 200.0, noise_ratio: 0.01, corner: None },
-    Recorder { per_contact: 60.0, noise_ratio: 0.0, corner: None },
-    Recorder { per_contact: 60.0, noise_ratio: 0.003, corner: Some(6.0) },
-    Recorder { per_contact: 100.0, noise_ratio: 0.003, corner: Some(3.0) },
+    Recorder {
+        per_contact: 50.0,
+        noise_ratio: 0.005,
+        corner: None,
+    },
+    Recorder {
+        per_contact: 75.0,
+        noise_ratio: 0.001,
+        corner: None,
+    },
+    Recorder {
+        per_contact: 200.0,
+        noise_ratio: 0.01,
+        corner: None,
+    },
+    Recorder {
+        per_contact: 60.0,
+        noise_ratio: 0.0,
+        corner: None,
+    },
+    Recorder {
+        per_contact: 60.0,
+        noise_ratio: 0.003,
+        corner: Some(6.0),
+    },
+    Recorder {
+        per_contact: 100.0,
+        noise_ratio: 0.003,
+        corner: Some(3.0),
+    },
 ];
 
 /// One drop, evaluated.
@@ -90,7 +159,8 @@ impl Outcome {
 
     /// Whether the interval holds the truth.
     fn holds(&self) -> bool {
-        self.off_and_half.is_some_and(|(off, half)| off.abs() <= half)
+        self.off_and_half
+            .is_some_and(|(off, half)| off.abs() <= half)
     }
 
     fn is_flagged(&self) -> bool {
@@ -103,7 +173,12 @@ fn count(outcomes: &[Outcome], is_it: impl Fn(&Outcome) -> bool) -> usize {
 }
 
 fn median_half(outcomes: &[Outcome]) -> f64 {
-    median(&outcomes.iter().filter_map(|outcome| Some(outcome.off_and_half?.1)).collect::<Vec<_>>())
+    median(
+        &outcomes
+            .iter()
+            .filter_map(|outcome| Some(outcome.off_and_half?.1))
+            .collect::<Vec<_>>(),
+    )
 }
 
 fn median(values: &[f64]) -> f64 {
@@ -120,7 +195,13 @@ fn truth_n_m(pad: &Cushion) -> f64 {
 }
 
 /// Drops with a stated velocity that is wrong by 1 %, as 12 bits of a range of twice the peak.
-fn outcomes(pad: &Cushion, recorder: &Recorder, seed: u64, drops: u64, states_corner: bool) -> Vec<Outcome> {
+fn outcomes(
+    pad: &Cushion,
+    recorder: &Recorder,
+    seed: u64,
+    drops: u64,
+    states_corner: bool,
+) -> Vec<Outcome> {
     let truth = truth_n_m(pad);
     let contact_s = pad.land(MASS_KG, fall_m_s()).duration_s;
     let filter_corner_hz = recorder.corner.map(|corner| corner / contact_s);
@@ -137,18 +218,34 @@ fn outcomes(pad: &Cushion, recorder: &Recorder, seed: u64, drops: u64, states_co
         };
         let drop = virtual_drop(pad, &options).unwrap();
         let step = 4.0 * drop.peak_m_s2 / 4096.0;
-        let samples: Vec<f64> = drop.samples_m_s2.iter().map(|a| (a / step).round() * step).collect();
+        let samples: Vec<f64> = drop
+            .samples_m_s2
+            .iter()
+            .map(|a| (a / step).round() * step)
+            .collect();
         let setup = DropSetup {
             mass_kg: MASS_KG,
-            impact_velocity: ImpactVelocity::Known { speed_m_s: drop.stated_speed_m_s, error_ratio: 0.01 },
+            impact_velocity: ImpactVelocity::Known {
+                speed_m_s: drop.stated_speed_m_s,
+                error_ratio: 0.01,
+            },
             gravity_m_s2: G0_M_S2,
             filter_corner_hz: filter_corner_hz.filter(|_| states_corner),
             law: None,
         };
-        let DropTest { flags, identified, .. } = drop_test(&samples, drop.dt_s, &setup).unwrap();
-        let off_and_half =
-            identified.map(|found| ((found.stiffness.fit_n_m / truth).ln(), NORMAL_975 * found.error_ratio));
-        Outcome { flags, off_and_half }
+        let DropTest {
+            flags, identified, ..
+        } = drop_test(&samples, drop.dt_s, &setup).unwrap();
+        let off_and_half = identified.map(|found| {
+            (
+                (found.stiffness.fit_n_m / truth).ln(),
+                NORMAL_975 * found.error_ratio,
+            )
+        });
+        Outcome {
+            flags,
+            off_and_half,
+        }
     };
     (0..drops).map(one).collect()
 }
@@ -170,16 +267,24 @@ impl Family {
 
 /// Drops of every pad on every recorder, on all cores, with totals by pad and by recorder.
 fn campaign(states_corner: bool) {
-    let recorders: Vec<&Recorder> =
-        RECORDERS.iter().filter(|recorder| states_corner || recorder.corner.is_some()).collect();
+    let recorders: Vec<&Recorder> = RECORDERS
+        .iter()
+        .filter(|recorder| states_corner || recorder.corner.is_some())
+        .collect();
     let pads = pads();
-    let cells: Vec<(usize, usize)> = (0..pads.len()).flat_map(|p| (0..recorders.len()).map(move |r| (p, r))).collect();
+    let cells: Vec<(usize, usize)> = (0..pads.len())
+        .flat_map(|p| (0..recorders.len()).map(move |r| (p, r)))
+        .collect();
     let found: Vec<Vec<Outcome>> = cells
         .par_iter()
         .map(|&(p, r)| {
             let (family, _, pad) = &pads[p];
             // The corner that nobody states has a third as many recorders.
-            let drops = if states_corner { family.drops() } else { family.drops().div_ceil(2) };
+            let drops = if states_corner {
+                family.drops()
+            } else {
+                family.drops().div_ceil(2)
+            };
             outcomes(pad, recorders[r], CAMPAIGN_SEED, drops, states_corner)
         })
         .collect();
@@ -189,9 +294,18 @@ fn campaign(states_corner: bool) {
         }
     }
     let line = |name: String, is_in: &dyn Fn(usize, usize) -> bool| {
-        let inside = || cells.iter().zip(&found).filter(|((p, r), _)| is_in(*p, *r)).flat_map(|(_, cell)| cell);
-        let count = |is_it: &dyn Fn(&Outcome) -> bool| inside().filter(|outcome| is_it(outcome)).count();
-        let halves: Vec<f64> = inside().filter_map(|outcome| Some(outcome.off_and_half?.1)).collect();
+        let inside = || {
+            cells
+                .iter()
+                .zip(&found)
+                .filter(|((p, r), _)| is_in(*p, *r))
+                .flat_map(|(_, cell)| cell)
+        };
+        let count =
+            |is_it: &dyn Fn(&Outcome) -> bool| inside().filter(|outcome| is_it(outcome)).count();
+        let halves: Vec<f64> = inside()
+            .filter_map(|outcome| Some(outcome.off_and_half?.1))
+            .collect();
         println!(
             "{name:40} drops {} given {} held {} flagged {} wrong and not flagged {} | half-width {:.4}",
             count(&|_| true),
@@ -209,7 +323,10 @@ fn campaign(states_corner: bool) {
         line(format!("{family:?}"), &|pad, _| pads[pad].0 == family);
     }
     for (r, recorder) in recorders.iter().enumerate() {
-        line(format!("{recorder:?}").replace("Recorder ", ""), &|_, other| other == r);
+        line(
+            format!("{recorder:?}").replace("Recorder ", ""),
+            &|_, other| other == r,
+        );
     }
 }
 
@@ -220,9 +337,15 @@ fn pads_that_follow_no_law_are_inside_their_intervals() {
     let wanted = ["hardening", "softening", "tangent", "table, kink up"];
     for recorder in [&RECORDERS[0], &RECORDERS[4]] {
         let (mut held, mut given) = (0, 0);
-        for (_, name, pad) in pads().into_iter().filter(|(_, name, _)| wanted.contains(name)) {
+        for (_, name, pad) in pads()
+            .into_iter()
+            .filter(|(_, name, _)| wanted.contains(name))
+        {
             let s = outcomes(&pad, recorder, TEST_SEED, 6, true);
-            (held, given) = (held + count(&s, Outcome::holds), given + count(&s, Outcome::is_given));
+            (held, given) = (
+                held + count(&s, Outcome::holds),
+                given + count(&s, Outcome::is_given),
+            );
             assert!(median_half(&s) < 0.06, "{name} {recorder:?}: {s:?}");
         }
         assert!(held > 20 && given > 21, "{recorder:?}: {held} of {given}");
@@ -234,22 +357,38 @@ fn pads_that_follow_no_law_are_inside_their_intervals() {
 #[test]
 fn a_slow_filter_is_noticed() {
     let pad = Cushion::linear(7.6e5).unwrap();
-    let slow = Recorder { per_contact: 100.0, noise_ratio: 0.003, corner: Some(2.4) };
+    let slow = Recorder {
+        per_contact: 100.0,
+        noise_ratio: 0.003,
+        corner: Some(2.4),
+    };
     let s = outcomes(&pad, &slow, TEST_SEED, 4, false);
     let given = count(&s, Outcome::is_given);
-    assert!(count(&s, Outcome::is_flagged) == 4 && count(&s, Outcome::holds) == given && given > 2, "{s:?}");
+    assert!(
+        count(&s, Outcome::is_flagged) == 4 && count(&s, Outcome::holds) == given && given > 2,
+        "{s:?}"
+    );
     let stated = outcomes(&pad, &slow, TEST_SEED, 4, true);
     // Behind the stated filter the pad is as well known as without one: noise and the velocity.
-    assert!(count(&stated, Outcome::holds) > 2 && median_half(&stated) < 0.05, "{stated:?}");
+    assert!(
+        count(&stated, Outcome::holds) > 2 && median_half(&stated) < 0.05,
+        "{stated:?}"
+    );
 }
 
 /// A pad without a formula behind a filter at 3/t_c that nobody stated: its curve could take the shape of the filter, and
 /// would be 2 to 17 % too soft. In the campaign all of 32 such drops are flagged and inside their intervals.
 #[test]
 fn a_slow_filter_is_no_part_of_a_curve() {
-    for (_, name, pad) in pads().into_iter().filter(|(_, name, _)| ["tangent", "table, kink up"].contains(name)) {
+    for (_, name, pad) in pads()
+        .into_iter()
+        .filter(|(_, name, _)| ["tangent", "table, kink up"].contains(name))
+    {
         let s = outcomes(&pad, &RECORDERS[5], TEST_SEED, 3, false);
-        assert!(count(&s, Outcome::is_flagged) == 3 && count(&s, Outcome::holds) == 3, "{name}: {s:?}");
+        assert!(
+            count(&s, Outcome::is_flagged) == 3 && count(&s, Outcome::holds) == 3,
+            "{name}: {s:?}"
+        );
     }
 }
 
@@ -259,7 +398,9 @@ fn a_hardening_pad_is_no_power_law() {
     let pad = dense(|d| 1.19e6 * d + 6e12 * d.powi(3), 2e-3);
     let s = outcomes(&pad, &RECORDERS[1], TEST_SEED, 3, true);
     // Noise of 0.1 % and the velocity, of 1 %, decide: 1 % is three times the half-width of the campaign.
-    let is_near = |s: &Outcome| s.holds() && !s.is_flagged() && s.off_and_half.is_some_and(|(off, _)| off.abs() < 0.01);
+    let is_near = |s: &Outcome| {
+        s.holds() && !s.is_flagged() && s.off_and_half.is_some_and(|(off, _)| off.abs() < 0.01)
+    };
     assert!(s.iter().all(is_near), "{s:?}");
 }
 

@@ -60,13 +60,21 @@ pub fn pool_drops(drops: &[PooledDrop], seed: u64) -> Option<Pooled> {
         return None;
     }
     let logs: Vec<f64> = drops.iter().map(|drop| drop.stiffness_n_m.ln()).collect();
-    let own: Vec<f64> = drops.iter().map(|drop| drop.error_ratio.max(1e-9)).collect();
+    let own: Vec<f64> = drops
+        .iter()
+        .map(|drop| drop.error_ratio.max(1e-9))
+        .collect();
     let weights = weights(&logs, &own);
     let total: f64 = weights.iter().sum();
-    let weighted = |of: &dyn Fn(usize) -> f64| (0..count).map(|i| weights[i] * of(i)).sum::<f64>() / total;
+    let weighted =
+        |of: &dyn Fn(usize) -> f64| (0..count).map(|i| weights[i] * of(i)).sum::<f64>() / total;
     let mean = weighted(&|i| logs[i]);
     let within = NORMAL_975 * weighted(&|i| own[i] * own[i]).sqrt();
-    let between = if count > 1 { student(count) * bootstrap_error(&logs, &weights, seed) } else { 0.0 };
+    let between = if count > 1 {
+        student(count) * bootstrap_error(&logs, &weights, seed)
+    } else {
+        0.0
+    };
     let half = within.max(between);
     let scatter = (count > 1).then(|| {
         let middle = logs.iter().sum::<f64>() / count as f64;
@@ -86,10 +94,18 @@ fn weights(logs: &[f64], own: &[f64]) -> Vec<f64> {
     let plain: Vec<f64> = own.iter().map(|s| 1.0 / (s * s)).collect();
     let total: f64 = plain.iter().sum();
     let mean = plain.iter().zip(logs).map(|(w, x)| w * x).sum::<f64>() / total;
-    let q: f64 = plain.iter().zip(logs).map(|(w, x)| w * (x - mean).powi(2)).sum();
+    let q: f64 = plain
+        .iter()
+        .zip(logs)
+        .map(|(w, x)| w * (x - mean).powi(2))
+        .sum();
     let squares: f64 = plain.iter().map(|w| w * w).sum();
     let below = total - squares / total;
-    let tau2 = if below > 0.0 { ((q - (logs.len() - 1) as f64) / below).max(0.0) } else { 0.0 };
+    let tau2 = if below > 0.0 {
+        ((q - (logs.len() - 1) as f64) / below).max(0.0)
+    } else {
+        0.0
+    };
     own.iter().map(|s| 1.0 / (s * s + tau2)).collect()
 }
 

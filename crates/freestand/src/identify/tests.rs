@@ -16,10 +16,17 @@ fn fall_m_s() -> f64 {
 }
 
 fn setup(known: bool) -> DropSetup {
-    let known_speed = ImpactVelocity::Known { speed_m_s: fall_m_s(), error_ratio: 0.01 };
+    let known_speed = ImpactVelocity::Known {
+        speed_m_s: fall_m_s(),
+        error_ratio: 0.01,
+    };
     DropSetup {
         mass_kg: MASS_KG,
-        impact_velocity: if known { known_speed } else { ImpactVelocity::FromImpulse },
+        impact_velocity: if known {
+            known_speed
+        } else {
+            ImpactVelocity::FromImpulse
+        },
         gravity_m_s2: G0_M_S2,
         filter_corner_hz: None,
         law: None,
@@ -28,7 +35,13 @@ fn setup(known: bool) -> DropSetup {
 
 /// The pad of the worked example in the textbook form: a half-sine, no gravity during the contact,
 /// a zero line of 1 g and noise as a share of the peak.
-fn half_sine(per_contact: f64, noise: f64, phase: f64, seed: u64, stiffness_n_m: f64) -> (Vec<f64>, f64) {
+fn half_sine(
+    per_contact: f64,
+    noise: f64,
+    phase: f64,
+    seed: u64,
+    stiffness_n_m: f64,
+) -> (Vec<f64>, f64) {
     let omega = (stiffness_n_m / MASS_KG).sqrt();
     let peak = fall_m_s() * omega;
     let dt_s = PI / omega / per_contact;
@@ -36,7 +49,11 @@ fn half_sine(per_contact: f64, noise: f64, phase: f64, seed: u64, stiffness_n_m:
     let count = (6.0 * per_contact) as usize;
     let samples = (0..count).map(|i| {
         let t = (i as f64 - 2.0 * per_contact - phase) * dt_s;
-        let pulse = if t > 0.0 && omega * t < PI { peak * (omega * t).sin() } else { 0.0 };
+        let pulse = if t > 0.0 && omega * t < PI {
+            peak * (omega * t).sin()
+        } else {
+            0.0
+        };
         let normal: f64 = StandardNormal.sample(&mut random);
         pulse + G0_M_S2 + noise * peak * normal
     });
@@ -45,7 +62,10 @@ fn half_sine(per_contact: f64, noise: f64, phase: f64, seed: u64, stiffness_n_m:
 
 fn interval(found: &Identified) -> (f64, f64) {
     let half = 1.959964 * found.error_ratio;
-    (found.stiffness.fit_n_m * (-half).exp(), found.stiffness.fit_n_m * half.exp())
+    (
+        found.stiffness.fit_n_m * (-half).exp(),
+        found.stiffness.fit_n_m * half.exp(),
+    )
 }
 
 /// Half-sines of other seeds, rates and stiffnesses, with a zero line of 1 g: within 2 %, and
@@ -54,8 +74,12 @@ fn interval(found: &Identified) -> (f64, f64) {
 /// times both stay within 2 %.
 #[test]
 fn half_sines_give_their_stiffness() {
-    for (per_contact, known, phase) in [(50.0, true, 0.0), (50.0, false, 0.37), (30.0, true, 0.8), (200.0, false, 0.5)]
-    {
+    for (per_contact, known, phase) in [
+        (50.0, true, 0.0),
+        (50.0, false, 0.37),
+        (30.0, true, 0.8),
+        (200.0, false, 0.5),
+    ] {
         for seed in 0..6 {
             let (samples, dt_s) = half_sine(per_contact, 0.005, phase, seed, STIFFNESS_N_M);
             let test = drop_test(&samples, dt_s, &setup(known)).unwrap();
@@ -64,7 +88,10 @@ fn half_sines_give_their_stiffness() {
             let error = found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0;
             assert!(error.abs() < 0.02, "{per_contact} {known} {seed}: {error}");
             let (low, high) = interval(&found);
-            assert!(low < STIFFNESS_N_M && STIFFNESS_N_M < high, "{per_contact} {known} {seed}: {low} {high}");
+            assert!(
+                low < STIFFNESS_N_M && STIFFNESS_N_M < high,
+                "{per_contact} {known} {seed}: {low} {high}"
+            );
             assert!((found.exponent - 1.0).abs() < 0.03, "{}", found.exponent);
             assert_eq!(found.chosen, FittedLaw::Linear);
             // A sample is a fiftieth of the contact, and the flanks are located to a small part of
@@ -92,11 +119,19 @@ fn weight_is_told_from_the_record() {
             ..virtual_options(seed)
         };
         let with = virtual_drop(&pad, &options).unwrap();
-        for (samples, dt_s, has_gravity) in [(without, dt_s, false), (with.samples_m_s2, with.dt_s, true)] {
-            let found = drop_test(&samples, dt_s, &setup(true)).unwrap().identified.unwrap();
+        for (samples, dt_s, has_gravity) in
+            [(without, dt_s, false), (with.samples_m_s2, with.dt_s, true)]
+        {
+            let found = drop_test(&samples, dt_s, &setup(true))
+                .unwrap()
+                .identified
+                .unwrap();
             assert_eq!(found.has_gravity, has_gravity, "{seed}");
             let (low, high) = interval(&found);
-            assert!((found.stiffness.fit_n_m / stiffness_n_m - 1.0).abs() < 0.01, "{seed} {has_gravity} {found:?}");
+            assert!(
+                (found.stiffness.fit_n_m / stiffness_n_m - 1.0).abs() < 0.01,
+                "{seed} {has_gravity} {found:?}"
+            );
             assert!(low < stiffness_n_m && stiffness_n_m < high);
         }
     }
@@ -108,7 +143,10 @@ fn weight_is_told_from_the_record() {
 #[test]
 fn four_estimates_agree_where_the_pad_is_linear() {
     let (samples, dt_s) = half_sine(50.0, 0.0, 0.0, 1, STIFFNESS_N_M);
-    let plain = DropSetup { gravity_m_s2: 0.0, ..setup(true) };
+    let plain = DropSetup {
+        gravity_m_s2: 0.0,
+        ..setup(true)
+    };
     let test = drop_test(&samples, dt_s, &plain).unwrap();
     assert!((test.peak_acceleration_m_s2.unwrap() / G0_M_S2 / 349.808 - 1.0).abs() < 1e-3);
     assert!((test.contact_time_s.unwrap() * 1e3 / 1.282550 - 1.0).abs() < 1e-3);
@@ -147,24 +185,64 @@ fn stepped(force_n: impl Fn(f64, f64) -> f64, per_contact: f64, contact_s: f64) 
 #[test]
 fn other_laws_are_recognised() {
     let (samples, dt_s) = stepped(|d, _| 2e7 * d.max(0.0).powf(1.5), 60.0, 2.4146e-3);
-    let found = drop_test(&samples, dt_s, &setup(true)).unwrap().identified.unwrap();
-    let ContactLaw::Power { coefficient_n_mn, exponent } = found.law else { panic!("{found:?}") };
-    assert!((exponent - 1.5).abs() < 0.005 && (coefficient_n_mn / 2e7 - 1.0).abs() < 0.03, "{found:?}");
+    let found = drop_test(&samples, dt_s, &setup(true))
+        .unwrap()
+        .identified
+        .unwrap();
+    let ContactLaw::Power {
+        coefficient_n_mn,
+        exponent,
+    } = found.law
+    else {
+        panic!("{found:?}")
+    };
+    assert!(
+        (exponent - 1.5).abs() < 0.005 && (coefficient_n_mn / 2e7 - 1.0).abs() < 0.03,
+        "{found:?}"
+    );
     for zeta in [0.05, 0.15, 0.3] {
         let c = 2.0 * zeta * (STIFFNESS_N_M * MASS_KG).sqrt();
         let (samples, dt_s) = stepped(|d, v| STIFFNESS_N_M * d + c * v, 60.0, 1.2826e-3);
         let test = drop_test(&samples, dt_s, &setup(true)).unwrap();
         let found = test.identified.unwrap();
         assert_eq!(found.chosen, FittedLaw::KelvinVoigt);
-        assert!((found.damping_ratio / zeta - 1.0).abs() < 0.02, "{zeta}: {}", found.damping_ratio);
-        assert!((found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.01, "{zeta}: {found:?}");
-        assert!((found.exponent - 1.0).abs() < 0.03, "{zeta}: {}", found.exponent);
+        assert!(
+            (found.damping_ratio / zeta - 1.0).abs() < 0.02,
+            "{zeta}: {}",
+            found.damping_ratio
+        );
+        assert!(
+            (found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.01,
+            "{zeta}: {found:?}"
+        );
+        assert!(
+            (found.exponent - 1.0).abs() < 0.03,
+            "{zeta}: {}",
+            found.exponent
+        );
         assert!(test.restitution_ratio.unwrap() < 1.0 - zeta);
     }
-    let (samples, dt_s) = stepped(|d, v| 2e7 * d.max(0.0).powf(1.5) * (1.0 + 0.3 * v), 60.0, 2.4146e-3);
-    let found = drop_test(&samples, dt_s, &setup(false)).unwrap().identified.unwrap();
-    let ContactLaw::HuntCrossley { exponent, dissipation_s_m, .. } = found.law else { panic!("{found:?}") };
-    assert!((exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03, "{found:?}");
+    let (samples, dt_s) = stepped(
+        |d, v| 2e7 * d.max(0.0).powf(1.5) * (1.0 + 0.3 * v),
+        60.0,
+        2.4146e-3,
+    );
+    let found = drop_test(&samples, dt_s, &setup(false))
+        .unwrap()
+        .identified
+        .unwrap();
+    let ContactLaw::HuntCrossley {
+        exponent,
+        dissipation_s_m,
+        ..
+    } = found.law
+    else {
+        panic!("{found:?}")
+    };
+    assert!(
+        (exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03,
+        "{found:?}"
+    );
 }
 
 /// Noise-free records of 50 samples per contact, for each law: the secant is recovered to 1e-3,
@@ -173,10 +251,22 @@ fn other_laws_are_recognised() {
 #[test]
 fn clean_records_give_their_stiffness() {
     let laws = [
-        ContactLaw::Linear { stiffness_n_m: STIFFNESS_N_M },
-        ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 },
-        ContactLaw::HuntCrossley { coefficient_n_mn: 2e7, exponent: 1.5, dissipation_s_m: 0.3 },
-        ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt() },
+        ContactLaw::Linear {
+            stiffness_n_m: STIFFNESS_N_M,
+        },
+        ContactLaw::Power {
+            coefficient_n_mn: 2e7,
+            exponent: 1.5,
+        },
+        ContactLaw::HuntCrossley {
+            coefficient_n_mn: 2e7,
+            exponent: 1.5,
+            dissipation_s_m: 0.3,
+        },
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m: STIFFNESS_N_M,
+            damping_n_s_m: 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt(),
+        },
     ];
     for law in laws {
         let cushion = Cushion::new(law).unwrap();
@@ -185,11 +275,22 @@ fn clean_records_give_their_stiffness() {
         let contact_s = cushion.land(MASS_KG, fall_m_s()).duration_s;
         for index in 0..8 {
             let sample_rate_hz = 50.0 / contact_s;
-            let clean = VirtualDropOptions { noise_ratio: 0.0, sample_rate_hz, ..virtual_options(index) };
+            let clean = VirtualDropOptions {
+                noise_ratio: 0.0,
+                sample_rate_hz,
+                ..virtual_options(index)
+            };
             let drop = virtual_drop(&cushion, &clean).unwrap();
-            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap().identified.unwrap();
+            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true))
+                .unwrap()
+                .identified
+                .unwrap();
             let error = found.stiffness.fit_n_m / truth_n_m - 1.0;
-            assert!(error.abs() < 1e-3, "{} {index}: {error}", cushion.law().name());
+            assert!(
+                error.abs() < 1e-3,
+                "{} {index}: {error}",
+                cushion.law().name()
+            );
         }
     }
 }
@@ -198,7 +299,10 @@ fn noisy(samples: &[f64], noise_ratio: f64, seed: u64) -> Vec<f64> {
     let peak = samples.iter().copied().fold(0.0, f64::max);
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
-    samples.iter().map(|a| a + noise_ratio * peak * normal()).collect()
+    samples
+        .iter()
+        .map(|a| a + noise_ratio * peak * normal())
+        .collect()
 }
 
 /// The force of a damped pad jumps at first contact, and a sample may be on the jump, just before
@@ -210,20 +314,33 @@ fn a_sample_may_lie_on_the_jump() {
     let damped = omega * (1.0_f64 - zeta * zeta).sqrt();
     let accel = |t: f64| {
         let d = fall_m_s() / damped * (-zeta * omega * t).exp() * (damped * t).sin();
-        let v =
-            fall_m_s() * (-zeta * omega * t).exp() * ((damped * t).cos() - zeta * omega / damped * (damped * t).sin());
-        if t >= 0.0 && damped * t < PI { (omega * omega * d + 2.0 * zeta * omega * v).max(0.0) } else { 0.0 }
+        let v = fall_m_s()
+            * (-zeta * omega * t).exp()
+            * ((damped * t).cos() - zeta * omega / damped * (damped * t).sin());
+        if t >= 0.0 && damped * t < PI {
+            (omega * omega * d + 2.0 * zeta * omega * v).max(0.0)
+        } else {
+            0.0
+        }
     };
     let dt_s = PI / omega / 50.0;
-    let plain = DropSetup { gravity_m_s2: 0.0, ..setup(true) };
+    let plain = DropSetup {
+        gravity_m_s2: 0.0,
+        ..setup(true)
+    };
     for phase in [0.0, 1e-6, 0.25, 0.999] {
-        let clean: Vec<f64> = (0..350).map(|i| accel((f64::from(i) - 150.0 + phase) * dt_s)).collect();
+        let clean: Vec<f64> = (0..350)
+            .map(|i| accel((f64::from(i) - 150.0 + phase) * dt_s))
+            .collect();
         for seed in 0..5 {
             let test = drop_test(&noisy(&clean, 0.005, seed), dt_s, &plain).unwrap();
             assert_eq!(test.flags, [], "{phase} {seed}");
             let found = test.identified.unwrap();
             assert_eq!(found.chosen, FittedLaw::KelvinVoigt, "{phase} {seed}");
-            assert!((found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.015, "{phase} {seed}: {found:?}");
+            assert!(
+                (found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.015,
+                "{phase} {seed}: {found:?}"
+            );
         }
     }
 }
@@ -246,17 +363,36 @@ fn negative_damping_is_none_and_flagged() {
     let pulse = |i: i32, gain: f64| {
         let angle = omega * (f64::from(i) - 300.3) * dt_s;
         let share = if angle > PI / 2.0 { gain } else { 1.0 };
-        if angle > 0.0 && angle < PI { share * fall_m_s() * omega * angle.sin() } else { 0.0 }
+        if angle > 0.0 && angle < PI {
+            share * fall_m_s() * omega * angle.sin()
+        } else {
+            0.0
+        }
     };
-    let forced = DropSetup { law: Some(FittedLaw::KelvinVoigt), gravity_m_s2: 0.0, ..setup(true) };
+    let forced = DropSetup {
+        law: Some(FittedLaw::KelvinVoigt),
+        gravity_m_s2: 0.0,
+        ..setup(true)
+    };
     for (gain, is_flagged) in [(1.0, false), (1.1, true)] {
         let samples: Vec<f64> = (0..800).map(|i| pulse(i, gain)).collect();
         let test = drop_test(&samples, dt_s, &forced).unwrap();
         let found = test.identified.as_ref().unwrap();
-        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = found.law else { panic!("{found:?}") };
-        assert_eq!(test.flags.contains(&Flag::Damping), is_flagged, "{:?}", test.flags);
+        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = found.law else {
+            panic!("{found:?}")
+        };
+        assert_eq!(
+            test.flags.contains(&Flag::Damping),
+            is_flagged,
+            "{:?}",
+            test.flags
+        );
         assert_eq!(found.damping_ratio == 0.0, damping_n_s_m == 0.0);
-        assert!(found.damping_ratio >= 0.0 && found.damping_ratio < 1e-3, "{}", found.damping_ratio);
+        assert!(
+            found.damping_ratio >= 0.0 && found.damping_ratio < 1e-3,
+            "{}",
+            found.damping_ratio
+        );
     }
 }
 
@@ -267,16 +403,30 @@ fn negative_damping_is_none_and_flagged() {
 fn a_long_toe_is_followed() {
     let (clean, dt_s) = stepped(|d, _| 1e9 * d.max(0.0).powi(2), 1000.0, 2.0505e-3);
     for seed in 0..2 {
-        let found = drop_test(&noisy(&clean, 0.01, seed), dt_s, &setup(true)).unwrap().identified.unwrap();
-        assert!((found.stiffness.fit_n_m / 1.0240e6 - 1.0).abs() < 0.02, "{seed}: {found:?}");
-        assert!((found.exponent - 2.0).abs() < 0.05, "{seed}: {}", found.exponent);
+        let found = drop_test(&noisy(&clean, 0.01, seed), dt_s, &setup(true))
+            .unwrap()
+            .identified
+            .unwrap();
+        assert!(
+            (found.stiffness.fit_n_m / 1.0240e6 - 1.0).abs() < 0.02,
+            "{seed}: {found:?}"
+        );
+        assert!(
+            (found.exponent - 2.0).abs() < 0.05,
+            "{seed}: {}",
+            found.exponent
+        );
     }
 }
 
 fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
     let test = drop_test(samples, dt_s, &setup(true)).unwrap();
     let fatal = [Flag::ZeroShift, Flag::Drift];
-    assert!(test.identified.is_none() || test.flags.iter().any(|flag| fatal.contains(flag)), "{:?}", test.flags);
+    assert!(
+        test.identified.is_none() || test.flags.iter().any(|flag| fatal.contains(flag)),
+        "{:?}",
+        test.flags
+    );
     test.flags
 }
 
@@ -288,12 +438,25 @@ fn faults_are_flagged() {
         let peak = clean.iter().copied().fold(0.0, f64::max);
         for share in [0.98, 0.9, 0.6] {
             let clipped: Vec<f64> = clean.iter().map(|a| a.min(share * peak)).collect();
-            assert!(flags_of(&clipped, dt_s).contains(&Flag::Clipped), "{noise} {share}");
+            assert!(
+                flags_of(&clipped, dt_s).contains(&Flag::Clipped),
+                "{noise} {share}"
+            );
         }
-        let shifted: Vec<f64> =
-            clean.iter().enumerate().map(|(i, a)| a + if i > 125 { 0.02 * peak } else { 0.0 }).collect();
-        assert!(flags_of(&shifted, dt_s).contains(&Flag::ZeroShift), "{noise}");
-        let drifting: Vec<f64> = clean.iter().enumerate().map(|(i, a)| a + 0.1 * peak * i as f64 / 300.0).collect();
+        let shifted: Vec<f64> = clean
+            .iter()
+            .enumerate()
+            .map(|(i, a)| a + if i > 125 { 0.02 * peak } else { 0.0 })
+            .collect();
+        assert!(
+            flags_of(&shifted, dt_s).contains(&Flag::ZeroShift),
+            "{noise}"
+        );
+        let drifting: Vec<f64> = clean
+            .iter()
+            .enumerate()
+            .map(|(i, a)| a + 0.1 * peak * i as f64 / 300.0)
+            .collect();
         assert!(flags_of(&drifting, dt_s).contains(&Flag::Drift), "{noise}");
         let down: Vec<f64> = clean.iter().map(|a| -a).collect();
         assert_eq!(flags_of(&down, dt_s), [Flag::UpsideDown]);
@@ -306,7 +469,10 @@ fn faults_are_flagged() {
         assert!(flags_of(&other, dt_s).contains(&Flag::Impulse));
         let (coarse, dt_s) = half_sine(8.0, noise, 0.3, 7, STIFFNESS_N_M);
         let coarse: Vec<f64> = vec![G0_M_S2; 20].into_iter().chain(coarse).collect();
-        assert!(flags_of(&coarse, dt_s).contains(&Flag::FewSamples), "{noise}");
+        assert!(
+            flags_of(&coarse, dt_s).contains(&Flag::FewSamples),
+            "{noise}"
+        );
     }
     assert_eq!(flags_of(&[0.0; 100], 1e-5), [Flag::NoPulse]);
 }
@@ -321,7 +487,10 @@ fn noisy_flanks_are_one_pulse() {
         let test = drop_test(&samples, dt_s, &setup(true)).unwrap();
         assert_eq!(test.flags, [], "{per_contact} {seed}");
         let error = test.identified.unwrap().stiffness.fit_n_m / STIFFNESS_N_M - 1.0;
-        assert!(error.abs() < if per_contact > 500.0 { 0.01 } else { 0.025 }, "{per_contact} {seed}: {error}");
+        assert!(
+            error.abs() < if per_contact > 500.0 { 0.01 } else { 0.025 },
+            "{per_contact} {seed}: {error}"
+        );
     }
 }
 
@@ -333,13 +502,31 @@ fn a_shifted_zero_line_is_no_missing_end() {
         let (samples, dt_s) = half_sine(per_contact, 0.005, 0.3, 3, STIFFNESS_N_M);
         let peak = samples.iter().copied().fold(0.0, f64::max);
         let top = (2.5 * per_contact) as usize;
-        let shifted: Vec<f64> =
-            samples.iter().enumerate().map(|(i, a)| a + if i > top { shift * peak } else { 0.0 }).collect();
+        let shifted: Vec<f64> = samples
+            .iter()
+            .enumerate()
+            .map(|(i, a)| a + if i > top { shift * peak } else { 0.0 })
+            .collect();
         let flags = drop_test(&shifted, dt_s, &setup(true)).unwrap().flags;
-        assert!(flags.contains(&Flag::ZeroShift) && !flags.contains(&Flag::CutOff), "{per_contact} {shift}: {flags:?}");
-        assert!(!flags.contains(&Flag::Impulse), "{per_contact} {shift}: {flags:?}");
-        let cut = drop_test(&samples[..(2.96 * per_contact) as usize], dt_s, &setup(true)).unwrap();
-        assert!(cut.flags.contains(&Flag::CutOff), "{per_contact}: {:?}", cut.flags);
+        assert!(
+            flags.contains(&Flag::ZeroShift) && !flags.contains(&Flag::CutOff),
+            "{per_contact} {shift}: {flags:?}"
+        );
+        assert!(
+            !flags.contains(&Flag::Impulse),
+            "{per_contact} {shift}: {flags:?}"
+        );
+        let cut = drop_test(
+            &samples[..(2.96 * per_contact) as usize],
+            dt_s,
+            &setup(true),
+        )
+        .unwrap();
+        assert!(
+            cut.flags.contains(&Flag::CutOff),
+            "{per_contact}: {:?}",
+            cut.flags
+        );
     }
 }
 
@@ -354,8 +541,15 @@ fn a_clipped_top_under_noise_is_no_law() {
             let clipped: Vec<f64> = clean.iter().map(|a| a.min(share * peak)).collect();
             for seed in 0..3 {
                 let test = drop_test(&noisy(&clipped, noise, seed), dt_s, &setup(true)).unwrap();
-                let is_told = test.flags.iter().any(|flag| matches!(flag, Flag::Clipped | Flag::PoorFit));
-                assert!(is_told, "{per_contact} {share} {noise} {seed}: {:?}", test.flags);
+                let is_told = test
+                    .flags
+                    .iter()
+                    .any(|flag| matches!(flag, Flag::Clipped | Flag::PoorFit));
+                assert!(
+                    is_told,
+                    "{per_contact} {share} {noise} {seed}: {:?}",
+                    test.flags
+                );
             }
         }
     }
@@ -367,8 +561,10 @@ fn a_clipped_top_under_noise_is_no_law() {
 fn the_mass_may_have_been_held_before() {
     let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
     let fall = std::iter::repeat_n(0.0, 1500);
-    let held: Vec<f64> =
-        std::iter::repeat_n(G0_M_S2, 4000).chain(fall).chain(samples.iter().map(|a| a - G0_M_S2)).collect();
+    let held: Vec<f64> = std::iter::repeat_n(G0_M_S2, 4000)
+        .chain(fall)
+        .chain(samples.iter().map(|a| a - G0_M_S2))
+        .collect();
     // Noise everywhere, as in the record of a sensor.
     let mut random = ChaCha12Rng::seed_from_u64(5);
     let noisy = held.iter().map(|a| {
@@ -388,8 +584,13 @@ fn a_slow_drift_is_flagged() {
     let peak = 349.8 * G0_M_S2;
     let noisy = half_sine(800.0, 0.002, 0.3, 2, STIFFNESS_N_M).0;
     let quiet = noisy.iter().take(1500).copied().cycle().take(5000);
-    let long = quiet.chain(samples).enumerate().map(|(i, a)| a + 0.05 * peak * i as f64 / 5300.0);
-    let flags = drop_test(&long.collect::<Vec<_>>(), dt_s, &setup(true)).unwrap().flags;
+    let long = quiet
+        .chain(samples)
+        .enumerate()
+        .map(|(i, a)| a + 0.05 * peak * i as f64 / 5300.0);
+    let flags = drop_test(&long.collect::<Vec<_>>(), dt_s, &setup(true))
+        .unwrap()
+        .flags;
     assert!(flags.contains(&Flag::Drift), "{flags:?}");
 }
 
@@ -398,8 +599,15 @@ fn a_slow_drift_is_flagged() {
 fn rounded_samples_are_not_clipped() {
     for digit in [0.01, 0.1, 1.0] {
         let (samples, dt_s) = half_sine(200.0, 0.0, 0.3, 1, STIFFNESS_N_M);
-        let rounded: Vec<f64> = samples.iter().map(|a| (a / G0_M_S2 / digit).round() * digit * G0_M_S2).collect();
-        assert_eq!(drop_test(&rounded, dt_s, &setup(true)).unwrap().flags, [], "{digit}");
+        let rounded: Vec<f64> = samples
+            .iter()
+            .map(|a| (a / G0_M_S2 / digit).round() * digit * G0_M_S2)
+            .collect();
+        assert_eq!(
+            drop_test(&rounded, dt_s, &setup(true)).unwrap().flags,
+            [],
+            "{digit}"
+        );
     }
 }
 
@@ -408,9 +616,17 @@ fn rounded_samples_are_not_clipped() {
 #[test]
 fn intervals_cover() {
     let laws = [
-        ContactLaw::Linear { stiffness_n_m: STIFFNESS_N_M },
-        ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 },
-        ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: 90.0 },
+        ContactLaw::Linear {
+            stiffness_n_m: STIFFNESS_N_M,
+        },
+        ContactLaw::Power {
+            coefficient_n_mn: 2e7,
+            exponent: 1.5,
+        },
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m: STIFFNESS_N_M,
+            damping_n_s_m: 90.0,
+        },
     ];
     for law in laws {
         let cushion = Cushion::new(law).unwrap();
@@ -419,7 +635,10 @@ fn intervals_cover() {
         let truth_n_m = cushion.force_n(deepest_m, 0.0) / deepest_m;
         let held = (0..40).filter(|&index| {
             let drop = virtual_drop(&cushion, &virtual_options(index)).unwrap();
-            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap().identified.unwrap();
+            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true))
+                .unwrap()
+                .identified
+                .unwrap();
             let (low, high) = interval(&found);
             low <= truth_n_m && truth_n_m <= high
         });
@@ -452,20 +671,58 @@ fn virtual_options(index: u64) -> VirtualDropOptions {
 fn endless_records_are_refused() {
     let pad = Cushion::linear(STIFFNESS_N_M).unwrap();
     let plain = virtual_options(0);
-    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { pre_trigger_s: 1e30, ..plain }), None);
-    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { sample_rate_hz: 1e40, ..plain }), None);
-    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { after_s: f64::NAN, ..plain }), None);
+    assert_eq!(
+        virtual_drop(
+            &pad,
+            &VirtualDropOptions {
+                pre_trigger_s: 1e30,
+                ..plain
+            }
+        ),
+        None
+    );
+    assert_eq!(
+        virtual_drop(
+            &pad,
+            &VirtualDropOptions {
+                sample_rate_hz: 1e40,
+                ..plain
+            }
+        ),
+        None
+    );
+    assert_eq!(
+        virtual_drop(
+            &pad,
+            &VirtualDropOptions {
+                after_s: f64::NAN,
+                ..plain
+            }
+        ),
+        None
+    );
 }
 
 /// A virtual drop depends only on its seed and number; a bounce is found from its flight.
 #[test]
 fn virtual_drops_bounce() {
     let c = 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt();
-    let pad = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: c }).unwrap();
-    let options = VirtualDropOptions { bounces: 1, noise_ratio: 0.002, ..virtual_options(4) };
+    let pad = Cushion::new(ContactLaw::KelvinVoigt {
+        stiffness_n_m: STIFFNESS_N_M,
+        damping_n_s_m: c,
+    })
+    .unwrap();
+    let options = VirtualDropOptions {
+        bounces: 1,
+        noise_ratio: 0.002,
+        ..virtual_options(4)
+    };
     let drop = virtual_drop(&pad, &options).unwrap();
     assert_eq!(Some(&drop), virtual_drop(&pad, &options).as_ref());
-    assert_ne!(Some(&drop), virtual_drop(&pad, &virtual_options(5)).as_ref());
+    assert_ne!(
+        Some(&drop),
+        virtual_drop(&pad, &virtual_options(5)).as_ref()
+    );
     let test = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap();
     assert_eq!(test.flags, []);
     // The flight begins where the force ends, some 0.1 mm below the surface; e itself is accurate
@@ -479,11 +736,19 @@ fn virtual_drops_bounce() {
 #[test]
 fn several_drops_of_a_record_are_told_from_bounces() {
     let c = 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt();
-    let pad = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: c }).unwrap();
+    let pad = Cushion::new(ContactLaw::KelvinVoigt {
+        stiffness_n_m: STIFFNESS_N_M,
+        damping_n_s_m: c,
+    })
+    .unwrap();
     for known in [true, false] {
         let (mut record, mut alone) = (Vec::new(), Vec::new());
         for index in 0..4 {
-            let speed_m_s = if index == 1 && !known { 1.5 * fall_m_s() } else { fall_m_s() };
+            let speed_m_s = if index == 1 && !known {
+                1.5 * fall_m_s()
+            } else {
+                fall_m_s()
+            };
             let options = VirtualDropOptions {
                 bounces: 1,
                 noise_ratio: 0.002,
@@ -496,20 +761,34 @@ fn several_drops_of_a_record_are_told_from_bounces() {
             record.extend(rest);
             let starts_s = (record.len() as f64 * drop.dt_s) + 0.05;
             record.extend_from_slice(&drop.samples_m_s2);
-            alone.push((starts_s, drop_test(&drop.samples_m_s2, drop.dt_s, &setup(known)).unwrap(), drop));
+            alone.push((
+                starts_s,
+                drop_test(&drop.samples_m_s2, drop.dt_s, &setup(known)).unwrap(),
+                drop,
+            ));
         }
         let dt_s = alone[0].2.dt_s;
         let found = drop_tests(&record, dt_s, &setup(known)).unwrap();
         assert_eq!(found.len(), 4, "{known}");
         for (one, (starts_s, single, drop)) in found.iter().zip(&alone) {
             // The pulse has risen to a fifth within a tenth of the contact.
-            assert!((one.start_time_s.unwrap() - starts_s).abs() < 0.1 * drop.contact_s + 2.0 * dt_s);
-            let [k, alone] = [&one.test, single].map(|test| test.identified.as_ref().unwrap().stiffness.fit_n_m);
+            assert!(
+                (one.start_time_s.unwrap() - starts_s).abs() < 0.1 * drop.contact_s + 2.0 * dt_s
+            );
+            let [k, alone] =
+                [&one.test, single].map(|test| test.identified.as_ref().unwrap().stiffness.fit_n_m);
             // The same samples of the contact; only the window of the zero line differs: noise.
             assert!((k / alone - 1.0).abs() < 0.01, "{known}: {k} {alone}");
-            for e in [one.test.restitution_ratio, one.test.restitution_bounce_ratio] {
+            for e in [
+                one.test.restitution_ratio,
+                one.test.restitution_bounce_ratio,
+            ] {
                 // As in `virtual_drops_bounce`; an unknown velocity is known to some per cent.
-                assert!((e.unwrap() / drop.restitution_ratio - 1.0).abs() < if known { 0.02 } else { 0.06 }, "{e:?}");
+                assert!(
+                    (e.unwrap() / drop.restitution_ratio - 1.0).abs()
+                        < if known { 0.02 } else { 0.06 },
+                    "{e:?}"
+                );
             }
         }
         // One drop with its bounce stays one.
@@ -521,23 +800,40 @@ fn several_drops_of_a_record_are_told_from_bounces() {
 /// Without a bounce rule, the flight between two drops would be read as a restitution of 3.5.
 #[test]
 fn no_restitution_is_above_one() {
-    let drop = virtual_drop(&Cushion::linear(STIFFNESS_N_M).unwrap(), &virtual_options(1)).unwrap();
+    let drop = virtual_drop(
+        &Cushion::linear(STIFFNESS_N_M).unwrap(),
+        &virtual_options(1),
+    )
+    .unwrap();
     let mut record = drop.samples_m_s2.clone();
     // e = gT/(2v) = 3.5.
     let rest_s = 3.5 * 2.0 * fall_m_s() / G0_M_S2;
     record.extend(vec![drop.samples_m_s2[0]; (rest_s / drop.dt_s) as usize]);
     record.extend_from_slice(&drop.samples_m_s2);
-    assert_eq!(drop_test(&record, drop.dt_s, &setup(true)).unwrap().restitution_bounce_ratio, None);
+    assert_eq!(
+        drop_test(&record, drop.dt_s, &setup(true))
+            .unwrap()
+            .restitution_bounce_ratio,
+        None
+    );
     let found = drop_tests(&record, drop.dt_s, &setup(true)).unwrap();
     assert_eq!(found.len(), 2);
-    assert!(found.iter().all(|one| one.test.restitution_ratio.is_some_and(|e| e <= 1.0)));
+    assert!(
+        found
+            .iter()
+            .all(|one| one.test.restitution_ratio.is_some_and(|e| e <= 1.0))
+    );
 }
 
 /// Student's t of 3 drops is 4.303, and the factor √(n/(n−1)) of the bootstrap turns it into the
 /// usual standard error s/√n.
 #[test]
 fn pooled_drops_have_the_interval_of_student() {
-    let drops = [2.0e6, 2.2e6, 2.1e6].map(|k| PooledDrop { stiffness_n_m: k, error_ratio: 1e-4, exponent: 1.0 });
+    let drops = [2.0e6, 2.2e6, 2.1e6].map(|k| PooledDrop {
+        stiffness_n_m: k,
+        error_ratio: 1e-4,
+        exponent: 1.0,
+    });
     let pooled = pool_drops(&drops, 1).unwrap();
     let logs = drops.map(|drop| drop.stiffness_n_m.ln());
     let mean = logs.iter().sum::<f64>() / 3.0;
@@ -545,9 +841,15 @@ fn pooled_drops_have_the_interval_of_student() {
     assert!((pooled.stiffness_n_m.ln() - mean).abs() < 1e-6);
     // 2000 resamples: 1.6 % of the standard deviation; five times that.
     let half = pooled.ci95_n_m.1.ln() - mean;
-    assert!((half / (4.302_653 * error) - 1.0).abs() < 0.08, "{half} {error}");
+    assert!(
+        (half / (4.302_653 * error) - 1.0).abs() < 0.08,
+        "{half} {error}"
+    );
     assert_eq!(pool_drops(&[], 1), None);
-    assert_eq!(pool_drops(&drops, 9).unwrap().stiffness_n_m, pooled.stiffness_n_m);
+    assert_eq!(
+        pool_drops(&drops, 9).unwrap().stiffness_n_m,
+        pooled.stiffness_n_m
+    );
 }
 
 proptest::proptest! {

@@ -111,8 +111,16 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let peak_m_s2 = first.iter().map(|p| p.force_n).fold(0.0, f64::max) / o.mass_kg;
     let last = first.last()?;
     let (contact_s, rebound_m_s) = (last.time_s, -last.speed_m_s);
-    let peak_at_s = first_s + first.iter().max_by(|a, b| a.force_n.total_cmp(&b.force_n))?.time_s;
-    let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
+    let peak_at_s = first_s
+        + first
+            .iter()
+            .max_by(|a, b| a.force_n.total_cmp(&b.force_n))?
+            .time_s;
+    let finer = if o.filter_corner_hz.is_some() {
+        OVERSAMPLING
+    } else {
+        1
+    };
     // As a float: a count too large for an integer must not wrap around.
     let wanted = (end_s / dt_s).ceil() + 1.0;
     if wanted.is_nan() || wanted * finer as f64 > MAX_SAMPLES as f64 {
@@ -120,9 +128,15 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     }
     let count = wanted as usize;
     let fine_s = dt_s / finer as f64;
-    let mut fine: Vec<f64> = (0..count * finer).map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg).collect();
+    let mut fine: Vec<f64> = (0..count * finer)
+        .map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg)
+        .collect();
     if let Some(corner_hz) = o.filter_corner_hz {
-        LowPass { corner_hz, poles: Poles::Two }.apply(&mut fine, fine_s);
+        LowPass {
+            corner_hz,
+            poles: Poles::Two,
+        }
+        .apply(&mut fine, fine_s);
     }
     let samples_m_s2: Vec<f64> = fine
         .iter()
@@ -130,7 +144,11 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
         .enumerate()
         .map(|(i, reading)| {
             let noise: f64 = StandardNormal.sample(&mut random);
-            let shift = if i as f64 * dt_s > peak_at_s { o.zero_shift_ratio } else { 0.0 };
+            let shift = if i as f64 * dt_s > peak_at_s {
+                o.zero_shift_ratio
+            } else {
+                0.0
+            };
             reading + o.bias_m_s2 + peak_m_s2 * (shift + o.noise_ratio * noise)
         })
         .collect();
@@ -147,13 +165,19 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
 }
 
 /// The contacts with their start times, and the end of the record.
-fn contacts(cushion: &Cushion, o: &VirtualDropOptions, touch_s: f64) -> (Vec<(f64, Vec<ContactPoint>)>, f64) {
+fn contacts(
+    cushion: &Cushion,
+    o: &VirtualDropOptions,
+    touch_s: f64,
+) -> (Vec<(f64, Vec<ContactPoint>)>, f64) {
     let mut all = Vec::new();
     let (mut at_s, mut speed) = (touch_s, o.speed_m_s);
     let mut end_s = touch_s;
     for _ in 0..=o.bounces {
         let history = cushion.landing_history(o.mass_kg, speed, o.gravity_m_s2);
-        let Some(last) = history.last().copied() else { break };
+        let Some(last) = history.last().copied() else {
+            break;
+        };
         all.push((at_s, history));
         end_s = at_s + last.time_s;
         speed = -last.speed_m_s;
@@ -175,7 +199,11 @@ fn force_at(contacts: &[(f64, Vec<ContactPoint>)], time_s: f64) -> f64 {
             continue;
         }
         let [a, b] = [history[after.saturating_sub(1)], history[after]];
-        let share = if b.time_s > a.time_s { (t - a.time_s) / (b.time_s - a.time_s) } else { 0.0 };
+        let share = if b.time_s > a.time_s {
+            (t - a.time_s) / (b.time_s - a.time_s)
+        } else {
+            0.0
+        };
         return a.force_n + share * (b.force_n - a.force_n);
     }
     0.0
@@ -227,12 +255,19 @@ pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<
     random.set_stream(o.index);
     let max_m = cushion.static_compression_m(o.max_force_n);
     // ∫sin(πd/D) dd = 2D/π.
-    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(max_m) * std::f64::consts::PI / (2.0 * max_m);
+    let loss_n =
+        o.hysteresis_ratio * cushion.stored_energy_j(max_m) * std::f64::consts::PI / (2.0 * max_m);
     let points = o.points.max(2);
     let up = (0..points).map(|i| (i as f64 / (points - 1) as f64, false));
-    let down = (0..points - 1).rev().map(|i| (i as f64 / (points - 1) as f64, true));
+    let down = (0..points - 1)
+        .rev()
+        .map(|i| (i as f64 / (points - 1) as f64, true));
     let slack = (0..points / 10).map(|i| i as f64 / (points / 10).max(1) as f64 * o.toe_m);
-    let slack: Vec<f64> = if o.toe_m > 0.0 { slack.collect() } else { Vec::new() };
+    let slack: Vec<f64> = if o.toe_m > 0.0 {
+        slack.collect()
+    } else {
+        Vec::new()
+    };
     let mut read = |d: f64, force_n: f64| {
         let noise: f64 = StandardNormal.sample(&mut random);
         let give_m = o.machine_stiffness_n_m.map_or(0.0, |k| force_n / k);
@@ -241,7 +276,11 @@ pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<
     let mut out: Vec<(f64, f64)> = slack.into_iter().map(|d| read(d, 0.0)).collect();
     for (share, is_out) in up.chain(down) {
         let d = share * max_m;
-        let loss = if is_out { loss_n * (std::f64::consts::PI * share).sin() } else { 0.0 };
+        let loss = if is_out {
+            loss_n * (std::f64::consts::PI * share).sin()
+        } else {
+            0.0
+        };
         out.push(read(o.toe_m + d, (cushion.force_n(d, 0.0) - loss).max(0.0)));
     }
     out

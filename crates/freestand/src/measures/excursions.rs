@@ -42,13 +42,21 @@ fn one_side(motion: &Motion, level_m_s2: f64, sign: f64) -> Vec<Excursion> {
         match since {
             None if after > level_m_s2 => since = Some(crossing_s()),
             Some(from_s) if after <= level_m_s2 => {
-                found.push(Excursion { from_s, to_s: crossing_s(), positive: sign > 0.0 });
+                found.push(Excursion {
+                    from_s,
+                    to_s: crossing_s(),
+                    positive: sign > 0.0,
+                });
                 since = None;
             }
             _ => {}
         }
     }
-    found.extend(since.map(|from_s| Excursion { from_s, to_s: motion.duration_s(), positive: sign > 0.0 }));
+    found.extend(since.map(|from_s| Excursion {
+        from_s,
+        to_s: motion.duration_s(),
+        positive: sign > 0.0,
+    }));
     found
 }
 
@@ -62,7 +70,14 @@ mod tests {
         let found = excursions(&motion, 1.0);
         // From the start to the sample on the level; nothing where it only reaches the level in the
         // middle; the end is open.
-        assert_eq!(found[0], Excursion { from_s: 0.0, to_s: 0.5, positive: true });
+        assert_eq!(
+            found[0],
+            Excursion {
+                from_s: 0.0,
+                to_s: 0.5,
+                positive: true
+            }
+        );
         assert_eq!(found.len(), 2);
         // From 0 to −1.5 in 0.5 s: −1 after 1/3 s. Two roundings.
         assert!((found[1].from_s - (2.0 + 1.0 / 3.0)).abs() < 1e-15);
@@ -74,12 +89,21 @@ mod tests {
         // For two thirds of the time |sin| > 1/2. Linear between samples: the crossings move by
         // dt²/8 · curvature.
         let n = 4000;
-        let motion = Motion::new(1e-3, (0..=n).map(|i| (std::f64::consts::TAU * i as f64 * 1e-3).sin()).collect());
+        let motion = Motion::new(
+            1e-3,
+            (0..=n)
+                .map(|i| (std::f64::consts::TAU * i as f64 * 1e-3).sin())
+                .collect(),
+        );
         let found = excursions(&motion.unwrap(), 0.5);
         let total: f64 = found.iter().map(|one| one.to_s - one.from_s).sum();
         assert_eq!(found.len(), 8);
         // Each of 16 crossings: (1e-3)²/8 · (2π)² · 0.5 over a slope of 5.4.
         assert!((total - 8.0 / 3.0).abs() < 16.0 * 5e-7, "{total}");
-        assert!(found.windows(2).all(|pair| pair[0].to_s < pair[1].from_s && pair[0].positive != pair[1].positive));
+        assert!(
+            found
+                .windows(2)
+                .all(|pair| pair[0].to_s < pair[1].from_s && pair[0].positive != pair[1].positive)
+        );
     }
 }

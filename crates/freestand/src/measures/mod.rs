@@ -87,7 +87,10 @@ pub fn measures(motion: &Motion) -> Measures {
     let (dt_s, accel) = (motion.dt_s(), motion.accel_m_s2());
     let pga_m_s2 = motion.peak_m_s2();
     let pga_index = accel.iter().position(|a| a.abs() == pga_m_s2).unwrap_or(0);
-    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
+    let Integrals {
+        velocity_m_s: velocity,
+        displacement_m: displacement,
+    } = integrals(motion);
     let energy = cumulative_trapezoid(dt_s, &squares(accel));
     let total = energy[energy.len() - 1];
     let start_s = crossing_time_s(dt_s, &energy, 0.05 * total);
@@ -103,10 +106,15 @@ pub fn measures(motion: &Motion) -> Measures {
         cav_m_s: accel.windows(2).map(|pair| trapezoid_abs(dt_s, pair)).sum(),
         cav_std_m_s: cav_std_m_s(dt_s, accel),
         rms_m_s2: (total / motion.duration_s()).sqrt(),
-        specific_energy_density_m2_s: cumulative_trapezoid(dt_s, &squares(&velocity)).last().copied().unwrap_or(0.0),
+        specific_energy_density_m2_s: cumulative_trapezoid(dt_s, &squares(&velocity))
+            .last()
+            .copied()
+            .unwrap_or(0.0),
         bracketed_duration_s: bracket.map_or(0.0, |(first, last)| last.to_s - first.from_s),
         // Added to 0, because an empty sum is -0.
-        uniform_duration_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
+        uniform_duration_s: above
+            .iter()
+            .fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         d5_75_s: crossing_time_s(dt_s, &energy, 0.75 * total) - start_s,
         d5_95_s: crossing_time_s(dt_s, &energy, 0.95 * total) - start_s,
     }
@@ -137,7 +145,10 @@ pub fn husid(motion: &Motion) -> Vec<f64> {
 /// duration.
 pub fn significant_span_s(motion: &Motion) -> (f64, f64) {
     let curve = husid(motion);
-    (crossing_time_s(motion.dt_s(), &curve, 0.05), crossing_time_s(motion.dt_s(), &curve, 0.95))
+    (
+        crossing_time_s(motion.dt_s(), &curve, 0.05),
+        crossing_time_s(motion.dt_s(), &curve, 0.95),
+    )
 }
 
 fn cav_std_m_s(dt_s: f64, accel: &[f64]) -> f64 {
@@ -209,7 +220,10 @@ pub struct Integrals {
 /// ```
 pub fn integrals(motion: &Motion) -> Integrals {
     let velocity_m_s = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
-    Integrals { displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s), velocity_m_s }
+    Integrals {
+        displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s),
+        velocity_m_s,
+    }
 }
 
 fn peak(values: &[f64]) -> f64 {
@@ -218,7 +232,13 @@ fn peak(values: &[f64]) -> f64 {
 
 /// Time at which the rising curve first reaches `level`.
 fn crossing_time_s(dt_s: f64, rising: &[f64], level: f64) -> f64 {
-    let Some(after) = rising.iter().position(|&value| value >= level).filter(|&i| i > 0) else { return 0.0 };
+    let Some(after) = rising
+        .iter()
+        .position(|&value| value >= level)
+        .filter(|&i| i > 0)
+    else {
+        return 0.0;
+    };
     let (below, above) = (rising[after - 1], rising[after]);
     ((after - 1) as f64 + (level - below) / (above - below)) * dt_s
 }
@@ -233,7 +253,8 @@ mod tests {
         // linear, so the second trapezoid rule is exact as well; 100 additions leave a few ε.
         let motion = Motion::new(0.1, vec![-3.0; 101]).unwrap();
         let m = measures(&motion);
-        let near = |value: f64, want: f64| assert!((value / want - 1.0).abs() < 1e-13, "{value} {want}");
+        let near =
+            |value: f64, want: f64| assert!((value / want - 1.0).abs() < 1e-13, "{value} {want}");
         assert_eq!((m.pga_m_s2, m.pga_signed_m_s2, m.pga_index), (3.0, -3.0, 0));
         near(m.pgv_m_s, 30.0);
         near(m.pgd_m, 150.0);
@@ -255,20 +276,39 @@ mod tests {
         // The sample at 1 s belongs to the intervals on both sides, as does the one at 2 s; both
         // have the lower value.
         let g = G0_M_S2;
-        let accel: Vec<f64> =
-            (0..=35).map(|i| if (11..20).contains(&i) || i > 30 { 0.03 * g } else { 0.02 * g }).collect();
+        let accel: Vec<f64> = (0..=35)
+            .map(|i| {
+                if (11..20).contains(&i) || i > 30 {
+                    0.03 * g
+                } else {
+                    0.02 * g
+                }
+            })
+            .collect();
         let m = measures(&Motion::new(0.1, accel).unwrap());
         // Second 1: nine samples of 0.03 and two halves of 0.02; the half second: five intervals,
         // half of one sample low.
         let want = 0.1 * g * (9.0 * 0.03 + 0.02) + 0.1 * g * (4.5 * 0.03 + 0.5 * 0.02);
-        assert!((m.cav_std_m_s / want - 1.0).abs() < 1e-13, "{} {want}", m.cav_std_m_s);
+        assert!(
+            (m.cav_std_m_s / want - 1.0).abs() < 1e-13,
+            "{} {want}",
+            m.cav_std_m_s
+        );
     }
 
     #[test]
     fn the_husid_curve_and_its_span_agree_with_the_duration() {
-        let motion = Motion::new(0.02, (0..500).map(|k| (0.1 * k as f64).sin() * k as f64).collect()).unwrap();
+        let motion = Motion::new(
+            0.02,
+            (0..500)
+                .map(|k| (0.1 * k as f64).sin() * k as f64)
+                .collect(),
+        )
+        .unwrap();
         let curve = husid(&motion);
-        assert!(curve[0] == 0.0 && curve[499] == 1.0 && curve.windows(2).all(|pair| pair[0] <= pair[1]));
+        assert!(
+            curve[0] == 0.0 && curve[499] == 1.0 && curve.windows(2).all(|pair| pair[0] <= pair[1])
+        );
         let (from_s, to_s) = significant_span_s(&motion);
         // Two quotients of the same sums: a few ε of 10 s.
         assert!((to_s - from_s - measures(&motion).d5_95_s).abs() < 1e-13);
@@ -279,13 +319,19 @@ mod tests {
         // a² = 1, 1, 0 at 0, 1, 2 s: Husid 0, 1, 1.5; 5 % at 0.075 s, 75 % at 1.25 s, 95 % at
         // 1.85 s.
         let m = measures(&Motion::new(1.0, vec![1.0, -1.0, 0.0]).unwrap());
-        assert!((m.d5_75_s - 1.175).abs() < 1e-15 && (m.d5_95_s - 1.775).abs() < 1e-15, "{m:?}");
+        assert!(
+            (m.d5_75_s - 1.175).abs() < 1e-15 && (m.d5_95_s - 1.775).abs() < 1e-15,
+            "{m:?}"
+        );
     }
 
     #[test]
     fn a_motion_of_zeros_has_no_duration() {
         let m = measures(&Motion::new(0.1, vec![0.0; 5]).unwrap());
-        assert_eq!((m.pga_m_s2, m.pga_index, m.arias_m_s, m.d5_75_s, m.d5_95_s), (0.0, 0, 0.0, 0.0, 0.0));
+        assert_eq!(
+            (m.pga_m_s2, m.pga_index, m.arias_m_s, m.d5_75_s, m.d5_95_s),
+            (0.0, 0, 0.0, 0.0, 0.0)
+        );
     }
 
     #[test]
@@ -295,11 +341,24 @@ mod tests {
         padded.extend(&shake);
         // The motion ends at sin(49) ≠ 0: compare only padded motions, so that the last interval is
         // the same.
-        let short = measures(&Motion::new(0.1, padded.clone()).unwrap().with_zero_tail(1.0).unwrap());
+        let short = measures(
+            &Motion::new(0.1, padded.clone())
+                .unwrap()
+                .with_zero_tail(1.0)
+                .unwrap(),
+        );
         padded.splice(0..0, vec![0.0; 70]);
-        let long = measures(&Motion::new(0.1, padded).unwrap().with_zero_tail(9.0).unwrap());
+        let long = measures(
+            &Motion::new(0.1, padded)
+                .unwrap()
+                .with_zero_tail(9.0)
+                .unwrap(),
+        );
         // Times up to 13 s carry 2e-15 each.
         assert!((short.d5_95_s - long.d5_95_s).abs() < 1e-14);
-        assert_eq!((short.arias_m_s, short.cav_m_s), (long.arias_m_s, long.cav_m_s));
+        assert_eq!(
+            (short.arias_m_s, short.cav_m_s),
+            (long.arias_m_s, long.cav_m_s)
+        );
     }
 }

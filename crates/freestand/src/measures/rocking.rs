@@ -44,7 +44,11 @@ pub struct RockingMeasures {
 /// ```
 pub fn rocking_measures(motion: &Motion, block: &Block, gravity_m_s2: f64) -> RockingMeasures {
     let (left, right) = (block.pivot(), block.right_pivot());
-    let edge = if left.slenderness_angle_rad <= right.slenderness_angle_rad { left } else { right };
+    let edge = if left.slenderness_angle_rad <= right.slenderness_angle_rad {
+        left
+    } else {
+        right
+    };
     // Not tan(atan(x/z)), which would lose the last bits.
     let tan_alpha = block.cg_from_left_m().min(block.cg_from_right_m()) / block.cg_height_m();
     let threshold = gravity_m_s2 * tan_alpha;
@@ -55,7 +59,9 @@ pub fn rocking_measures(motion: &Motion, block: &Block, gravity_m_s2: f64) -> Ro
         pga_ratio: all.pga_m_s2 / threshold,
         pgv_ratio: edge.frequency_parameter_rad_s(gravity_m_s2) * all.pgv_m_s / threshold,
         // Added to 0, because an empty sum is -0.
-        time_above_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
+        time_above_s: above
+            .iter()
+            .fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         excursions: above.len(),
     }
 }
@@ -71,7 +77,8 @@ mod tests {
         let block = Block::uniform(4.0, 3.0).unwrap();
         let motion = Motion::new(1.0, vec![0.0, 9.0, 0.0, -9.0, 0.0]).unwrap();
         let m = rocking_measures(&motion, &block, 10.0);
-        let near = |value: f64, want: f64| assert!((value / want - 1.0).abs() < 1e-14, "{value} {want}");
+        let near =
+            |value: f64, want: f64| assert!((value / want - 1.0).abs() < 1e-14, "{value} {want}");
         near(m.uplift_threshold_m_s2, 7.5);
         near(m.pga_ratio, 1.2);
         // PGV = 9 m/s after the first triangle.
@@ -83,7 +90,10 @@ mod tests {
 
     #[test]
     fn an_offset_takes_the_weaker_edge() {
-        let block = Block::uniform(4.0, 3.0).unwrap().with_cg_offset(0.5).unwrap();
+        let block = Block::uniform(4.0, 3.0)
+            .unwrap()
+            .with_cg_offset(0.5)
+            .unwrap();
         let motion = Motion::new(1.0, vec![0.0, 6.0, 0.0]).unwrap();
         let m = rocking_measures(&motion, &block, 10.0);
         // One metre from the nearer edge, two metres high.

@@ -63,7 +63,13 @@ pub fn spectral_measures(motion: &Motion) -> SpectralMeasures {
     if let Ok(bank) = OscillatorBank::new(&periods_s, DAMPING_RATIO, motion.dt_s()) {
         bank.peaks::<false>(motion.accel_m_s2(), &mut sd_m, &mut unused);
     }
-    let power = |n: i32| -> Vec<f64> { periods_s.iter().zip(&sd_m).map(|(t, sd)| (TAU / t).powi(n) * sd).collect() };
+    let power = |n: i32| -> Vec<f64> {
+        periods_s
+            .iter()
+            .zip(&sd_m)
+            .map(|(t, sd)| (TAU / t).powi(n) * sd)
+            .collect()
+    };
     let (psv_m_s, psa_m_s2) = (power(1), power(2));
     let largest = psa_m_s2.iter().copied().fold(0.0, f64::max);
     let at = psa_m_s2.iter().position(|&psa| psa == largest && psa > 0.0);
@@ -83,9 +89,15 @@ fn period_s(step: i32) -> f64 {
 fn integral(periods_s: &[f64], values: &[f64], factors: i32) -> f64 {
     let width = 5f64.ln() / f64::from(PER_FACTOR);
     let steps = STEPS.zip(periods_s.iter().zip(values));
-    let within: Vec<f64> =
-        steps.filter(|(step, _)| (0..=factors * PER_FACTOR).contains(step)).map(|(_, (t, value))| t * value).collect();
-    width * within.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).sum::<f64>()
+    let within: Vec<f64> = steps
+        .filter(|(step, _)| (0..=factors * PER_FACTOR).contains(step))
+        .map(|(_, (t, value))| t * value)
+        .collect();
+    width
+        * within
+            .windows(2)
+            .map(|pair| 0.5 * (pair[0] + pair[1]))
+            .sum::<f64>()
 }
 
 /// Largest spacing of the frequencies in the mean period \[Hz\].
@@ -110,7 +122,9 @@ pub fn mean_period_s(motion: &Motion) -> Option<f64> {
     let mut spectrum: Vec<Complex<f64>> = accel.iter().map(|&a| Complex::new(a, 0.0)).collect();
     spectrum.resize(count, Complex::new(0.0, 0.0));
     // Without vector instructions, whose last bits differ between processors.
-    FftPlannerScalar::new().plan_fft_forward(count).process(&mut spectrum);
+    FftPlannerScalar::new()
+        .plan_fft_forward(count)
+        .process(&mut spectrum);
     let df_hz = 1.0 / (count as f64 * motion.dt_s());
     let (mut over_f, mut sum) = (0.0, 0.0);
     for (k, value) in spectrum.iter().enumerate().take(count / 2 + 1).skip(1) {
@@ -130,7 +144,12 @@ mod tests {
     use crate::oscillator::response_spectrum;
 
     fn sines(parts: &[(f64, f64)], dt_s: f64, n: usize) -> Motion {
-        let at = |i: usize| parts.iter().map(|(size, f_hz)| size * (TAU * f_hz * i as f64 * dt_s).sin()).sum();
+        let at = |i: usize| {
+            parts
+                .iter()
+                .map(|(size, f_hz)| size * (TAU * f_hz * i as f64 * dt_s).sin())
+                .sum()
+        };
         Motion::new(dt_s, (0..n).map(at).collect()).unwrap()
     }
 
@@ -141,7 +160,10 @@ mod tests {
         let motion = sines(&[(3.0, 2.0), (1.0, 8.0), (9.0, 30.0)], 0.01, 4000);
         let want = (9.0 / 2.0 + 1.0 / 8.0) / 10.0;
         assert!((mean_period_s(&motion).unwrap() / want - 1.0).abs() < 1e-12);
-        assert_eq!(mean_period_s(&Motion::new(0.01, vec![0.0; 100]).unwrap()), None);
+        assert_eq!(
+            mean_period_s(&Motion::new(0.01, vec![0.0; 100]).unwrap()),
+            None
+        );
     }
 
     #[test]
@@ -151,7 +173,10 @@ mod tests {
         let short = sines(&[(1.0, 1.0)], 0.01, 100);
         let mut accel = short.accel_m_s2().to_vec();
         accel.resize(2000, 0.0);
-        assert_eq!(mean_period_s(&short), mean_period_s(&Motion::new(0.01, accel).unwrap()));
+        assert_eq!(
+            mean_period_s(&short),
+            mean_period_s(&Motion::new(0.01, accel).unwrap())
+        );
     }
 
     #[test]
@@ -160,7 +185,8 @@ mod tests {
         let m = spectral_measures(&motion);
         let fine: Vec<f64> = (0..=2400).map(|i| 0.1 + 0.001 * f64::from(i)).collect();
         let spectrum = response_spectrum(&motion, 0.05, &fine).unwrap();
-        let trapezoid = |values: &[f64]| 0.001 * values.windows(2).map(|p| 0.5 * (p[0] + p[1])).sum::<f64>();
+        let trapezoid =
+            |values: &[f64]| 0.001 * values.windows(2).map(|p| 0.5 * (p[0] + p[1])).sum::<f64>();
         // The resonances of sines are the sharpest peaks of any spectrum, 10 % wide where the
         // periods are 2.7 % apart.
         assert!((m.housner_m / trapezoid(&spectrum.psv_m_s) - 1.0).abs() < 3e-3);

@@ -24,7 +24,11 @@ pub struct Capacity {
 impl Capacity {
     /// The same of an object that withstands so many times the intensity.
     pub fn scaled(self, factor: f64) -> Self {
-        Self { from: self.from.map(|x| factor * x), to: self.to.map(|x| factor * x), ..self }
+        Self {
+            from: self.from.map(|x| factor * x),
+            to: self.to.map(|x| factor * x),
+            ..self
+        }
     }
 }
 
@@ -57,7 +61,11 @@ impl Capacity {
 /// assert_eq!(found, [(Some(0.05), Some(0.1), 0.25), (Some(0.2), Some(0.4), 0.75)]);
 /// # Ok::<(), freestand::fragility::OutcomesError>(())
 /// ```
-pub fn capacities(outcomes: &Outcomes, state: LimitState, uplifts: &[Option<f64>]) -> Vec<Capacity> {
+pub fn capacities(
+    outcomes: &Outcomes,
+    state: LimitState,
+    uplifts: &[Option<f64>],
+) -> Vec<Capacity> {
     let levels = outcomes.levels();
     let shares = rising_shares(&outcomes.shares(state));
     let mut found = Vec::new();
@@ -67,23 +75,37 @@ pub fn capacities(outcomes: &Outcomes, state: LimitState, uplifts: &[Option<f64>
             None if share > 0.0 => {
                 let reached = outcomes.reached_at_lowest(state);
                 let all: f64 = reached.iter().map(|(_, weight)| weight).sum();
-                found.extend(reached.into_iter().map(|(motion, weight)| Capacity {
-                    // A run that lifts below its own uplift only by the last digit.
-                    from: motion.and_then(|motion| *uplifts.get(motion)?).map(|uplift| uplift.min(level)),
-                    to: Some(level),
-                    share: share * weight / all,
-                    is_lowest: true,
+                found.extend(reached.into_iter().map(|(motion, weight)| {
+                    Capacity {
+                        // A run that lifts below its own uplift only by the last digit.
+                        from: motion
+                            .and_then(|motion| *uplifts.get(motion)?)
+                            .map(|uplift| uplift.min(level)),
+                        to: Some(level),
+                        share: share * weight / all,
+                        is_lowest: true,
+                    }
                 }));
             }
             Some((below, known)) if share > known => {
-                found.push(Capacity { from: Some(below), to: Some(level), share: share - known, is_lowest: false });
+                found.push(Capacity {
+                    from: Some(below),
+                    to: Some(level),
+                    share: share - known,
+                    is_lowest: false,
+                });
             }
             _ => {}
         }
         before = Some((level, share));
     }
     if let Some((last, share)) = before.filter(|(_, share)| *share < 1.0) {
-        found.push(Capacity { from: Some(last), to: None, share: 1.0 - share, is_lowest: false });
+        found.push(Capacity {
+            from: Some(last),
+            to: None,
+            share: 1.0 - share,
+            is_lowest: false,
+        });
     }
     found
 }
@@ -104,7 +126,14 @@ fn rising_shares(counts: &[(f64, f64)]) -> Vec<f64> {
         }
     }
     let share = |&(reached, runs, levels): &(f64, f64, usize)| {
-        std::iter::repeat_n(if runs > 0.0 { (reached / runs).min(1.0) } else { 0.0 }, levels)
+        std::iter::repeat_n(
+            if runs > 0.0 {
+                (reached / runs).min(1.0)
+            } else {
+                0.0
+            },
+            levels,
+        )
     };
     blocks.iter().flat_map(share).collect()
 }
@@ -146,16 +175,26 @@ impl AboveLast {
 ///
 /// In terms of the probability P at the levels x this is Σ P(xᵢ) \[λ(xᵢ) − λ(xᵢ₊₁)\] + P(xₙ) λ(xₙ), and
 /// the same with P(xᵢ₊₁), λ(xₙ) above the last level and P(x₁) \[λ(uplift) − λ(x₁)\] below the first.
-pub fn rate_bounds(hazard: &Hazard, capacities: &[Capacity], above: AboveLast) -> (f64, Option<f64>) {
-    let least =
-        capacities.iter().map(|one| one.share * one.to.map_or(0.0, |to| hazard.annual_rate_with(to, above.least())));
+pub fn rate_bounds(
+    hazard: &Hazard,
+    capacities: &[Capacity],
+    above: AboveLast,
+) -> (f64, Option<f64>) {
+    let least = capacities.iter().map(|one| {
+        one.share
+            * one
+                .to
+                .map_or(0.0, |to| hazard.annual_rate_with(to, above.least()))
+    });
     let first = match hazard {
         Hazard::Points(points) => points.first().copied(),
         Hazard::PowerLaw { .. } => None,
     };
     let (mut most, mut below_first) = (0.0, 0.0);
     for one in capacities {
-        let Some(from) = one.from else { return (least.sum(), None) };
+        let Some(from) = one.from else {
+            return (least.sum(), None);
+        };
         match first.filter(|first| from < first.intensity) {
             Some(first) => {
                 let exponent = first_exponent(hazard);
@@ -173,7 +212,9 @@ pub fn rate_bounds(hazard: &Hazard, capacities: &[Capacity], above: AboveLast) -
 /// between its ends each capacity lies and whatever is above the last point of the hazard
 /// \[1/year\]; `None` for a factor below 1 where an end is not known.
 pub fn least_avoided(hazard: &Hazard, capacities: &[Capacity], factor: f64) -> Option<f64> {
-    let avoided = |x: f64, tail: Tail| hazard.annual_rate_with(x, tail) - hazard.annual_rate_with(factor * x, tail);
+    let avoided = |x: f64, tail: Tail| {
+        hazard.annual_rate_with(x, tail) - hazard.annual_rate_with(factor * x, tail)
+    };
     let of = |one: &Capacity, tail: Tail| -> Option<f64> {
         let (from, to) = match (one.from, one.to) {
             (Some(from), Some(to)) => (from, to),
@@ -182,10 +223,24 @@ pub fn least_avoided(hazard: &Hazard, capacities: &[Capacity], factor: f64) -> O
             (None, _) => return (factor >= 1.0).then_some(0.0),
         };
         let at = |i: u32| from * (to / from).powf(f64::from(i) / f64::from(STEPS));
-        let least = (0..=STEPS).map(|i| avoided(at(i), tail)).fold(f64::INFINITY, f64::min);
-        Some(one.share * if one.to.is_none() { least.min(0.0) } else { least })
+        let least = (0..=STEPS)
+            .map(|i| avoided(at(i), tail))
+            .fold(f64::INFINITY, f64::min);
+        Some(
+            one.share
+                * if one.to.is_none() {
+                    least.min(0.0)
+                } else {
+                    least
+                },
+        )
     };
-    let sum = |tail| capacities.iter().map(|one| of(one, tail)).sum::<Option<f64>>();
+    let sum = |tail| {
+        capacities
+            .iter()
+            .map(|one| of(one, tail))
+            .sum::<Option<f64>>()
+    };
     let tails = [Tail::Absent, Tail::Continued, Tail::Level].map(sum);
     tails.into_iter().reduce(|a, b| Some(a?.min(b?)))?
 }
@@ -205,8 +260,17 @@ mod tests {
         let mut runs = Vec::new();
         for (motion, capacity) in capacities.iter().enumerate() {
             for &intensity in levels {
-                let class = if intensity >= *capacity { OutcomeClass::Overturned } else { OutcomeClass::Rocked };
-                runs.push(Run { motion: Some(motion), intensity, class, weight: 1.0 });
+                let class = if intensity >= *capacity {
+                    OutcomeClass::Overturned
+                } else {
+                    OutcomeClass::Rocked
+                };
+                runs.push(Run {
+                    motion: Some(motion),
+                    intensity,
+                    class,
+                    weight: 1.0,
+                });
             }
         }
         Outcomes::new(&runs).unwrap()
@@ -227,15 +291,21 @@ mod tests {
         let hazard = Hazard::power_law(1e-2, 0.1, 2.5).unwrap();
         for sample in 0..40 {
             let mut random = draw_stream(9, sample, 0, 0);
-            let of: Vec<f64> = (0..20).map(|_| lognormal_draw(&mut random, 0.3, 0.4)).collect();
+            let of: Vec<f64> = (0..20)
+                .map(|_| lognormal_draw(&mut random, 0.3, 0.4))
+                .collect();
             let uplifts: Vec<Option<f64>> = of.iter().map(|x| Some(0.2 * x)).collect();
             let truth = of.iter().map(|x| hazard.annual_rate(*x)).sum::<f64>() / 20.0;
-            let grid =
-                |from: f64, ratio: f64, count: i32| -> Vec<f64> { (0..count).map(|i| from * ratio.powi(i)).collect() };
+            let grid = |from: f64, ratio: f64, count: i32| -> Vec<f64> {
+                (0..count).map(|i| from * ratio.powi(i)).collect()
+            };
             for levels in [grid(0.3, 1.5, 5), grid(0.1, 2.0, 4), grid(0.05, 1.2, 20)] {
                 let (least, most) = bounds(&hazard, &stripes(&of, &levels), &uplifts);
                 let most = most.unwrap();
-                assert!(least <= truth && truth <= most, "{levels:?}: {least} {truth} {most}");
+                assert!(
+                    least <= truth && truth <= most,
+                    "{levels:?}: {least} {truth} {most}"
+                );
             }
             // 1.01^2.5 is 1.025.
             let (least, most) = bounds(&hazard, &stripes(&of, &grid(0.02, 1.01, 600)), &uplifts);
@@ -251,18 +321,32 @@ mod tests {
         let (least, most) = bounds(&hazard, &stripes(&of, &[1.0, 2.0, 2.5]), &[Some(0.25); 4]);
         let (p, rate) = ([0.25, 0.75, 0.75], [1.0, 0.5, 0.4]);
         let least_of = p[0] * (rate[0] - rate[1]) + p[1] * (rate[1] - rate[2]) + p[2] * rate[2];
-        let most_of = p[0] * (4.0 - 1.0) + p[1] * (rate[0] - rate[1]) + p[2] * (rate[1] - rate[2]) + rate[2];
-        assert!((least - least_of).abs() < 1e-15 && (most.unwrap() - most_of).abs() < 1e-15, "{least} {most:?}");
+        let most_of =
+            p[0] * (4.0 - 1.0) + p[1] * (rate[0] - rate[1]) + p[2] * (rate[1] - rate[2]) + rate[2];
+        assert!(
+            (least - least_of).abs() < 1e-15 && (most.unwrap() - most_of).abs() < 1e-15,
+            "{least} {most:?}"
+        );
         // Without the uplift there is no upper bound, unless nothing fails at the lowest level.
-        assert_eq!(bounds(&hazard, &stripes(&of, &[1.0, 2.0, 2.5]), &[]).1, None);
-        assert!(bounds(&hazard, &stripes(&of, &[0.4, 2.0, 2.5]), &[]).1.is_some());
+        assert_eq!(
+            bounds(&hazard, &stripes(&of, &[1.0, 2.0, 2.5]), &[]).1,
+            None
+        );
+        assert!(
+            bounds(&hazard, &stripes(&of, &[0.4, 2.0, 2.5]), &[])
+                .1
+                .is_some()
+        );
     }
 
     /// A hazard that begins above the uplift says nothing about the most.
     #[test]
     fn a_hazard_that_begins_too_high_has_no_upper_bound() {
         use super::super::HazardPoint;
-        let points = [(1.0, 1.0), (4.0, 0.25)].map(|(intensity, annual_rate)| HazardPoint { intensity, annual_rate });
+        let points = [(1.0, 1.0), (4.0, 0.25)].map(|(intensity, annual_rate)| HazardPoint {
+            intensity,
+            annual_rate,
+        });
         let hazard = Hazard::points(points.to_vec()).unwrap();
         let runs = stripes(&[0.5, 1.5, 1.5, 3.0], &[1.0, 2.0, 2.5]);
         assert_eq!(bounds(&hazard, &runs, &[Some(0.25); 4]).1, None);
@@ -274,12 +358,30 @@ mod tests {
     #[test]
     fn what_is_avoided_is_the_least_between_the_ends() {
         let hazard = Hazard::power_law(1.0, 1.0, 2.0).unwrap();
-        let found = capacities(&stripes(&[0.5, 1.5], &[1.0, 2.0]), LimitState::Overturns, &[Some(0.25); 2]);
+        let found = capacities(
+            &stripes(&[0.5, 1.5], &[1.0, 2.0]),
+            LimitState::Overturns,
+            &[Some(0.25); 2],
+        );
         let (least, _) = rate_bounds(&hazard, &found, AboveLast::Open);
         let avoided = least_avoided(&hazard, &found, 2.0).unwrap();
-        assert!((avoided / (least * 0.75) - 1.0).abs() < 1e-12, "{avoided} {least}");
+        assert!(
+            (avoided / (least * 0.75) - 1.0).abs() < 1e-12,
+            "{avoided} {least}"
+        );
         assert_eq!(least_avoided(&hazard, &found, 1.0), Some(0.0));
-        let open = [Capacity { from: None, to: Some(1.0), share: 1.0, is_lowest: true }];
-        assert_eq!((least_avoided(&hazard, &open, 2.0), least_avoided(&hazard, &open, 0.5)), (Some(0.0), None));
+        let open = [Capacity {
+            from: None,
+            to: Some(1.0),
+            share: 1.0,
+            is_lowest: true,
+        }];
+        assert_eq!(
+            (
+                least_avoided(&hazard, &open, 2.0),
+                least_avoided(&hazard, &open, 0.5)
+            ),
+            (Some(0.0), None)
+        );
     }
 }

@@ -86,13 +86,19 @@ impl HazardError {
     pub fn point(self) -> Option<usize> {
         match self {
             Self::TooFew { .. } => None,
-            Self::Value { point, .. } | Self::NotRising { point, .. } | Self::NotFalling { point, .. } => Some(point),
+            Self::Value { point, .. }
+            | Self::NotRising { point, .. }
+            | Self::NotFalling { point, .. } => Some(point),
         }
     }
 }
 
 fn positive(point: usize, name: &'static str, value: f64) -> Result<(), HazardError> {
-    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(HazardError::Value { point, name, value }) }
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(HazardError::Value { point, name, value })
+    }
 }
 
 impl Hazard {
@@ -109,14 +115,24 @@ impl Hazard {
         for (i, pair) in points.windows(2).enumerate() {
             let (point, (before, at)) = (i + 2, (pair[0], pair[1]));
             if at.intensity <= before.intensity {
-                return Err(HazardError::NotRising { point, value: at.intensity, before: before.intensity });
+                return Err(HazardError::NotRising {
+                    point,
+                    value: at.intensity,
+                    before: before.intensity,
+                });
             }
             if at.annual_rate >= before.annual_rate {
-                return Err(HazardError::NotFalling { point, value: at.annual_rate, before: before.annual_rate });
+                return Err(HazardError::NotFalling {
+                    point,
+                    value: at.annual_rate,
+                    before: before.annual_rate,
+                });
             }
         }
         if points.len() < 2 {
-            return Err(HazardError::TooFew { points: points.len() });
+            return Err(HazardError::TooFew {
+                points: points.len(),
+            });
         }
         Ok(Self::Points(points))
     }
@@ -129,7 +145,11 @@ impl Hazard {
         positive(1, "the rate", rate)?;
         positive(1, "the reference", reference)?;
         positive(1, "the exponent", exponent)?;
-        Ok(Self::PowerLaw { rate, reference, exponent })
+        Ok(Self::PowerLaw {
+            rate,
+            reference,
+            exponent,
+        })
     }
 
     /// λ(x) \[1/year\]. Below the first point the rate of the first point; above the last one the
@@ -154,10 +174,17 @@ impl Hazard {
     /// λ(x) with another assumption above the last point \[1/year\].
     pub fn annual_rate_with(&self, intensity: f64, tail: Tail) -> f64 {
         match self {
-            Self::PowerLaw { rate, reference, exponent } => rate * (intensity / reference).powf(-exponent),
+            Self::PowerLaw {
+                rate,
+                reference,
+                exponent,
+            } => rate * (intensity / reference).powf(-exponent),
             Self::Points(points) => {
                 let above = points.partition_point(|point| point.intensity < intensity);
-                match (above.checked_sub(1).and_then(|below| points.get(below)), points.get(above)) {
+                match (
+                    above.checked_sub(1).and_then(|below| points.get(below)),
+                    points.get(above),
+                ) {
                     (None, None) => 0.0,
                     (None, Some(first)) => first.annual_rate,
                     (Some(low), Some(high)) => {
@@ -180,13 +207,17 @@ impl Hazard {
 
 /// k of the last segment.
 pub(super) fn last_exponent(points: &[HazardPoint]) -> f64 {
-    points.last_chunk().map_or(0.0, |[low, high]| exponent_between(*low, *high))
+    points
+        .last_chunk()
+        .map_or(0.0, |[low, high]| exponent_between(*low, *high))
 }
 
 /// k of the first segment; of a power law its own.
 pub(super) fn first_exponent(hazard: &Hazard) -> f64 {
     match hazard {
-        Hazard::Points(points) => points.first_chunk().map_or(0.0, |[low, high]| exponent_between(*low, *high)),
+        Hazard::Points(points) => points
+            .first_chunk()
+            .map_or(0.0, |[low, high]| exponent_between(*low, *high)),
         Hazard::PowerLaw { exponent, .. } => *exponent,
     }
 }

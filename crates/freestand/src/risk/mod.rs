@@ -16,10 +16,12 @@ mod rate;
 pub use capacity::{AboveLast, Capacity, capacities, least_avoided, rate_bounds};
 pub use hazard::{Hazard, HazardError, HazardPoint, Tail};
 pub use loss::{
-    LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
-    loss_exceedance,
+    LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance,
+    loss_at_return_period, loss_exceedance,
 };
 pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, renewed_cost};
 pub use open::{Gap, OpenPart, RESOLVED, bounds_by_runs, open_parts, open_rate};
 pub use plan::{Choice, Plan, best_plan};
-pub use rate::{AnnualRates, Bin, annual_rate, annual_rate_below, deaggregation, probability_in_years};
+pub use rate::{
+    AnnualRates, Bin, annual_rate, annual_rate_below, deaggregation, probability_in_years,
+};

@@ -32,7 +32,9 @@ pub fn expected_annual_loss(
     cost_overturns: f64,
 ) -> f64 {
     // Separately fitted curves may cross, and less than nothing cannot happen.
-    quantity * ((rate_exceeds - rate_overturns).max(0.0) * cost_exceeds + rate_overturns * cost_overturns)
+    quantity
+        * ((rate_exceeds - rate_overturns).max(0.0) * cost_exceeds
+            + rate_overturns * cost_overturns)
 }
 
 /// Present value of 1 per year, paid continuously over a horizon: (1 − e^{−rH})/r, H where r is 0
@@ -48,19 +50,34 @@ pub fn expected_annual_loss(
 /// assert!((years - (1.0 - (-1.2_f64).exp()) / 0.03).abs() < 1e-12);
 /// # Ok::<(), freestand::risk::MoneyError>(())
 /// ```
-pub fn present_value_factor_years(discount_rate: f64, horizon_years: f64) -> Result<f64, MoneyError> {
+pub fn present_value_factor_years(
+    discount_rate: f64,
+    horizon_years: f64,
+) -> Result<f64, MoneyError> {
     check(discount_rate, horizon_years)?;
-    Ok(if discount_rate == 0.0 { horizon_years } else { -(-discount_rate * horizon_years).exp_m1() / discount_rate })
+    Ok(if discount_rate == 0.0 {
+        horizon_years
+    } else {
+        -(-discount_rate * horizon_years).exp_m1() / discount_rate
+    })
 }
 
 fn check(discount_rate: f64, horizon_years: f64) -> Result<(), MoneyError> {
     if !(horizon_years > 0.0 && horizon_years.is_finite()) {
         let (name, requirement) = ("the horizon in years", "positive and finite");
-        return Err(MoneyError { name, requirement, value: horizon_years });
+        return Err(MoneyError {
+            name,
+            requirement,
+            value: horizon_years,
+        });
     }
     if !(discount_rate >= 0.0 && discount_rate.is_finite()) {
         let (name, requirement) = ("the discount rate", "0 or more and finite");
-        return Err(MoneyError { name, requirement, value: discount_rate });
+        return Err(MoneyError {
+            name,
+            requirement,
+            value: discount_rate,
+        });
     }
     Ok(())
 }
@@ -83,13 +100,24 @@ pub fn renewed_cost(
     horizon_years: f64,
 ) -> Result<f64, MoneyError> {
     check(discount_rate, horizon_years)?;
-    let Some(life_years) = life_years else { return Ok(cost) };
+    let Some(life_years) = life_years else {
+        return Ok(cost);
+    };
     // A life of seconds would be paid a billion times.
     if !(life_years >= 1e-3 * horizon_years && life_years.is_finite()) {
-        let (name, requirement) = ("the life in years", "positive and at least a thousandth of the horizon");
-        return Err(MoneyError { name, requirement, value: life_years });
+        let (name, requirement) = (
+            "the life in years",
+            "positive and at least a thousandth of the horizon",
+        );
+        return Err(MoneyError {
+            name,
+            requirement,
+            value: life_years,
+        });
     }
-    let times = (0..).map(|n| f64::from(n) * life_years).take_while(|time| *time < horizon_years);
+    let times = (0..)
+        .map(|n| f64::from(n) * life_years)
+        .take_while(|time| *time < horizon_years);
     Ok(times.map(|time| cost * (-discount_rate * time).exp()).sum())
 }
 
@@ -103,8 +131,14 @@ mod tests {
         // The series of (1 − e^{−rH})/r begins with H − rH²/2.
         let small = present_value_factor_years(1e-9, 40.0).unwrap();
         assert!((small - (40.0 - 1e-9 * 800.0)).abs() < 1e-12, "{small}");
-        assert_eq!(present_value_factor_years(0.03, -1.0).unwrap_err().name, "the horizon in years");
-        assert_eq!(present_value_factor_years(-0.03, 1.0).unwrap_err().name, "the discount rate");
+        assert_eq!(
+            present_value_factor_years(0.03, -1.0).unwrap_err().name,
+            "the horizon in years"
+        );
+        assert_eq!(
+            present_value_factor_years(-0.03, 1.0).unwrap_err().name,
+            "the discount rate"
+        );
     }
 
     #[test]

@@ -47,11 +47,13 @@ pub fn bounds_by_runs(
     above: AboveLast,
 ) -> (f64, Option<f64>) {
     let (least, most) = rate_bounds(hazard, found, above);
-    let (open, closed): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.from.is_none());
+    let (open, closed): (Vec<Capacity>, Vec<Capacity>) =
+        found.iter().partition(|one| one.from.is_none());
     let below_lowest = || {
         let lowest = open.first()?.to?;
         let below = annual_rate_below(hazard, kind, lowest)?;
-        let at_lowest = open.iter().map(|one| one.share).sum::<f64>() * hazard.annual_rate_with(lowest, above.most());
+        let at_lowest = open.iter().map(|one| one.share).sum::<f64>()
+            * hazard.annual_rate_with(lowest, above.most());
         let is_small = below <= RESOLVED * by_curve.annual_rate?;
         Some(rate_bounds(hazard, &closed, above).1? + at_lowest + below).filter(|_| is_small)
     };
@@ -61,7 +63,10 @@ pub fn bounds_by_runs(
 /// The rate of which parts are open: that of the curve, but no more than `most`, which the runs allow; `None`:
 /// neither is known.
 pub fn open_rate(by_curve: AnnualRates, most: Option<f64>) -> Option<f64> {
-    [by_curve.annual_rate, most].into_iter().flatten().reduce(f64::min)
+    [by_curve.annual_rate, most]
+        .into_iter()
+        .flatten()
+        .reduce(f64::min)
 }
 
 /// The ranges with more than [`RESOLVED`] of a rate ([`open_rate`]), rising.
@@ -79,26 +84,50 @@ pub fn open_rate(by_curve: AnnualRates, most: Option<f64>) -> Option<f64> {
 /// assert!((open[0].annual_rate - 0.5 * (10.0 - 5.0)).abs() < 1e-12);
 /// # Ok::<(), freestand::risk::HazardError>(())
 /// ```
-pub fn open_parts(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Vec<OpenPart> {
+pub fn open_parts(
+    hazard: &Hazard,
+    by_curve: AnnualRates,
+    most: Option<f64>,
+    found: &[Capacity],
+) -> Vec<OpenPart> {
     let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
     let all = open_rate(by_curve, most);
     // Those below the lowest intensity belong together.
-    let (lowest, others): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.is_lowest);
+    let (lowest, others): (Vec<Capacity>, Vec<Capacity>) =
+        found.iter().partition(|one| one.is_lowest);
     let open = |one: &Capacity| one.share * (rate(one.from) - rate(one.to));
     let below = lowest.first().and_then(|one| one.to).map(|to| {
         let is_known = lowest.iter().all(|one| one.from.is_some()) || most.is_some();
-        let part =
-            if is_known { lowest.iter().filter(|one| one.from.is_some()).map(open).sum() } else { f64::INFINITY };
-        let uplift = lowest.iter().map(|one| one.from).reduce(|a, b| Some(a?.min(b?))).flatten();
+        let part = if is_known {
+            lowest
+                .iter()
+                .filter(|one| one.from.is_some())
+                .map(open)
+                .sum()
+        } else {
+            f64::INFINITY
+        };
+        let uplift = lowest
+            .iter()
+            .map(|one| one.from)
+            .reduce(|a, b| Some(a?.min(b?)))
+            .flatten();
         (Gap::Below { uplift, lowest: to }, part)
     });
     let others = others.iter().filter_map(|one| {
         let from = one.from?;
-        Some((one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to)), open(one)))
+        Some((
+            one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to)),
+            open(one),
+        ))
     });
     let parts = below.into_iter().chain(others).map(|(gap, annual_rate)| {
         let share = all.map_or(f64::INFINITY, |all| annual_rate / all);
-        OpenPart { gap, annual_rate, share }
+        OpenPart {
+            gap,
+            annual_rate,
+            share,
+        }
     });
     parts.filter(|part| part.share > RESOLVED).collect()
 }

@@ -53,21 +53,30 @@ pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -
     let mut best: Vec<(usize, usize)> = Vec::new();
     let (mut best_cost, mut best_value) = (0.0, 0.0);
     let mut nodes: Vec<Node> = Vec::new();
-    let mut partial = vec![Partial { cost: 0.0, value: 0.0, node: None }];
+    let mut partial = vec![Partial {
+        cost: 0.0,
+        value: 0.0,
+        node: None,
+    }];
     let mut stopped_bound = None;
     for position in 0..=classes.len() {
         let relaxed = Relaxed::new(&increments, position);
         let bound = |plan: &Partial| plan.value + relaxed.value(budget - plan.cost);
         // The most promising plan, completed as long as measures fit, is often the best one.
-        let promising = partial.iter().reduce(|a, b| if bound(b) > bound(a) { b } else { a });
+        let promising = partial
+            .iter()
+            .reduce(|a, b| if bound(b) > bound(a) { b } else { a });
         if let Some(start) = promising {
-            let (completed, cost, value) = complete(start, &nodes, &classes, &increments, position, budget);
+            let (completed, cost, value) =
+                complete(start, &nodes, &classes, &increments, position, budget);
             if value > best_value {
                 (best, best_cost, best_value) = (completed, cost, value);
             }
         }
         partial.retain(|plan| bound(plan) > best_value);
-        let Some(class) = classes.get(position).filter(|_| !partial.is_empty()) else { break };
+        let Some(class) = classes.get(position).filter(|_| !partial.is_empty()) else {
+            break;
+        };
         if !go_on() {
             stopped_bound = Some(partial.iter().map(bound).fold(best_value, f64::max));
             break;
@@ -77,8 +86,16 @@ pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -
             for (option, choice) in class.options.iter().enumerate() {
                 let cost = plan.cost + choice.cost;
                 if cost <= budget {
-                    nodes.push(Node { before: plan.node, position, option });
-                    next.push(Partial { cost, value: plan.value + choice.value, node: Some(nodes.len() - 1) });
+                    nodes.push(Node {
+                        before: plan.node,
+                        position,
+                        option,
+                    });
+                    next.push(Partial {
+                        cost,
+                        value: plan.value + choice.value,
+                        node: Some(nodes.len() - 1),
+                    });
                 }
             }
         }
@@ -100,7 +117,13 @@ pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -
         }
     }
     let bound = stopped_bound.unwrap_or(best_value);
-    Plan { chosen, cost: best_cost, value: best_value, bound, is_optimal: bound <= best_value }
+    Plan {
+        chosen,
+        cost: best_cost,
+        value: best_value,
+        bound,
+        is_optimal: bound <= best_value,
+    }
 }
 
 /// The measures of one object that can be in a best plan, by rising cost and value.
@@ -140,21 +163,27 @@ struct Increment {
 impl Increment {
     /// More value for the cost comes first; what costs nothing comes before all.
     fn slope(&self) -> f64 {
-        if self.cost > 0.0 { self.value / self.cost } else { f64::INFINITY }
+        if self.cost > 0.0 {
+            self.value / self.cost
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
 fn classes(objects: &[Vec<Choice>], budget: f64) -> Vec<Class> {
     let mut classes = Vec::new();
     for (object, all) in objects.iter().enumerate() {
-        let is_useful = |choice: &Choice| choice.cost >= 0.0 && choice.cost <= budget && choice.value > 0.0;
+        let is_useful =
+            |choice: &Choice| choice.cost >= 0.0 && choice.cost <= budget && choice.value > 0.0;
         let mut useful: Vec<(usize, Choice)> = all
             .iter()
             .copied()
             .enumerate()
             .filter(|(_, choice)| is_useful(choice) && choice.value.is_finite())
             .collect();
-        useful.sort_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost).then(b.value.total_cmp(&a.value)));
+        useful
+            .sort_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost).then(b.value.total_cmp(&a.value)));
         let mut most = 0.0;
         useful.retain(|(_, choice)| {
             let is_better = choice.value > most;
@@ -168,11 +197,19 @@ fn classes(objects: &[Vec<Choice>], budget: f64) -> Vec<Class> {
         let mut hull: Vec<usize> = Vec::new();
         for (i, choice) in options.iter().enumerate() {
             while let Some(&top) = hull.last() {
-                let before = hull.len().checked_sub(2).and_then(|i| hull.get(i)).map(|&i| options[i]);
-                let before = before.unwrap_or(Choice { cost: 0.0, value: 0.0 });
+                let before = hull
+                    .len()
+                    .checked_sub(2)
+                    .and_then(|i| hull.get(i))
+                    .map(|&i| options[i]);
+                let before = before.unwrap_or(Choice {
+                    cost: 0.0,
+                    value: 0.0,
+                });
                 let (a, b) = (options[top], *choice);
                 // The point on top is on or below the line past it.
-                if (a.value - before.value) * (b.cost - before.cost) > (b.value - before.value) * (a.cost - before.cost)
+                if (a.value - before.value) * (b.cost - before.cost)
+                    > (b.value - before.value) * (a.cost - before.cost)
                 {
                     break;
                 }
@@ -180,12 +217,21 @@ fn classes(objects: &[Vec<Choice>], budget: f64) -> Vec<Class> {
             }
             hull.push(i);
         }
-        classes.push(Class { object, numbers: useful.iter().map(|(number, _)| *number).collect(), options, hull });
+        classes.push(Class {
+            object,
+            numbers: useful.iter().map(|(number, _)| *number).collect(),
+            options,
+            hull,
+        });
     }
     // The best ratios first, so that later objects hardly matter.
     let ratio = |class: &Class| {
         let first = class.options[class.hull[0]];
-        if first.cost > 0.0 { first.value / first.cost } else { f64::INFINITY }
+        if first.cost > 0.0 {
+            first.value / first.cost
+        } else {
+            f64::INFINITY
+        }
     };
     classes.sort_by(|a, b| ratio(b).total_cmp(&ratio(a)));
     classes
@@ -194,7 +240,10 @@ fn classes(objects: &[Vec<Choice>], budget: f64) -> Vec<Class> {
 fn increments(classes: &[Class]) -> Vec<Increment> {
     let mut all = Vec::new();
     for (position, class) in classes.iter().enumerate() {
-        let mut before = Choice { cost: 0.0, value: 0.0 };
+        let mut before = Choice {
+            cost: 0.0,
+            value: 0.0,
+        };
         for (i, &option) in class.hull.iter().enumerate() {
             let here = class.options[option];
             all.push(Increment {
@@ -231,7 +280,9 @@ impl Relaxed {
 
     fn value(&self, left: f64) -> f64 {
         let after = self.points.partition_point(|(cost, _)| *cost <= left);
-        let Some(&(from, value)) = after.checked_sub(1).and_then(|i| self.points.get(i)) else { return 0.0 };
+        let Some(&(from, value)) = after.checked_sub(1).and_then(|i| self.points.get(i)) else {
+            return 0.0;
+        };
         match self.points.get(after) {
             Some(&(to, more)) => value + (more - value) * (left - from) / (to - from),
             None => value,
@@ -265,12 +316,21 @@ fn complete(
         node = here.before.and_then(|node| nodes.get(node));
     }
     for (position, (class, place)) in classes.iter().zip(&places).enumerate() {
-        chosen.extend(place.checked_sub(1).and_then(|i| class.hull.get(i)).map(|&option| (position, option)));
+        chosen.extend(
+            place
+                .checked_sub(1)
+                .and_then(|i| class.hull.get(i))
+                .map(|&option| (position, option)),
+        );
     }
     chosen.sort_unstable();
     // Summed in one order, so that the way to a plan does not change its last digits.
-    let sum =
-        |of: &dyn Fn(Choice) -> f64| chosen.iter().map(|&(at, option)| of(classes[at].options[option])).sum::<f64>();
+    let sum = |of: &dyn Fn(Choice) -> f64| {
+        chosen
+            .iter()
+            .map(|&(at, option)| of(classes[at].options[option]))
+            .sum::<f64>()
+    };
     let (cost, value) = (sum(&|choice| choice.cost), sum(&|choice| choice.value));
     (chosen, cost, value)
 }
@@ -283,8 +343,12 @@ mod tests {
 
     /// Every combination.
     fn brute_force(objects: &[Vec<Choice>], budget: f64) -> f64 {
-        let Some((first, rest)) = objects.split_first() else { return 0.0 };
-        let with = first.iter().filter(|choice| choice.cost <= budget && choice.value > 0.0);
+        let Some((first, rest)) = objects.split_first() else {
+            return 0.0;
+        };
+        let with = first
+            .iter()
+            .filter(|choice| choice.cost <= budget && choice.value > 0.0);
         with.map(|choice| choice.value + brute_force(rest, budget - choice.cost))
             .fold(brute_force(rest, budget), f64::max)
     }
@@ -298,7 +362,12 @@ mod tests {
         };
         let choices = |number: &mut dyn FnMut(f64) -> f64| -> Vec<Choice> {
             let count = number(4.0).round() as usize;
-            (0..count).map(|_| Choice { cost: number(10.0), value: number(24.0) - 4.0 }).collect()
+            (0..count)
+                .map(|_| Choice {
+                    cost: number(10.0),
+                    value: number(24.0) - 4.0,
+                })
+                .collect()
         };
         let objects = (0..objects).map(|_| choices(&mut number)).collect();
         (objects, number(30.0))
@@ -312,10 +381,21 @@ mod tests {
             let (objects, budget) = random(sample, 1 + sample as usize % 7);
             let plan = best_plan(&objects, budget, || true);
             let expected = brute_force(&objects, budget);
-            assert!((plan.value - expected).abs() < 1e-12, "{sample}: {plan:?} {expected}");
-            assert!(plan.is_optimal && plan.bound == plan.value && plan.cost <= budget + 1e-12, "{plan:?}");
-            let chosen = objects.iter().zip(&plan.chosen).filter_map(|(of, chosen)| chosen.map(|chosen| of[chosen]));
-            let sum = chosen.fold((0.0, 0.0), |sum, choice| (sum.0 + choice.cost, sum.1 + choice.value));
+            assert!(
+                (plan.value - expected).abs() < 1e-12,
+                "{sample}: {plan:?} {expected}"
+            );
+            assert!(
+                plan.is_optimal && plan.bound == plan.value && plan.cost <= budget + 1e-12,
+                "{plan:?}"
+            );
+            let chosen = objects
+                .iter()
+                .zip(&plan.chosen)
+                .filter_map(|(of, chosen)| chosen.map(|chosen| of[chosen]));
+            let sum = chosen.fold((0.0, 0.0), |sum, choice| {
+                (sum.0 + choice.cost, sum.1 + choice.value)
+            });
             assert!((sum.0 - plan.cost).abs() < 1e-12 && (sum.1 - plan.value).abs() < 1e-12);
         }
     }
@@ -347,16 +427,27 @@ mod tests {
     fn budgets_beyond_all_costs_and_of_nothing() {
         for sample in 0..200 {
             let (objects, _) = random(sample, 1 + sample as usize % 40);
-            let (rich, poor) = (best_plan(&objects, 1e12, || true), best_plan(&objects, 0.0, || true));
+            let (rich, poor) = (
+                best_plan(&objects, 1e12, || true),
+                best_plan(&objects, 0.0, || true),
+            );
             assert!(rich.is_optimal && poor.is_optimal && poor.cost == 0.0);
             for ((of, rich), poor) in objects.iter().zip(&rich.chosen).zip(&poor.chosen) {
                 let worth = |chosen: &Option<usize>| chosen.map_or(0.0, |chosen| of[chosen].value);
                 let most = |is_there: &dyn Fn(&&Choice) -> bool| {
-                    of.iter().filter(is_there).map(|choice| choice.value).fold(0.0, f64::max)
+                    of.iter()
+                        .filter(is_there)
+                        .map(|choice| choice.value)
+                        .fold(0.0, f64::max)
                 };
-                assert_eq!((worth(rich), worth(poor)), (most(&|_| true), most(&|choice| choice.cost == 0.0)));
-                let cheaper =
-                    |chosen: usize| of.iter().any(|one| one.value == of[chosen].value && one.cost < of[chosen].cost);
+                assert_eq!(
+                    (worth(rich), worth(poor)),
+                    (most(&|_| true), most(&|choice| choice.cost == 0.0))
+                );
+                let cheaper = |chosen: usize| {
+                    of.iter()
+                        .any(|one| one.value == of[chosen].value && one.cost < of[chosen].cost)
+                };
                 assert!(!rich.is_some_and(cheaper), "{of:?} {rich:?}");
             }
         }
@@ -365,9 +456,31 @@ mod tests {
     #[test]
     fn nothing_to_choose() {
         let none = best_plan(&[], 100.0, || true);
-        assert_eq!((none.chosen, none.cost, none.value, none.is_optimal), (vec![], 0.0, 0.0, true));
-        let useless = [Choice { cost: 1.0, value: -5.0 }, Choice { cost: f64::NAN, value: 5.0 }];
-        let useless = best_plan(&[useless.to_vec(), vec![Choice { cost: 9.0, value: 9.0 }]], 8.0, || true);
+        assert_eq!(
+            (none.chosen, none.cost, none.value, none.is_optimal),
+            (vec![], 0.0, 0.0, true)
+        );
+        let useless = [
+            Choice {
+                cost: 1.0,
+                value: -5.0,
+            },
+            Choice {
+                cost: f64::NAN,
+                value: 5.0,
+            },
+        ];
+        let useless = best_plan(
+            &[
+                useless.to_vec(),
+                vec![Choice {
+                    cost: 9.0,
+                    value: 9.0,
+                }],
+            ],
+            8.0,
+            || true,
+        );
         assert_eq!(useless.chosen, [None, None]);
     }
 }

@@ -38,7 +38,9 @@ impl AnnualRates {
     pub fn is_bound(&self) -> bool {
         self.annual_rate.is_none()
             || self.begins_too_high()
-            || self.annual_rate_upper.is_none_or(|upper| upper > Self::BOUND_RATIO * self.annual_rate_lower)
+            || self
+                .annual_rate_upper
+                .is_none_or(|upper| upper > Self::BOUND_RATIO * self.annual_rate_lower)
     }
 
     /// Whether the stated rate is the least that it can be.
@@ -71,7 +73,8 @@ impl AnnualRates {
     /// Whether the hazard begins too high for this limit state, so that the rate is only a lower
     /// bound.
     pub fn begins_too_high(&self) -> bool {
-        self.annual_rate.is_some_and(|rate| self.below_first > Self::SMALL * rate)
+        self.annual_rate
+            .is_some_and(|rate| self.below_first > Self::SMALL * rate)
     }
 }
 
@@ -114,7 +117,9 @@ impl AnnualRates {
 /// # Ok::<(), freestand::risk::HazardError>(())
 /// ```
 pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
-    let least = |upper: Option<f64>| upper.map_or(0.0, |upper| hazard.annual_rate_with(upper, Tail::Absent));
+    let least = |upper: Option<f64>| {
+        upper.map_or(0.0, |upper| hazard.annual_rate_with(upper, Tail::Absent))
+    };
     let ends = match curve {
         CurveKind::Lognormal { .. } => None,
         CurveKind::Step { lower, upper } => Some((lower, upper)),
@@ -125,14 +130,26 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
         CurveKind::All { upper } => return unknown(least(Some(upper)), None),
         CurveKind::NotIncreasing { .. } => return unknown(0.0, None),
     };
-    let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else { return unknown(0.0, None) };
+    let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else {
+        return unknown(0.0, None);
+    };
     let (parts, below_first) = match hazard {
         Hazard::PowerLaw { exponent, .. } => {
             let rate = whole(hazard.annual_rate(median), exponent * beta);
-            (Parts { least: rate, in_table: rate, tail: 0.0, most: rate }, 0.0)
+            (
+                Parts {
+                    least: rate,
+                    in_table: rate,
+                    tail: 0.0,
+                    most: rate,
+                },
+                0.0,
+            )
         }
         Hazard::Points(points) => {
-            let below = points.first_chunk().map_or(0.0, |pair| below_first(pair, median, beta));
+            let below = points
+                .first_chunk()
+                .map_or(0.0, |pair| below_first(pair, median, beta));
             (Parts::of(points, median, beta), below)
         }
     };
@@ -163,9 +180,19 @@ struct Parts {
 
 impl Parts {
     fn of(points: &[HazardPoint], median: f64, beta: f64) -> Self {
-        let between: f64 = points.windows(2).map(|pair| segment(pair[0], pair[1], median, beta)).sum();
+        let between: f64 = points
+            .windows(2)
+            .map(|pair| segment(pair[0], pair[1], median, beta))
+            .sum();
         let least = at_first(points, median, beta) + between;
-        let Some(&last) = points.last() else { return Self { least, in_table: least, tail: 0.0, most: least } };
+        let Some(&last) = points.last() else {
+            return Self {
+                least,
+                in_table: least,
+                tail: 0.0,
+                most: least,
+            };
+        };
         let at_last = last.annual_rate * probability(last.intensity, median, beta);
         Self {
             least,
@@ -180,12 +207,20 @@ impl Parts {
 fn above_last(last: HazardPoint, exponent: f64, median: f64, beta: f64) -> f64 {
     if beta == 0.0 {
         let is_above = median > last.intensity;
-        return if is_above { last.annual_rate * (median / last.intensity).powf(-exponent) } else { 0.0 };
+        return if is_above {
+            last.annual_rate * (median / last.intensity).powf(-exponent)
+        } else {
+            0.0
+        };
     }
     let (u, shift) = ((last.intensity / median).ln() / beta, exponent * beta);
     let w = u + shift;
     // As in `segment`: the factor may overflow where the tail vanishes.
-    let share = if w > 0.0 { density(u) * tail_ratio(w) } else { (shift * (u + 0.5 * shift)).exp() * normal_ratio(-w) };
+    let share = if w > 0.0 {
+        density(u) * tail_ratio(w)
+    } else {
+        (shift * (u + 0.5 * shift)).exp() * normal_ratio(-w)
+    };
     last.annual_rate * share
 }
 
@@ -216,7 +251,9 @@ fn whole(rate_of_median: f64, spread: f64) -> f64 {
 
 /// λ(x₁)Φ(u₁), the first term of the rate.
 fn at_first(points: &[HazardPoint], median: f64, beta: f64) -> f64 {
-    points.first().map_or(0.0, |point| point.annual_rate * probability(point.intensity, median, beta))
+    points.first().map_or(0.0, |point| {
+        point.annual_rate * probability(point.intensity, median, beta)
+    })
 }
 
 /// ∫ Φ |dλ| up to x₁ if the first segment continues below it: [−λΦ] and ∫ λ dΦ.
@@ -224,7 +261,11 @@ fn below_first([low, high]: &[HazardPoint; 2], median: f64, beta: f64) -> f64 {
     let exponent = exponent_between(*low, *high);
     if beta == 0.0 {
         let at_median = low.annual_rate * (median / low.intensity).powf(-exponent);
-        return if median < low.intensity { at_median - low.annual_rate } else { 0.0 };
+        return if median < low.intensity {
+            at_median - low.annual_rate
+        } else {
+            0.0
+        };
     }
     let u = (low.intensity / median).ln() / beta;
     let w = u + exponent * beta;
@@ -240,7 +281,11 @@ fn below_first([low, high]: &[HazardPoint; 2], median: f64, beta: f64) -> f64 {
 
 /// Φ(ln(x/θ)/β); with β = 0 a jump at θ.
 fn probability(x: f64, median: f64, beta: f64) -> f64 {
-    if beta > 0.0 { normal_ratio((x / median).ln() / beta) } else { f64::from(u8::from(x >= median)) }
+    if beta > 0.0 {
+        normal_ratio((x / median).ln() / beta)
+    } else {
+        f64::from(u8::from(x >= median))
+    }
 }
 
 /// ∫ λ dΦ between two points, λ = λ₁ (x/x₁)^−k:
@@ -263,7 +308,11 @@ fn segment(low: HazardPoint, high: HazardPoint, median: f64, beta: f64) -> f64 {
         return low.annual_rate * density(u1) * (tail_ratio(w1) - tail_ratio(w2) * fall);
     }
     let factor = (shift * (u1 + 0.5 * shift)).exp();
-    let share = if w2 > 0.0 { 1.0 - normal_ratio(-w2) - normal_ratio(w1) } else { normal_ratio(w2) - normal_ratio(w1) };
+    let share = if w2 > 0.0 {
+        1.0 - normal_ratio(-w2) - normal_ratio(w1)
+    } else {
+        normal_ratio(w2) - normal_ratio(w1)
+    };
     low.annual_rate * factor * share
 }
 
@@ -314,27 +363,46 @@ const BINS: usize = 24;
 /// # Accuracy
 /// The bins sum to the annual rate within 1e-12 of it.
 pub fn deaggregation(hazard: &Hazard, curve: CurveKind) -> Vec<Bin> {
-    let Some(total) = annual_rate(hazard, curve).annual_rate else { return Vec::new() };
-    let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else { return Vec::new() };
+    let Some(total) = annual_rate(hazard, curve).annual_rate else {
+        return Vec::new();
+    };
+    let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else {
+        return Vec::new();
+    };
     let (from, to) = match hazard {
         Hazard::Points(points) => {
             let of = |point: Option<&HazardPoint>| point.map_or(median, |point| point.intensity);
             (of(points.first()), of(points.last()))
         }
         Hazard::PowerLaw { exponent, .. } => {
-            let (centre, reach) = (median * (-exponent * beta * beta).exp(), (4.0 * beta).max(1.0).exp());
+            let (centre, reach) = (
+                median * (-exponent * beta * beta).exp(),
+                (4.0 * beta).max(1.0).exp(),
+            );
             (centre / reach, centre * reach)
         }
     };
     let edge = |i: usize| from * (to / from).powf(i as f64 / BINS as f64);
-    let below: Vec<f64> = (1..BINS).map(|i| rate_below(hazard, edge(i), median, beta)).chain([total]).collect();
+    let below: Vec<f64> = (1..BINS)
+        .map(|i| rate_below(hazard, edge(i), median, beta))
+        .chain([total])
+        .collect();
     let mut last = 0.0;
     let bin = |(i, upto): (usize, f64)| {
         let annual_rate = upto - last;
         last = upto;
-        let share = if total > 0.0 { annual_rate / total } else { 0.0 };
+        let share = if total > 0.0 {
+            annual_rate / total
+        } else {
+            0.0
+        };
         let low = if i == 0 { 0.0 } else { edge(i) };
-        Bin { low, high: (i + 1 < BINS).then(|| edge(i + 1)), annual_rate, share }
+        Bin {
+            low,
+            high: (i + 1 < BINS).then(|| edge(i + 1)),
+            annual_rate,
+            share,
+        }
     };
     below.into_iter().enumerate().map(bin).collect()
 }
@@ -345,7 +413,13 @@ pub fn annual_rate_below(hazard: &Hazard, curve: CurveKind, upto: f64) -> Option
     let rates = annual_rate(hazard, curve);
     let (median, beta) = (curve.median()?, curve.beta().unwrap_or(0.0));
     let is_beyond = matches!(hazard, Hazard::Points(points) if points.last().is_some_and(|last| last.intensity < upto));
-    if is_beyond { rates.annual_rate } else { rates.annual_rate.map(|_| rate_below(hazard, upto, median, beta)) }
+    if is_beyond {
+        rates.annual_rate
+    } else {
+        rates
+            .annual_rate
+            .map(|_| rate_below(hazard, upto, median, beta))
+    }
 }
 
 /// ∫ Φ |dλ| up to an intensity within the hazard.
@@ -366,11 +440,21 @@ fn rate_below(hazard: &Hazard, upto: f64, median: f64, beta: f64) -> f64 {
         Hazard::Points(points) => {
             // [−λΦ] and ∫ λ dΦ of the segments, the last one cut at `upto`.
             let first = at_first(points, median, beta);
-            let cut = HazardPoint { intensity: upto, annual_rate: hazard.annual_rate(upto) };
-            let upto_cut = points.windows(2).filter(|pair| pair[0].intensity < upto).map(|pair| {
-                let high = if pair[1].intensity > upto { cut } else { pair[1] };
-                segment(pair[0], high, median, beta)
-            });
+            let cut = HazardPoint {
+                intensity: upto,
+                annual_rate: hazard.annual_rate(upto),
+            };
+            let upto_cut = points
+                .windows(2)
+                .filter(|pair| pair[0].intensity < upto)
+                .map(|pair| {
+                    let high = if pair[1].intensity > upto {
+                        cut
+                    } else {
+                        pair[1]
+                    };
+                    segment(pair[0], high, median, beta)
+                });
             (first + upto_cut.sum::<f64>() - here).max(0.0)
         }
     }
@@ -388,8 +472,15 @@ mod tests {
     }
 
     fn points(of: &[(f64, f64)]) -> Hazard {
-        Hazard::points(of.iter().map(|&(intensity, annual_rate)| HazardPoint { intensity, annual_rate }).collect())
-            .unwrap()
+        Hazard::points(
+            of.iter()
+                .map(|&(intensity, annual_rate)| HazardPoint {
+                    intensity,
+                    annual_rate,
+                })
+                .collect(),
+        )
+        .unwrap()
     }
 
     /// ∫ Φ |dλ| by quadrature in ln x, split at θ·e^{±β…} so that steep curves are resolved. Beyond the
@@ -398,8 +489,13 @@ mod tests {
         let mut of = points.to_vec();
         let [low, high] = [points[points.len() - 2], points[points.len() - 1]];
         let exponent = (low.1 / high.1).ln() / (high.0 / low.0).ln();
-        let beyond = (37.0 / exponent).max((median / high.0).ln().max(0.0) + 10.0 * beta).min(600.0);
-        of.push((high.0 * beyond.exp(), high.1 * (-exponent * beyond).exp().max(1e-300)));
+        let beyond = (37.0 / exponent)
+            .max((median / high.0).ln().max(0.0) + 10.0 * beta)
+            .min(600.0);
+        of.push((
+            high.0 * beyond.exp(),
+            high.1 * (-exponent * beyond).exp().max(1e-300),
+        ));
         let phi = |log: f64| normal_ratio((log - median.ln()) / beta);
         let mut sum = 0.0;
         for pair in of.windows(2) {
@@ -408,7 +504,9 @@ mod tests {
                 continue;
             }
             let exponent = (pair[0].1 / pair[1].1).ln() / (pair[1].0 / pair[0].0).ln();
-            let mut cuts: Vec<f64> = (-80..=80).map(|i| median.ln() + f64::from(i) * 0.1 * beta).collect();
+            let mut cuts: Vec<f64> = (-80..=80)
+                .map(|i| median.ln() + f64::from(i) * 0.1 * beta)
+                .collect();
             cuts.retain(|cut| *cut > from && *cut < to);
             cuts.insert(0, from);
             cuts.push(to);
@@ -422,10 +520,21 @@ mod tests {
         }
         let last = of[of.len() - 1];
         // What is left at the end.
-        if upto >= last.0 { sum + last.1 * phi(last.0.ln()) } else { sum }
+        if upto >= last.0 {
+            sum + last.1 * phi(last.0.ln())
+        } else {
+            sum
+        }
     }
 
-    const CURVE: [(f64, f64); 6] = [(0.01, 0.2), (0.05, 0.02), (0.1, 6e-3), (0.3, 6e-4), (0.31, 1e-4), (1.2, 1e-6)];
+    const CURVE: [(f64, f64); 6] = [
+        (0.01, 0.2),
+        (0.05, 0.02),
+        (0.1, 6e-3),
+        (0.3, 6e-4),
+        (0.31, 1e-4),
+        (1.2, 1e-6),
+    ];
 
     /// 1e-9 is asked; both agree to 1e-11 where the quadrature has 1e-12.
     #[test]
@@ -433,14 +542,22 @@ mod tests {
         let hazard = points(&CURVE);
         for median in [0.003, 0.05, 0.2, 0.305, 0.8, 3.0, 20.0] {
             for beta in [0.01, 0.05, 0.25, 0.6, 1.5] {
-                let rate = annual_rate(&hazard, lognormal(median, beta)).annual_rate.unwrap();
+                let rate = annual_rate(&hazard, lognormal(median, beta))
+                    .annual_rate
+                    .unwrap();
                 let expected = by_quadrature(&CURVE, median, beta, f64::INFINITY);
-                assert!((rate - expected).abs() <= 1e-11 * expected + 1e-300, "{median} {beta}: {rate} {expected}");
+                assert!(
+                    (rate - expected).abs() <= 1e-11 * expected + 1e-300,
+                    "{median} {beta}: {rate} {expected}"
+                );
                 for upto in [0.02, 0.2, 0.305, 1.0] {
                     let part = rate_below(&hazard, upto, median, beta);
                     let expected = by_quadrature(&CURVE, median, beta, upto);
                     // The rounding of a difference of two numbers of the size of the rate.
-                    assert!((part - expected).abs() <= 1e-11 * rate, "{median} {beta} {upto}: {part} {expected}");
+                    assert!(
+                        (part - expected).abs() <= 1e-11 * rate,
+                        "{median} {beta} {upto}: {part} {expected}"
+                    );
                 }
             }
         }
@@ -452,9 +569,17 @@ mod tests {
     fn what_is_below_the_first_point_is_the_integral() {
         let exponent = (CURVE[0].1 / CURVE[1].1).ln() / (CURVE[1].0 / CURVE[0].0).ln();
         // Intensities below 1e-12 contribute less than 1e-12 of any of these rates.
-        let longer: Vec<(f64, f64)> =
-            std::iter::once((1e-12, 0.2 * 1e10_f64.powf(exponent))).chain(CURVE.iter().copied()).collect();
-        for (median, beta) in [(0.003, 0.05), (0.003, 0.6), (0.02, 0.4), (0.05, 0.25), (0.2, 0.6), (0.8, 0.05)] {
+        let longer: Vec<(f64, f64)> = std::iter::once((1e-12, 0.2 * 1e10_f64.powf(exponent)))
+            .chain(CURVE.iter().copied())
+            .collect();
+        for (median, beta) in [
+            (0.003, 0.05),
+            (0.003, 0.6),
+            (0.02, 0.4),
+            (0.05, 0.25),
+            (0.2, 0.6),
+            (0.8, 0.05),
+        ] {
             let short = annual_rate(&points(&CURVE), lognormal(median, beta));
             let long = annual_rate(&points(&longer), lognormal(median, beta));
             let missing = long.annual_rate.unwrap() - short.annual_rate.unwrap();
@@ -463,7 +588,11 @@ mod tests {
                 (short.below_first - missing).abs() <= 1e-11 * long.annual_rate.unwrap(),
                 "{median} {beta}: {short:?} {missing}"
             );
-            assert_eq!(short.begins_too_high(), median < 0.01 || beta == 0.4, "{median} {beta}: {short:?}");
+            assert_eq!(
+                short.begins_too_high(),
+                median < 0.01 || beta == 0.4,
+                "{median} {beta}: {short:?}"
+            );
         }
     }
 
@@ -487,7 +616,9 @@ mod tests {
                 continue;
             }
             let (median, beta) = (between(1e-3, 3.0), between(0.02, 1.5));
-            let rate = annual_rate(&points(&curve), lognormal(median, beta)).annual_rate.unwrap();
+            let rate = annual_rate(&points(&curve), lognormal(median, beta))
+                .annual_rate
+                .unwrap();
             let expected = by_quadrature(&curve, median, beta, f64::INFINITY);
             assert!(
                 (rate - expected).abs() <= 1e-10 * expected + 1e-300,
@@ -500,7 +631,12 @@ mod tests {
     /// trapezoidal rule over 2·10⁵ steps of ln x, which is good to 1e-9 here.
     #[test]
     fn motions_above_the_last_point_are_counted() {
-        let of = [(0.0264, 0.05), (0.066, 0.01), (0.132, 0.002), (0.2376, 0.0004)];
+        let of = [
+            (0.0264, 0.05),
+            (0.066, 0.01),
+            (0.132, 0.002),
+            (0.2376, 0.0004),
+        ];
         let rates = annual_rate(&points(&of), lognormal(0.4, 0.35));
         let exponent = 5.0_f64.ln() / 1.8_f64.ln();
         let steps = 200_000;
@@ -516,10 +652,20 @@ mod tests {
             .sum();
         let in_table = rates.annual_rate_in_table.unwrap();
         let rate = rates.annual_rate.unwrap();
-        assert!(((in_table + beyond) / rate - 1.0).abs() < 1e-8, "{rates:?} {beyond}");
-        assert!((rates.annual_rate_upper.unwrap() - in_table - 4e-4).abs() < 1e-15, "{rates:?}");
+        assert!(
+            ((in_table + beyond) / rate - 1.0).abs() < 1e-8,
+            "{rates:?} {beyond}"
+        );
+        assert!(
+            (rates.annual_rate_upper.unwrap() - in_table - 4e-4).abs() < 1e-15,
+            "{rates:?}"
+        );
         // To the three digits of an independent calculation.
-        for (found, expected) in [(in_table, 1.79e-5), (rate, 1.52e-4), (in_table + 4e-4, 4.18e-4)] {
+        for (found, expected) in [
+            (in_table, 1.79e-5),
+            (rate, 1.52e-4),
+            (in_table + 4e-4, 4.18e-4),
+        ] {
             assert!((found / expected - 1.0).abs() < 0.005, "{found} {expected}");
         }
         assert!(rates.annual_rate_lower < rate && rates.is_bound());
@@ -534,15 +680,19 @@ mod tests {
         let rates = annual_rate(&law, lognormal(median, beta));
         assert!((rates.annual_rate.unwrap() / expected - 1.0).abs() < 1e-14);
         assert_eq!(rates.annual_rate, rates.annual_rate_upper);
-        let of: Vec<(f64, f64)> =
-            (-40..=40).map(|i| 10_f64.powf(f64::from(i) / 10.0)).map(|x| (x, law.annual_rate(x))).collect();
+        let of: Vec<(f64, f64)> = (-40..=40)
+            .map(|i| 10_f64.powf(f64::from(i) / 10.0))
+            .map(|x| (x, law.annual_rate(x)))
+            .collect();
         let rates = annual_rate(&points(&of), lognormal(median, beta));
         // Beyond 1e4 there are 1e-14 of the rate.
         assert!((rates.annual_rate.unwrap() / expected - 1.0).abs() < 1e-12);
         assert!((rates.annual_rate_upper.unwrap() / expected - 1.0).abs() < 1e-12);
         // In other units the same.
         let other = Hazard::power_law(1e-4, 100.0, exponent).unwrap();
-        let rate = annual_rate(&other, lognormal(100.0 * median, beta)).annual_rate.unwrap();
+        let rate = annual_rate(&other, lognormal(100.0 * median, beta))
+            .annual_rate
+            .unwrap();
         assert!((rate / expected - 1.0).abs() < 1e-13);
     }
 
@@ -551,24 +701,47 @@ mod tests {
     fn a_steep_hazard_does_not_overflow() {
         let of = [(0.1, 1.0), (0.101, 1e-300)];
         for (median, beta) in [(0.1005, 0.3), (0.5, 0.2), (0.01, 1.0)] {
-            let rate = annual_rate(&points(&of), lognormal(median, beta)).annual_rate.unwrap();
+            let rate = annual_rate(&points(&of), lognormal(median, beta))
+                .annual_rate
+                .unwrap();
             let at_first = normal_ratio((0.1_f64 / median).ln() / beta);
             // The rate is λ(x₁)Φ(u₁), and a little more from the first 1e-5 of the interval.
-            assert!(rate >= at_first && rate < at_first * 1.001 + 1e-3, "{rate} {at_first}");
+            assert!(
+                rate >= at_first && rate < at_first * 1.001 + 1e-3,
+                "{rate} {at_first}"
+            );
         }
     }
 
     #[test]
     fn steps_and_states_without_a_curve() {
         let hazard = points(&CURVE);
-        let step = annual_rate(&hazard, CurveKind::Step { lower: 0.05, upper: 0.2 });
+        let step = annual_rate(
+            &hazard,
+            CurveKind::Step {
+                lower: 0.05,
+                upper: 0.2,
+            },
+        );
         assert!((step.annual_rate.unwrap() / hazard.annual_rate(0.1) - 1.0).abs() < 1e-14);
         let none = annual_rate(&hazard, CurveKind::None { lower: 0.1 });
-        assert_eq!((none.annual_rate, none.annual_rate_upper), (None, Some(6e-3)));
+        assert_eq!(
+            (none.annual_rate, none.annual_rate_upper),
+            (None, Some(6e-3))
+        );
         let beyond = annual_rate(&hazard, CurveKind::None { lower: 5.0 });
-        assert_eq!((beyond.annual_rate, beyond.annual_rate_upper), (None, Some(1e-6)));
-        assert_eq!(annual_rate(&hazard, CurveKind::None { lower: 0.001 }).annual_rate_upper, None);
-        assert_eq!(annual_rate(&hazard, CurveKind::All { upper: 0.1 }).annual_rate, None);
+        assert_eq!(
+            (beyond.annual_rate, beyond.annual_rate_upper),
+            (None, Some(1e-6))
+        );
+        assert_eq!(
+            annual_rate(&hazard, CurveKind::None { lower: 0.001 }).annual_rate_upper,
+            None
+        );
+        assert_eq!(
+            annual_rate(&hazard, CurveKind::All { upper: 0.1 }).annual_rate,
+            None
+        );
         let all = annual_rate(&hazard, CurveKind::All { upper: 0.1 });
         assert_eq!((all.annual_rate_lower, all.annual_rate_upper), (6e-3, None));
         assert_eq!(
@@ -577,42 +750,95 @@ mod tests {
         );
         // A step above the last point is at most as frequent as that point; one below the first is
         // at least as frequent as that one.
-        let above = annual_rate(&hazard, CurveKind::Step { lower: 2.0, upper: 2.0 });
-        assert_eq!((above.annual_rate_lower, above.annual_rate_in_table), (0.0, Some(0.0)));
+        let above = annual_rate(
+            &hazard,
+            CurveKind::Step {
+                lower: 2.0,
+                upper: 2.0,
+            },
+        );
+        assert_eq!(
+            (above.annual_rate_lower, above.annual_rate_in_table),
+            (0.0, Some(0.0))
+        );
         assert_eq!(above.annual_rate_upper, Some(1e-6));
-        assert!((above.annual_rate.unwrap() / hazard.annual_rate(2.0) - 1.0).abs() < 1e-14 && above.is_bound());
-        let below = annual_rate(&hazard, CurveKind::Step { lower: 0.001, upper: 0.001 });
+        assert!(
+            (above.annual_rate.unwrap() / hazard.annual_rate(2.0) - 1.0).abs() < 1e-14
+                && above.is_bound()
+        );
+        let below = annual_rate(
+            &hazard,
+            CurveKind::Step {
+                lower: 0.001,
+                upper: 0.001,
+            },
+        );
         assert_eq!(below.annual_rate, Some(0.2));
         // The first segment has k = ln 10/ln 5.
         let exponent = 10.0_f64.ln() / 5.0_f64.ln();
         assert!((below.below_first / (0.2 * 10.0_f64.powf(exponent) - 0.2) - 1.0).abs() < 1e-13);
-        assert_eq!((below.annual_rate_upper, below.begins_too_high()), (None, true));
+        assert_eq!(
+            (below.annual_rate_upper, below.begins_too_high()),
+            (None, true)
+        );
         // The product of such ends is no number that has their root: √(1e-200·1e-200) = 1e-200,
         // below the first point.
-        let tiny = annual_rate(&hazard, CurveKind::Step { lower: 1e-200, upper: 1e-200 });
-        assert_eq!((tiny.annual_rate, tiny.below_first.is_finite()), (Some(0.2), true));
+        let tiny = annual_rate(
+            &hazard,
+            CurveKind::Step {
+                lower: 1e-200,
+                upper: 1e-200,
+            },
+        );
+        assert_eq!(
+            (tiny.annual_rate, tiny.below_first.is_finite()),
+            (Some(0.2), true)
+        );
         let law = Hazard::power_law(1e-4, 1e200, 2.0).unwrap();
-        let huge = annual_rate(&law, CurveKind::Step { lower: 1e199, upper: 1e201 });
-        assert!((huge.annual_rate.unwrap() / 1e-4 - 1.0).abs() < 1e-12, "{huge:?}");
+        let huge = annual_rate(
+            &law,
+            CurveKind::Step {
+                lower: 1e199,
+                upper: 1e201,
+            },
+        );
+        assert!(
+            (huge.annual_rate.unwrap() / 1e-4 - 1.0).abs() < 1e-12,
+            "{huge:?}"
+        );
         // A very small β is a step.
-        let steep = annual_rate(&hazard, lognormal(0.1, 1e-9)).annual_rate.unwrap();
-        assert!((steep / hazard.annual_rate(0.1) - 1.0).abs() < 1e-8, "{steep}");
+        let steep = annual_rate(&hazard, lognormal(0.1, 1e-9))
+            .annual_rate
+            .unwrap();
+        assert!(
+            (steep / hazard.annual_rate(0.1) - 1.0).abs() < 1e-8,
+            "{steep}"
+        );
     }
 
     #[test]
     fn bins_sum_to_the_rate() {
         let law = Hazard::power_law(1e-4, 1.0, 2.5).unwrap();
-        let step = CurveKind::Step { lower: 0.4, upper: 0.4 };
+        let step = CurveKind::Step {
+            lower: 0.4,
+            upper: 0.4,
+        };
         for hazard in [points(&CURVE), law] {
             for curve in [lognormal(0.2, 0.4), lognormal(0.05, 0.1), step] {
                 let bins = deaggregation(&hazard, curve);
                 let rate = annual_rate(&hazard, curve).annual_rate.unwrap();
                 assert_eq!((bins.len(), bins[0].low, bins[23].high), (24, 0.0, None));
-                assert!(bins.windows(2).all(|pair| pair[0].high == Some(pair[1].low)));
+                assert!(
+                    bins.windows(2)
+                        .all(|pair| pair[0].high == Some(pair[1].low))
+                );
                 assert!(bins.iter().all(|bin| bin.annual_rate >= 0.0), "{bins:?}");
                 let sum: f64 = bins.iter().map(|bin| bin.annual_rate).sum();
                 let shares: f64 = bins.iter().map(|bin| bin.share).sum();
-                assert!((sum / rate - 1.0).abs() < 1e-12 && (shares - 1.0).abs() < 1e-12, "{sum} {rate}");
+                assert!(
+                    (sum / rate - 1.0).abs() < 1e-12 && (shares - 1.0).abs() < 1e-12,
+                    "{sum} {rate}"
+                );
             }
         }
         assert!(deaggregation(&points(&CURVE), CurveKind::None { lower: 1.0 }).is_empty());
@@ -624,7 +850,10 @@ mod tests {
     fn bins_of_a_power_law_are_integrals() {
         let (median, beta, exponent) = (0.5, 0.25, 2.5);
         let law = Hazard::power_law(1e-4, 1.0, exponent).unwrap();
-        for bin in deaggregation(&law, lognormal(median, beta)).into_iter().skip(1) {
+        for bin in deaggregation(&law, lognormal(median, beta))
+            .into_iter()
+            .skip(1)
+        {
             let Some(high) = bin.high else { continue };
             let (from, to) = (bin.low.ln(), high.ln());
             let at = |share: f64| {
@@ -632,7 +861,10 @@ mod tests {
                 normal_ratio((log - median.ln()) / beta) * exponent * law.annual_rate(log.exp())
             };
             let expected = (to - from) * unit_integral(at);
-            assert!((bin.annual_rate - expected).abs() < 1e-14, "{bin:?} {expected}");
+            assert!(
+                (bin.annual_rate - expected).abs() < 1e-14,
+                "{bin:?} {expected}"
+            );
         }
     }
 
@@ -640,14 +872,33 @@ mod tests {
     fn hazards_that_do_not_fall_are_refused() {
         use super::super::HazardError as E;
         let refused = |of: &[(f64, f64)]| {
-            Hazard::points(of.iter().map(|&(intensity, annual_rate)| HazardPoint { intensity, annual_rate }).collect())
-                .unwrap_err()
+            Hazard::points(
+                of.iter()
+                    .map(|&(intensity, annual_rate)| HazardPoint {
+                        intensity,
+                        annual_rate,
+                    })
+                    .collect(),
+            )
+            .unwrap_err()
         };
         assert_eq!(refused(&[(0.1, 1.0)]), E::TooFew { points: 1 });
-        assert!(matches!(refused(&[(0.1, 1.0), (0.1, 0.5)]), E::NotRising { point: 2, .. }));
-        assert!(matches!(refused(&[(0.1, 1.0), (0.2, 0.5), (0.3, 0.5)]), E::NotFalling { point: 3, .. }));
-        assert!(matches!(refused(&[(0.1, 1.0), (f64::NAN, 0.5)]), E::Value { point: 2, .. }));
-        assert!(matches!(refused(&[(0.1, 1.0), (0.2, 0.0)]), E::Value { point: 2, .. }));
+        assert!(matches!(
+            refused(&[(0.1, 1.0), (0.1, 0.5)]),
+            E::NotRising { point: 2, .. }
+        ));
+        assert!(matches!(
+            refused(&[(0.1, 1.0), (0.2, 0.5), (0.3, 0.5)]),
+            E::NotFalling { point: 3, .. }
+        ));
+        assert!(matches!(
+            refused(&[(0.1, 1.0), (f64::NAN, 0.5)]),
+            E::Value { point: 2, .. }
+        ));
+        assert!(matches!(
+            refused(&[(0.1, 1.0), (0.2, 0.0)]),
+            E::Value { point: 2, .. }
+        ));
         assert!(Hazard::power_law(1e-4, 1.0, -2.0).is_err());
     }
 }

@@ -1,6 +1,8 @@
 //! The half-sine whose shock response spectrum is on or above a given one.
 
-use super::{HalfSine, Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockResponseError, pulse_spectrum};
+use super::{
+    HalfSine, Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockResponseError, pulse_spectrum,
+};
 
 /// Frequencies of the unit spectrum per octave: a straight line between two misses a curve of unit
 /// curvature by (ln 2/48)²/8 = 3e-5, which the final scaling corrects.
@@ -46,8 +48,12 @@ pub fn enveloping_half_sine(
     spectrum: &[f64],
     damping_ratio: f64,
 ) -> Result<Option<HalfSine>, ShockResponseError> {
-    let points: Vec<(f64, f64)> =
-        frequencies_hz.iter().copied().zip(spectrum.iter().copied()).filter(|point| point.1 > 0.0).collect();
+    let points: Vec<(f64, f64)> = frequencies_hz
+        .iter()
+        .copied()
+        .zip(spectrum.iter().copied())
+        .filter(|point| point.1 > 0.0)
+        .collect();
     if let Some(&(frequency_hz, _)) = points.iter().find(|(f, _)| !(*f > 0.0 && f.is_finite())) {
         return Err(ShockResponseError::Frequency { frequency_hz });
     }
@@ -55,8 +61,16 @@ pub fn enveloping_half_sine(
         return Ok(None);
     }
     let unit = UnitSpectrum::new(damping_ratio)?;
-    let peak = |log_t: f64| points.iter().map(|(f, value)| value / unit.at(f.ln() + log_t)).fold(0.0, f64::max);
-    let lowest = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+    let peak = |log_t: f64| {
+        points
+            .iter()
+            .map(|(f, value)| value / unit.at(f.ln() + log_t))
+            .fold(0.0, f64::max)
+    };
+    let lowest = points
+        .iter()
+        .map(|point| point.0)
+        .fold(f64::INFINITY, f64::min);
     let highest = points.iter().map(|point| point.0).fold(0.0, f64::max);
     // A pulse shorter than 0.1/f of every oscillator only needs a higher peak; one of ten periods
     // of every oscillator is only longer than necessary.
@@ -70,7 +84,10 @@ pub fn enveloping_half_sine(
             (log_t, least) = (one, value);
         }
     }
-    for fine in (1..40).map(|i| log_t + step * (f64::from(i) / 20.0 - 1.0)).collect::<Vec<_>>() {
+    for fine in (1..40)
+        .map(|i| log_t + step * (f64::from(i) / 20.0 - 1.0))
+        .collect::<Vec<_>>()
+    {
         let value = peak(fine);
         if value < least {
             (log_t, least) = (fine, value);
@@ -90,19 +107,45 @@ fn enveloping(
 ) -> Result<HalfSine, ShockResponseError> {
     let frequencies: Vec<f64> = points.iter().map(|point| point.0).collect();
     let unit = unit_pulse(&frequencies, duration_s, damping_ratio)?;
-    let needed = points.iter().zip(unit).map(|(point, unit)| point.1 / unit).fold(0.0, f64::max);
+    let needed = points
+        .iter()
+        .zip(unit)
+        .map(|(point, unit)| point.1 / unit)
+        .fold(0.0, f64::max);
     // Where the table is slightly low the pulse is slightly too strong; it still envelopes, so it
     // is not reduced.
-    Ok(HalfSine { peak_acceleration: if needed > 0.0 { needed } else { peak_acceleration }, duration_s })
+    Ok(HalfSine {
+        peak_acceleration: if needed > 0.0 {
+            needed
+        } else {
+            peak_acceleration
+        },
+        duration_s,
+    })
 }
 
 /// Maximax absolute acceleration under a half-sine of peak 1.
-fn unit_pulse(frequencies_hz: &[f64], duration_s: f64, damping_ratio: f64) -> Result<Vec<f64>, ShockResponseError> {
+fn unit_pulse(
+    frequencies_hz: &[f64],
+    duration_s: f64,
+    damping_ratio: f64,
+) -> Result<Vec<f64>, ShockResponseError> {
     let highest = frequencies_hz.iter().copied().fold(0.0, f64::max);
-    let refused = |_: PulseError| ShockResponseError::Frequency { frequency_hz: highest };
+    let refused = |_: PulseError| ShockResponseError::Frequency {
+        frequency_hz: highest,
+    };
     let pulse = Pulse::new(PulseShape::HalfSine, 1.0, duration_s).map_err(refused)?;
-    let spectrum = pulse_spectrum(&pulse, frequencies_hz, ResponseKind::AbsoluteAcceleration, damping_ratio)?;
-    Ok(spectrum.peaks.iter().map(|one| one.peak(Peak::Maximax)).collect())
+    let spectrum = pulse_spectrum(
+        &pulse,
+        frequencies_hz,
+        ResponseKind::AbsoluteAcceleration,
+        damping_ratio,
+    )?;
+    Ok(spectrum
+        .peaks
+        .iter()
+        .map(|one| one.peak(Peak::Maximax))
+        .collect())
 }
 
 /// R(fT) on a logarithmic grid.
@@ -114,13 +157,19 @@ impl UnitSpectrum {
     fn new(damping_ratio: f64) -> Result<Self, ShockResponseError> {
         let (from, to) = UNIT_RANGE;
         let count = (PER_OCTAVE * (to / from).log2()).ceil();
-        let grid: Vec<f64> = (0..=count as usize).map(|i| from * (i as f64 / PER_OCTAVE).exp2()).collect();
-        Ok(Self { values: unit_pulse(&grid, 1.0, damping_ratio)? })
+        let grid: Vec<f64> = (0..=count as usize)
+            .map(|i| from * (i as f64 / PER_OCTAVE).exp2())
+            .collect();
+        Ok(Self {
+            values: unit_pulse(&grid, 1.0, damping_ratio)?,
+        })
     }
 
     fn at(&self, log_q: f64) -> f64 {
         let position = (log_q - UNIT_RANGE.0.ln()) / std::f64::consts::LN_2 * PER_OCTAVE;
-        let (Some(first), Some(last)) = (self.values.first(), self.values.last()) else { return 1.0 };
+        let (Some(first), Some(last)) = (self.values.first(), self.values.last()) else {
+            return 1.0;
+        };
         if position <= 0.0 {
             return first * log_q.exp() / UNIT_RANGE.0;
         }
@@ -147,14 +196,37 @@ mod tests {
         let mut spectra = Vec::new();
         for shape in PulseShape::ALL {
             let pulse = Pulse::new(shape, 300.0, 0.004).unwrap();
-            let found = pulse_spectrum(&pulse, &frequencies, ResponseKind::AbsoluteAcceleration, 0.05).unwrap();
-            spectra.push(found.peaks.iter().map(|one| one.peak(Peak::Maximax)).collect::<Vec<f64>>());
+            let found = pulse_spectrum(
+                &pulse,
+                &frequencies,
+                ResponseKind::AbsoluteAcceleration,
+                0.05,
+            )
+            .unwrap();
+            spectra.push(
+                found
+                    .peaks
+                    .iter()
+                    .map(|one| one.peak(Peak::Maximax))
+                    .collect::<Vec<f64>>(),
+            );
         }
-        spectra.push(frequencies.iter().map(|f| 3.0 * f / (1.0 + (f / 90.0).powi(3))).collect());
+        spectra.push(
+            frequencies
+                .iter()
+                .map(|f| 3.0 * f / (1.0 + (f / 90.0).powi(3)))
+                .collect(),
+        );
         for spectrum in spectra {
-            let found = enveloping_half_sine(&frequencies, &spectrum, 0.05).unwrap().unwrap();
+            let found = enveloping_half_sine(&frequencies, &spectrum, 0.05)
+                .unwrap()
+                .unwrap();
             let own = unit_pulse(&frequencies, found.duration_s, 0.05).unwrap();
-            let margins = || own.iter().zip(&spectrum).map(|(own, value)| found.peak_acceleration * own / value);
+            let margins = || {
+                own.iter()
+                    .zip(&spectrum)
+                    .map(|(own, value)| found.peak_acceleration * own / value)
+            };
             let least = margins().fold(f64::INFINITY, f64::min);
             assert!((least - 1.0).abs() < 1e-12, "{least}");
         }
@@ -163,11 +235,20 @@ mod tests {
     #[test]
     fn a_half_sine_gives_itself_back() {
         let frequencies = grid();
-        let spectrum: Vec<f64> = unit_pulse(&frequencies, 0.011, 0.05).unwrap().iter().map(|r| 30.0 * r).collect();
-        let found = enveloping_half_sine(&frequencies, &spectrum, 0.05).unwrap().unwrap();
+        let spectrum: Vec<f64> = unit_pulse(&frequencies, 0.011, 0.05)
+            .unwrap()
+            .iter()
+            .map(|r| 30.0 * r)
+            .collect();
+        let found = enveloping_half_sine(&frequencies, &spectrum, 0.05)
+            .unwrap()
+            .unwrap();
         // The durations are tried in steps of 2^(1/480) = 1.4e-3; the peak then follows.
         assert!((found.duration_s / 0.011 - 1.0).abs() < 3e-3, "{found:?}");
-        assert!((found.peak_acceleration / 30.0 - 1.0).abs() < 3e-3, "{found:?}");
+        assert!(
+            (found.peak_acceleration / 30.0 - 1.0).abs() < 3e-3,
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -30,7 +30,9 @@ const SERIES_TERMS: i32 = 18;
 fn phi_2(z: Complex<f64>) -> Complex<f64> {
     if z.norm() < SERIES_BELOW {
         // Horner on Σ z^k/(k+2)!.
-        return (0..SERIES_TERMS).rev().fold(Complex::from(0.0), |sum, k| (sum * z / f64::from(k + 3)) + 1.0) / 2.0;
+        return (0..SERIES_TERMS).rev().fold(Complex::from(0.0), |sum, k| {
+            (sum * z / f64::from(k + 3)) + 1.0
+        }) / 2.0;
     }
     ((z.exp() - 1.0) / z - 1.0) / z
 }
@@ -56,7 +58,9 @@ impl Filter {
         // The relative displacement is −Im(e^(λt)∗a)/ω_d, the absolute acceleration −(2ζω u̇ + ω²
         // u).
         let kappa = match kind {
-            ResponseKind::AbsoluteAcceleration => (2.0 * damping_ratio * direction + 1.0) * omega / (i * damped),
+            ResponseKind::AbsoluteAcceleration => {
+                (2.0 * damping_ratio * direction + 1.0) * omega / (i * damped)
+            }
             ResponseKind::RelativeDisplacement => i / (omega * damped),
             ResponseKind::PseudoVelocity => i / damped,
         };
@@ -66,7 +70,13 @@ impl Filter {
         let pole = 1.0 + z * phi_1;
         let late = kappa * step_s * phi_2;
         let early = kappa * step_s * (phi_1 - phi_2);
-        Ok(Self { pole, gain: pole * late + early, direct: late.re, omega_rad_s: omega, damping_ratio })
+        Ok(Self {
+            pole,
+            gain: pole * late + early,
+            direct: late.re,
+            omega_rad_s: omega,
+            damping_ratio,
+        })
     }
 
     /// Largest and smallest response of the free decay from a state in which the base is at rest.
@@ -86,11 +96,17 @@ impl Filter {
         let first = amplitude * (-zeta / damped * angle).exp() * (state.arg() + angle).cos();
         let second = -first * (-zeta / damped * PI).exp();
         let values = [state.re, first, second];
-        (values.iter().copied().fold(0.0, f64::max), values.iter().copied().fold(0.0, f64::min))
+        (
+            values.iter().copied().fold(0.0, f64::max),
+            values.iter().copied().fold(0.0, f64::min),
+        )
     }
 
     pub(super) fn is_finite(&self) -> bool {
-        self.omega_rad_s.is_finite() && self.gain.is_finite() && self.pole.is_finite() && self.direct.is_finite()
+        self.omega_rad_s.is_finite()
+            && self.gain.is_finite()
+            && self.pole.is_finite()
+            && self.direct.is_finite()
     }
 }
 
@@ -143,13 +159,28 @@ impl<const N: usize> Bank<N> {
     /// the processor.
     #[inline(always)]
     fn step(&mut self, samples: &[f64]) {
-        let Self { pole: [er, ei], gain: [gr, gi], direct, state: [wr, wi], most, least } = *self;
+        let Self {
+            pole: [er, ei],
+            gain: [gr, gi],
+            direct,
+            state: [wr, wi],
+            most,
+            least,
+        } = *self;
         let (mut wr, mut wi, mut most, mut least) = (wr, wi, most, least);
         for &a in samples {
             for lane in 0..N {
                 let response = direct[lane].mul_add(a, wr[lane]);
-                most[lane] = if response > most[lane] { response } else { most[lane] };
-                least[lane] = if response < least[lane] { response } else { least[lane] };
+                most[lane] = if response > most[lane] {
+                    response
+                } else {
+                    most[lane]
+                };
+                least[lane] = if response < least[lane] {
+                    response
+                } else {
+                    least[lane]
+                };
                 let re = er[lane].mul_add(wr[lane], (-ei[lane]).mul_add(wi[lane], gr[lane] * a));
                 let im = ei[lane].mul_add(wr[lane], er[lane].mul_add(wi[lane], gi[lane] * a));
                 (wr[lane], wi[lane]) = (re, im);
@@ -160,7 +191,10 @@ impl<const N: usize> Bank<N> {
 
     /// Steps over all samples with the vector instructions of this processor.
     pub(super) fn run(&mut self, arch: pulp::Arch, samples: &[f64]) {
-        arch.dispatch(Steps { bank: self, samples });
+        arch.dispatch(Steps {
+            bank: self,
+            samples,
+        });
     }
 }
 

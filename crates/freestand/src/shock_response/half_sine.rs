@@ -86,14 +86,17 @@ pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {
     let velocities = peaks * demand.duration_s / reference.duration_s;
     let ratio = |log_f: f64| {
         let f = log_f.exp();
-        peaks * half_sine_maximax_ratio(f * demand.duration_s) / half_sine_maximax_ratio(f * reference.duration_s)
+        peaks * half_sine_maximax_ratio(f * demand.duration_s)
+            / half_sine_maximax_ratio(f * reference.duration_s)
     };
     let longest = demand.duration_s.max(reference.duration_s);
     let shortest = demand.duration_s.min(reference.duration_s);
     // Below f·T = 0.01 both spectra are 4fT to 1e-4 and deviate from it alike; above f·T = 30 they
     // are within 2 % of the peak and decay.
     let (from, to) = ((0.01 / longest).ln(), (30.0 / shortest).ln());
-    let steps = (400.0 * (to - from) / std::f64::consts::LN_10).ceil().max(2.0) as usize;
+    let steps = (400.0 * (to - from) / std::f64::consts::LN_10)
+        .ceil()
+        .max(2.0) as usize;
     let width = (to - from) / steps as f64;
     let at = |i: usize| from + i as f64 * width;
     let values: Vec<f64> = (0..=steps).map(|i| ratio(at(i))).collect();
@@ -101,7 +104,9 @@ pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {
     // The maxima are at kinks of the reference spectrum. A step misses less than 1 % of one, so
     // every maximum within 1 % of the best may be the largest.
     let refined = (1..steps)
-        .filter(|&i| values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.99 * best)
+        .filter(|&i| {
+            values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.99 * best
+        })
         .map(|i| golden_maximum(ratio, at(i - 1), at(i + 1)));
     refined.fold(best, f64::max)
 }
@@ -117,16 +122,22 @@ mod tests {
         let mut peak = (2.0 * b * (PI * q).cos() / (1.0 - b * b)).abs();
         for i in 0..=200_000 {
             let s = f64::from(i) / 200_000.0;
-            peak = peak.max(((PI * s).sin() - b * (2.0 * PI * q * s).sin()).abs() / (1.0 - b * b).abs());
+            peak = peak
+                .max(((PI * s).sin() - b * (2.0 * PI * q * s).sin()).abs() / (1.0 - b * b).abs());
         }
         peak
     }
 
     #[test]
     fn closed_form_is_the_largest_sampled_response() {
-        for q in [0.01, 0.2, 0.4, 0.49, 0.51, 0.7, 0.81, 1.0, 1.3, 1.49, 1.51, 2.0, 2.5, 3.3, 7.7, 20.0] {
+        for q in [
+            0.01, 0.2, 0.4, 0.49, 0.51, 0.7, 0.81, 1.0, 1.3, 1.49, 1.51, 2.0, 2.5, 3.3, 7.7, 20.0,
+        ] {
             let (closed, sampled) = (half_sine_maximax_ratio(q), sampled(q));
-            assert!((closed / sampled - 1.0).abs() < 1e-6, "{q}: {closed} {sampled}");
+            assert!(
+                (closed / sampled - 1.0).abs() < 1e-6,
+                "{q}: {closed} {sampled}"
+            );
         }
     }
 
@@ -136,7 +147,10 @@ mod tests {
             for q in [0.5 - offset, 0.5 + offset] {
                 // S = π/2 + (π/2)(q − ½) + … with a second coefficient of −π/2 − π³/12 = −4.2.
                 let expected = 0.5 * PI * (1.0 + (q - 0.5));
-                assert!((half_sine_maximax_ratio(q) - expected).abs() < 5.0 * offset * offset + 1e-14, "{q}");
+                assert!(
+                    (half_sine_maximax_ratio(q) - expected).abs() < 5.0 * offset * offset + 1e-14,
+                    "{q}"
+                );
             }
         }
     }
@@ -145,14 +159,19 @@ mod tests {
     /// 1/1.76846.
     #[test]
     fn largest_amplification() {
-        let largest = (1..4000).map(|i| half_sine_maximax_ratio(0.001 * f64::from(i))).fold(0.0, f64::max);
+        let largest = (1..4000)
+            .map(|i| half_sine_maximax_ratio(0.001 * f64::from(i)))
+            .fold(0.0, f64::max);
         // The grid of 0.001 misses the maximum by its curvature, below 1e-5.
         assert!((largest - 1.76846).abs() < 1.5e-5, "{largest}");
     }
 
     #[test]
     fn severity_has_its_limits_and_scales_with_the_peak() {
-        let pulse = |peak_acceleration: f64, duration_s: f64| HalfSine { peak_acceleration, duration_s };
+        let pulse = |peak_acceleration: f64, duration_s: f64| HalfSine {
+            peak_acceleration,
+            duration_s,
+        };
         let survived = pulse(30.0, 0.011);
         // For a much longer pulse the velocity change governs. For a much shorter one, the ratio at
         // some frequency is nearly the ratio of the peaks times 1.768, and never more.
@@ -172,15 +191,24 @@ mod tests {
     fn severity_is_the_largest_ratio() {
         for (t, t_ref) in [(0.004, 0.011), (0.02, 0.011), (0.0095, 0.011)] {
             let got = half_sine_severity_ratio(
-                HalfSine { peak_acceleration: 1.0, duration_s: t },
-                HalfSine { peak_acceleration: 1.0, duration_s: t_ref },
+                HalfSine {
+                    peak_acceleration: 1.0,
+                    duration_s: t,
+                },
+                HalfSine {
+                    peak_acceleration: 1.0,
+                    duration_s: t_ref,
+                },
             );
             let brute = (0..400_000)
                 .map(|i| 0.5 * 1e5f64.powf(f64::from(i) / 400_000.0))
                 .map(|f| half_sine_maximax_ratio(f * t) / half_sine_maximax_ratio(f * t_ref))
                 .fold(1f64.max(t / t_ref), f64::max);
             // The grid steps by 3e-5 in ln f and therefore misses the top of a kink by up to 1e-5.
-            assert!((-1e-12..1e-5).contains(&(got / brute - 1.0)), "{t}: {got} {brute}");
+            assert!(
+                (-1e-12..1e-5).contains(&(got / brute - 1.0)),
+                "{t}: {got} {brute}"
+            );
         }
     }
 }

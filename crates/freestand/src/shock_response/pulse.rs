@@ -6,7 +6,9 @@ use thiserror::Error;
 
 use crate::motion::{Motion, MotionError};
 
-use super::{ResponseKind, ShockResponseError, ShockSpectrum, ShockSpectrumOptions, shock_spectrum};
+use super::{
+    ResponseKind, ShockResponseError, ShockSpectrum, ShockSpectrumOptions, shock_spectrum,
+};
 
 /// The shape of a pulse; s = t/T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -111,14 +113,24 @@ impl Pulse {
     /// assert!((pulse.velocity_change_m_s() - 2.0602).abs() < 1e-4);
     /// # Ok::<(), freestand::shock_response::PulseError>(())
     /// ```
-    pub fn new(shape: PulseShape, peak_acceleration_m_s2: f64, duration_s: f64) -> Result<Self, PulseError> {
+    pub fn new(
+        shape: PulseShape,
+        peak_acceleration_m_s2: f64,
+        duration_s: f64,
+    ) -> Result<Self, PulseError> {
         if !(peak_acceleration_m_s2.is_finite() && peak_acceleration_m_s2 != 0.0) {
-            return Err(PulseError::Peak { peak_acceleration_m_s2 });
+            return Err(PulseError::Peak {
+                peak_acceleration_m_s2,
+            });
         }
         if !(duration_s > 0.0 && duration_s.is_finite()) {
             return Err(PulseError::Duration { duration_s });
         }
-        Ok(Self { shape, peak_acceleration_m_s2, duration_s })
+        Ok(Self {
+            shape,
+            peak_acceleration_m_s2,
+            duration_s,
+        })
     }
 
     /// The shape.
@@ -156,8 +168,12 @@ impl Pulse {
     /// More samples than a motion may have.
     pub fn sampled(&self, steps: usize) -> Result<Motion, MotionError> {
         let steps = steps.max(1);
-        let sample = |k: usize| self.peak_acceleration_m_s2 * self.shape.ratio(k as f64 / steps as f64);
-        Motion::new(self.duration_s / steps as f64, (0..=steps).map(sample).collect())
+        let sample =
+            |k: usize| self.peak_acceleration_m_s2 * self.shape.ratio(k as f64 / steps as f64);
+        Motion::new(
+            self.duration_s / steps as f64,
+            (0..=steps).map(sample).collect(),
+        )
     }
 }
 
@@ -197,8 +213,14 @@ pub fn pulse_spectrum(
     let highest_hz = frequencies_hz.iter().copied().fold(0.0, f64::max);
     let needed = (STEPS_PER_PERIOD * highest_hz * pulse.duration_s).clamp(STEPS, MAX_STEPS);
     let steps = 10 * (needed / 10.0).ceil() as usize;
-    let options = ShockSpectrumOptions { kind, damping_ratio, upsample: false };
-    let overflow = ShockResponseError::Overflow { frequency_hz: highest_hz };
+    let options = ShockSpectrumOptions {
+        kind,
+        damping_ratio,
+        upsample: false,
+    };
+    let overflow = ShockResponseError::Overflow {
+        frequency_hz: highest_hz,
+    };
     let motion = pulse.sampled(steps).map_err(|_| overflow)?;
     shock_spectrum(&motion, frequencies_hz, options)
 }
@@ -218,7 +240,10 @@ mod tests {
             // Straight lines between samples and to zero beyond the ends.
             let sum: f64 = accel.iter().sum::<f64>() * motion.dt_s();
             // A half-sine of 4000 straight lines lacks (π/4000)²/12 = 5e-8 of its area.
-            assert!((sum / pulse.velocity_change_m_s() - 1.0).abs() < 1e-7, "{shape:?}");
+            assert!(
+                (sum / pulse.velocity_change_m_s() - 1.0).abs() < 1e-7,
+                "{shape:?}"
+            );
         }
     }
 
@@ -229,7 +254,13 @@ mod tests {
             let peak = pulse.sampled(1000).unwrap().peak_m_s2();
             // A sawtooth reaches its peak one sample from its jump.
             assert!((peak - 2.0).abs() <= 2.1e-3, "{shape:?}: {peak}");
-            assert_eq!((pulse.acceleration_m_s2(-1e-9), pulse.acceleration_m_s2(4.0 + 1e-9)), (0.0, 0.0));
+            assert_eq!(
+                (
+                    pulse.acceleration_m_s2(-1e-9),
+                    pulse.acceleration_m_s2(4.0 + 1e-9)
+                ),
+                (0.0, 0.0)
+            );
         }
         assert!(Pulse::new(PulseShape::Rectangle, 0.0, 1.0).is_err());
         assert!(Pulse::new(PulseShape::Rectangle, 1.0, f64::NAN).is_err());
@@ -241,7 +272,13 @@ mod tests {
         for shape in PulseShape::ALL {
             let pulse = Pulse::new(shape, 1.0, 0.011).unwrap();
             let frequencies = [3.0, 40.0, 91.0, 133.3, 500.0];
-            let spectrum = pulse_spectrum(&pulse, &frequencies, ResponseKind::AbsoluteAcceleration, 0.0).unwrap();
+            let spectrum = pulse_spectrum(
+                &pulse,
+                &frequencies,
+                ResponseKind::AbsoluteAcceleration,
+                0.0,
+            )
+            .unwrap();
             for (f, peaks) in frequencies.iter().zip(&spectrum.peaks) {
                 // Midpoint rule with 200 000 parts: jumps and corners are between the points.
                 let omega = 2.0 * PI * f;
@@ -250,13 +287,19 @@ mod tests {
                 for k in 0..200_000 {
                     let t = h * (f64::from(k) + 0.5);
                     let a = pulse.acceleration_m_s2(t);
-                    (cos, sin) = (cos + a * (omega * t).cos() * h, sin + a * (omega * t).sin() * h);
+                    (cos, sin) = (
+                        cos + a * (omega * t).cos() * h,
+                        sin + a * (omega * t).sin() * h,
+                    );
                 }
                 let expected = omega * f64::hypot(cos, sin);
                 let residual = peaks.peak(Peak::Residual);
                 // Jumps extend over two of at least 512 steps per period: (2π/512)²/6 = 2.5e-5 of
                 // each, and a pulse has two at most.
-                assert!((residual - expected).abs() < 6e-5, "{shape:?} at {f}: {residual} {expected}");
+                assert!(
+                    (residual - expected).abs() < 6e-5,
+                    "{shape:?} at {f}: {residual} {expected}"
+                );
             }
         }
     }

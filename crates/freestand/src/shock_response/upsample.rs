@@ -25,10 +25,14 @@ pub(super) fn doublings(arch: pulp::Arch, motion: &Motion, factor: usize) -> Vec
     if factor < 2 {
         return series;
     }
-    let Ok(doubled) = upsampled_sinc(motion, 2) else { return series };
+    let Ok(doubled) = upsampled_sinc(motion, 2) else {
+        return series;
+    };
     series.push(doubled.accel_m_s2().to_vec());
     for pairs in PAIRS {
-        let Some(last) = series.last().filter(|_| 1 << (series.len() - 1) < factor) else { break };
+        let Some(last) = series.last().filter(|_| 1 << (series.len() - 1) < factor) else {
+            break;
+        };
         let next = between(arch, last, &weights(pairs));
         series.push(next);
     }
@@ -40,7 +44,9 @@ fn weights(pairs: usize) -> Vec<f64> {
     let node = |j: usize| (j as f64 + 0.5).powi(2);
     let weight = |j: usize| {
         let others = (0..pairs).filter(|&i| i != j);
-        0.5 * others.map(|i| node(i) / (node(i) - node(j))).product::<f64>()
+        0.5 * others
+            .map(|i| node(i) / (node(i) - node(j)))
+            .product::<f64>()
     };
     (0..pairs).map(weight).collect()
 }
@@ -50,8 +56,20 @@ fn weights(pairs: usize) -> Vec<f64> {
 fn between(arch: pulp::Arch, samples: &[f64], weights: &[f64]) -> Vec<f64> {
     let (pairs, last) = (weights.len(), samples.len() - 1);
     let mirrored = |end: f64, index: usize| 2.0 * end - samples[index.min(last)];
-    let before = (1..pairs).rev().map(|k| if k <= last { mirrored(samples[0], k) } else { samples[0] });
-    let after = (1..pairs).map(|k| if k <= last { mirrored(samples[last], last - k) } else { samples[last] });
+    let before = (1..pairs).rev().map(|k| {
+        if k <= last {
+            mirrored(samples[0], k)
+        } else {
+            samples[0]
+        }
+    });
+    let after = (1..pairs).map(|k| {
+        if k <= last {
+            mirrored(samples[last], last - k)
+        } else {
+            samples[last]
+        }
+    });
     let wide: Vec<f64> = before.chain(samples.iter().copied()).chain(after).collect();
     let mut fine = Vec::with_capacity(2 * last + 1);
     let mut middles = [0.0; CHUNK];
@@ -91,12 +109,21 @@ mod tests {
     #[test]
     fn doublings_are_on_the_band_limited_curve() {
         for share in [0.05, 0.4, 0.8] {
-            let curve = |k: f64| (-((k - 300.0) / 60.0).powi(2)).exp() * (share * std::f64::consts::PI * k).sin();
-            let motion = Motion::new(1.0, (0..=600).map(|k| curve(f64::from(k))).collect()).unwrap();
-            for (level, series) in doublings(pulp::Arch::new(), &motion, MAX_FACTOR).iter().enumerate() {
+            let curve = |k: f64| {
+                (-((k - 300.0) / 60.0).powi(2)).exp() * (share * std::f64::consts::PI * k).sin()
+            };
+            let motion =
+                Motion::new(1.0, (0..=600).map(|k| curve(f64::from(k))).collect()).unwrap();
+            for (level, series) in doublings(pulp::Arch::new(), &motion, MAX_FACTOR)
+                .iter()
+                .enumerate()
+            {
                 let factor = f64::from(1u32 << level);
                 assert_eq!(series.len(), 600 * (1 << level) + 1);
-                let worst = series.iter().enumerate().map(|(k, a)| (a - curve(k as f64 / factor)).abs());
+                let worst = series
+                    .iter()
+                    .enumerate()
+                    .map(|(k, a)| (a - curve(k as f64 / factor)).abs());
                 // The documented accuracy, with a margin for the width of the envelope's own
                 // spectrum.
                 assert!(worst.fold(0.0, f64::max) < 1e-6, "{share}, {factor}");

@@ -21,7 +21,9 @@ pub enum ScaleError {
     },
     /// A spectrum without periods, or with a number of values that differs from that of the
     /// periods.
-    #[error("the number of values of the target spectrum is {targets}, but the number of periods is {periods}")]
+    #[error(
+        "the number of values of the target spectrum is {targets}, but the number of periods is {periods}"
+    )]
     Shape {
         /// Number of periods.
         periods: usize,
@@ -67,9 +69,18 @@ pub fn factor_to_peak(motion: &Motion, target_m_s2: f64) -> Result<f64, ScaleErr
 /// assert!((factor_to_sa(&step, 2.0, 0.0, 3.0)? - 1.5).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn factor_to_sa(motion: &Motion, period_s: f64, damping_ratio: f64, target_m_s2: f64) -> Result<f64, ScaleError> {
+pub fn factor_to_sa(
+    motion: &Motion,
+    period_s: f64,
+    damping_ratio: f64,
+    target_m_s2: f64,
+) -> Result<f64, ScaleError> {
     let spectrum = response_spectrum(motion, damping_ratio, &[period_s])?;
-    factor(spectrum.psa_m_s2.first().copied().unwrap_or(0.0), target_m_s2, period_s)
+    factor(
+        spectrum.psa_m_s2.first().copied().unwrap_or(0.0),
+        target_m_s2,
+        period_s,
+    )
 }
 
 /// How well a scaled motion fits a target spectrum.
@@ -130,7 +141,10 @@ pub fn fit_to_spectrum(
     target_m_s2: &[f64],
 ) -> Result<SpectrumFit, ScaleError> {
     if periods_s.is_empty() || periods_s.len() != target_m_s2.len() {
-        return Err(ScaleError::Shape { periods: periods_s.len(), targets: target_m_s2.len() });
+        return Err(ScaleError::Shape {
+            periods: periods_s.len(),
+            targets: target_m_s2.len(),
+        });
     }
     let spectrum = response_spectrum(motion, damping_ratio, periods_s)?;
     let mut ratios_ln = Vec::with_capacity(periods_s.len());
@@ -139,8 +153,15 @@ pub fn fit_to_spectrum(
     }
     let count = periods_s.len() as f64;
     let mean_ln = ratios_ln.iter().sum::<f64>() / count;
-    let square = ratios_ln.iter().map(|ln| (ln - mean_ln).powi(2)).sum::<f64>() / count;
-    Ok(SpectrumFit { factor: mean_ln.exp(), misfit_ln: square.sqrt() })
+    let square = ratios_ln
+        .iter()
+        .map(|ln| (ln - mean_ln).powi(2))
+        .sum::<f64>()
+        / count;
+    Ok(SpectrumFit {
+        factor: mean_ln.exp(),
+        misfit_ln: square.sqrt(),
+    })
 }
 
 fn factor(response_m_s2: f64, target_m_s2: f64, period_s: f64) -> Result<f64, ScaleError> {
@@ -149,7 +170,11 @@ fn factor(response_m_s2: f64, target_m_s2: f64, period_s: f64) -> Result<f64, Sc
     }
     let factor = target_m_s2 / response_m_s2;
     // A response of 1e-320 has no finite inverse.
-    if factor.is_finite() { Ok(factor) } else { Err(ScaleError::NoResponse { period_s }) }
+    if factor.is_finite() {
+        Ok(factor)
+    } else {
+        Err(ScaleError::NoResponse { period_s })
+    }
 }
 
 #[cfg(test)]
@@ -157,17 +182,29 @@ mod tests {
     use super::*;
 
     fn motion() -> Motion {
-        Motion::new(0.02, (0..400).map(|k| (f64::from(k * k % 37) - 18.0) * 0.1).collect()).unwrap()
+        Motion::new(
+            0.02,
+            (0..400)
+                .map(|k| (f64::from(k * k % 37) - 18.0) * 0.1)
+                .collect(),
+        )
+        .unwrap()
     }
 
     #[test]
     fn a_scaled_motion_meets_its_target() {
         let motion = motion();
-        let psa = |motion: &Motion, periods: &[f64]| response_spectrum(motion, 0.02, periods).unwrap().psa_m_s2;
-        let scaled = motion.scaled(factor_to_sa(&motion, 0.7, 0.02, 1.5).unwrap()).unwrap();
+        let psa = |motion: &Motion, periods: &[f64]| {
+            response_spectrum(motion, 0.02, periods).unwrap().psa_m_s2
+        };
+        let scaled = motion
+            .scaled(factor_to_sa(&motion, 0.7, 0.02, 1.5).unwrap())
+            .unwrap();
         // The response is linear, so only a few roundings remain.
         assert!((psa(&scaled, &[0.7])[0] - 1.5).abs() < 1e-14);
-        let scaled = motion.scaled(factor_to_peak(&motion, 0.25).unwrap()).unwrap();
+        let scaled = motion
+            .scaled(factor_to_peak(&motion, 0.25).unwrap())
+            .unwrap();
         assert!((scaled.peak_m_s2() - 0.25).abs() < 1e-16);
         // To a spectrum of its own shape 3.5 times as high, and to any other with a mean misfit of
         // 0 in ln.
@@ -175,33 +212,66 @@ mod tests {
         let own: Vec<f64> = psa(&motion, &periods).iter().map(|a| 3.5 * a).collect();
         assert!((factor_to_spectrum(&motion, 0.02, &periods, &own).unwrap() - 3.5).abs() < 1e-13);
         let target: Vec<f64> = periods.iter().map(|t| 2.0 / (0.3 + t)).collect();
-        let scaled = motion.scaled(factor_to_spectrum(&motion, 0.02, &periods, &target).unwrap()).unwrap();
-        let misfit: f64 = psa(&scaled, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln()).sum();
+        let scaled = motion
+            .scaled(factor_to_spectrum(&motion, 0.02, &periods, &target).unwrap())
+            .unwrap();
+        let misfit: f64 = psa(&scaled, &periods)
+            .iter()
+            .zip(&target)
+            .map(|(a, b)| (a / b).ln())
+            .sum();
         assert!(misfit.abs() < 1e-12, "{misfit:e}");
         // The misfit is that of the scaled motion, and no other factor makes it smaller.
         let rms = |motion: &Motion| {
-            let squares = psa(motion, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln().powi(2)).sum::<f64>();
+            let squares = psa(motion, &periods)
+                .iter()
+                .zip(&target)
+                .map(|(a, b)| (a / b).ln().powi(2))
+                .sum::<f64>();
             (squares / periods.len() as f64).sqrt()
         };
         let fit = fit_to_spectrum(&motion, 0.02, &periods, &target).unwrap();
-        assert!((fit.misfit_ln - rms(&scaled)).abs() < 1e-13 && fit.misfit_ln > 0.1, "{fit:?}");
+        assert!(
+            (fit.misfit_ln - rms(&scaled)).abs() < 1e-13 && fit.misfit_ln > 0.1,
+            "{fit:?}"
+        );
         for other in [0.99, 1.01] {
             assert!(rms(&scaled.scaled(other).unwrap()) > fit.misfit_ln);
         }
         // The same shape: only the rounding of 39 ratios near 3.5 remains.
-        assert!(fit_to_spectrum(&motion, 0.02, &periods, &own).unwrap().misfit_ln < 1e-13);
+        assert!(
+            fit_to_spectrum(&motion, 0.02, &periods, &own)
+                .unwrap()
+                .misfit_ln
+                < 1e-13
+        );
     }
 
     #[test]
     fn targets_that_cannot_be_met_are_refused() {
         let (motion, zeros) = (motion(), Motion::new(0.02, vec![0.0; 9]).unwrap());
         for target in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(factor_to_peak(&motion, target), Err(ScaleError::Target { .. })));
-            assert!(matches!(factor_to_sa(&motion, 1.0, 0.05, target), Err(ScaleError::Target { .. })));
+            assert!(matches!(
+                factor_to_peak(&motion, target),
+                Err(ScaleError::Target { .. })
+            ));
+            assert!(matches!(
+                factor_to_sa(&motion, 1.0, 0.05, target),
+                Err(ScaleError::Target { .. })
+            ));
         }
-        assert!(matches!(factor_to_peak(&zeros, 1.0), Err(ScaleError::NoResponse { .. })));
-        assert!(matches!(factor_to_sa(&zeros, 1.0, 0.05, 1.0), Err(ScaleError::NoResponse { .. })));
-        assert!(matches!(factor_to_sa(&motion, -1.0, 0.05, 1.0), Err(ScaleError::Oscillator(_))));
+        assert!(matches!(
+            factor_to_peak(&zeros, 1.0),
+            Err(ScaleError::NoResponse { .. })
+        ));
+        assert!(matches!(
+            factor_to_sa(&zeros, 1.0, 0.05, 1.0),
+            Err(ScaleError::NoResponse { .. })
+        ));
+        assert!(matches!(
+            factor_to_sa(&motion, -1.0, 0.05, 1.0),
+            Err(ScaleError::Oscillator(_))
+        ));
         for (periods, targets) in [(&[][..], &[][..]), (&[1.0][..], &[1.0, 2.0][..])] {
             let refused = factor_to_spectrum(&motion, 0.05, periods, targets);
             assert!(matches!(refused, Err(ScaleError::Shape { .. })));

@@ -8,7 +8,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TaperError {
     /// A share that is not above 0, or is above one half.
-    #[error("the share of a taper at each end must be above 0 and at most one half, not {share_ratio}")]
+    #[error(
+        "the share of a taper at each end must be above 0 and at most one half, not {share_ratio}"
+    )]
     Share {
         /// The share that was given.
         share_ratio: f64,
@@ -46,9 +48,20 @@ pub fn tapered(motion: &Motion, share_ratio: f64) -> Result<Motion, TaperError> 
     let ramp = share_ratio * last as f64;
     let weight = |k: usize| {
         let from_end = k.min(last - k) as f64;
-        if from_end < ramp { 0.5 * (1.0 - (PI * from_end / ramp).cos()) } else { 1.0 }
+        if from_end < ramp {
+            0.5 * (1.0 - (PI * from_end / ramp).cos())
+        } else {
+            1.0
+        }
     };
-    Ok(Motion::new(motion.dt_s(), accel.iter().enumerate().map(|(k, a)| a * weight(k)).collect())?)
+    Ok(Motion::new(
+        motion.dt_s(),
+        accel
+            .iter()
+            .enumerate()
+            .map(|(k, a)| a * weight(k))
+            .collect(),
+    )?)
 }
 
 #[cfg(test)]
@@ -60,7 +73,10 @@ mod tests {
         // scipy 1.17.1: scipy.signal.windows.tukey(12, 2 * share)
         let cases: [(f64, [f64; 6]); 3] = [
             (0.1, [0.0, 0.9797464868072487, 1.0, 1.0, 1.0, 1.0]),
-            (0.25, [0.0, 0.29229249349905684, 0.8274303669726426, 1.0, 1.0, 1.0]),
+            (
+                0.25,
+                [0.0, 0.29229249349905684, 0.8274303669726426, 1.0, 1.0, 1.0],
+            ),
             (
                 0.5,
                 [
@@ -78,7 +94,11 @@ mod tests {
             let accel = motion.accel_m_s2();
             for (k, want) in want.into_iter().enumerate() {
                 // One cosine, and the asymmetry of SciPy's own result.
-                assert!((accel[k] - want).abs() < 1e-15 && accel[k] == accel[11 - k], "{share} {k} {}", accel[k]);
+                assert!(
+                    (accel[k] - want).abs() < 1e-15 && accel[k] == accel[11 - k],
+                    "{share} {k} {}",
+                    accel[k]
+                );
             }
         }
     }
@@ -87,7 +107,10 @@ mod tests {
     fn shares_that_are_none_are_refused() {
         let motion = Motion::new(0.01, vec![1.0; 12]).unwrap();
         for share_ratio in [0.0, -0.05, 0.500001, 5.0, f64::NAN] {
-            assert!(matches!(tapered(&motion, share_ratio), Err(TaperError::Share { .. })), "{share_ratio}");
+            assert!(
+                matches!(tapered(&motion, share_ratio), Err(TaperError::Share { .. })),
+                "{share_ratio}"
+            );
         }
     }
 }

@@ -20,9 +20,15 @@ impl Friction {
     /// A coefficient that is negative or not finite, or μ_k > μ_s.
     pub fn new(static_ratio: f64, kinetic_ratio: f64) -> Result<Self, SlidingError> {
         if (0.0..=static_ratio).contains(&kinetic_ratio) && static_ratio.is_finite() {
-            Ok(Self { static_ratio, kinetic_ratio })
+            Ok(Self {
+                static_ratio,
+                kinetic_ratio,
+            })
         } else {
-            Err(SlidingError::Friction { static_ratio, kinetic_ratio })
+            Err(SlidingError::Friction {
+                static_ratio,
+                kinetic_ratio,
+            })
         }
     }
 
@@ -99,7 +105,12 @@ impl Mode {
 /// assert_eq!(mode_from_rest(&block, 0.3736, 0.5 * 9.81, 9.81), Mode::Rock);
 /// # Ok::<(), freestand::block::BlockError>(())
 /// ```
-pub fn mode_from_rest(block: &Block, static_ratio: f64, horizontal_m_s2: f64, weight_m_s2: f64) -> Mode {
+pub fn mode_from_rest(
+    block: &Block,
+    static_ratio: f64,
+    horizontal_m_s2: f64,
+    weight_m_s2: f64,
+) -> Mode {
     if weight_m_s2 <= 0.0 {
         return Mode::FreeFlight;
     }
@@ -120,7 +131,11 @@ pub fn mode_from_rest(block: &Block, static_ratio: f64, horizontal_m_s2: f64, we
     }
     let turning = (a * z - x) / pivot.inertia_per_mass_m2;
     let needed = (a - z * turning) / (1.0 + x * turning);
-    if static_ratio >= needed { Mode::Rock } else { Mode::SlideRock }
+    if static_ratio >= needed {
+        Mode::Rock
+    } else {
+        Mode::SlideRock
+    }
 }
 
 /// An impact of a rocking block at θ = 0 with friction.
@@ -156,13 +171,23 @@ pub struct FrictionalImpact {
 pub fn frictional_impact(block: &Block, friction_ratio: f64) -> FrictionalImpact {
     let held = block.landing_ratio().max(0.0);
     if friction_ratio >= impact_friction_needed_ratio(block, held) {
-        return FrictionalImpact { ratio: held, slip_m: 0.0 };
+        return FrictionalImpact {
+            ratio: held,
+            slip_m: 0.0,
+        };
     }
-    let (x1, x2, z) = (block.cg_from_left_m(), block.cg_from_right_m(), block.cg_height_m());
+    let (x1, x2, z) = (
+        block.cg_from_left_m(),
+        block.cg_from_right_m(),
+        block.cg_height_m(),
+    );
     let k2 = block.gyration_radius_m().powi(2);
     let lever = friction_ratio * z - x2;
     let ratio = ((k2 + lever * x1) / (k2 - lever * x2)).max(0.0);
-    FrictionalImpact { ratio, slip_m: z * (1.0 - ratio) - friction_ratio * (x2 * ratio + x1) }
+    FrictionalImpact {
+        ratio,
+        slip_m: z * (1.0 - ratio) - friction_ratio * (x2 * ratio + x1),
+    }
 }
 
 /// The speed at which a sliding or rolling block that meets a low stop at its base overturns:
@@ -183,7 +208,8 @@ pub fn frictional_impact(block: &Block, friction_ratio: f64) -> FrictionalImpact
 /// ```
 pub fn trip_speed_m_s(block: &Block, gravity_m_s2: f64) -> f64 {
     let speed = |pivot: crate::block::Pivot| {
-        (2.0 * gravity_m_s2 * pivot.balance_rise_m() * pivot.inertia_per_mass_m2).sqrt() / block.cg_height_m()
+        (2.0 * gravity_m_s2 * pivot.balance_rise_m() * pivot.inertia_per_mass_m2).sqrt()
+            / block.cg_height_m()
     };
     speed(block.pivot()).min(speed(block.right_pivot()))
 }

@@ -37,7 +37,9 @@ use thiserror::Error;
 use crate::G0_M_S2;
 use crate::rocking::{RockingError, Until};
 
-pub use friction::{Friction, FrictionalImpact, Mode, frictional_impact, mode_from_rest, trip_speed_m_s};
+pub use friction::{
+    Friction, FrictionalImpact, Mode, frictional_impact, mode_from_rest, trip_speed_m_s,
+};
 pub use plane::{PlaneMotion, PlaneSliding, slide_in_plane};
 pub use solve::{SlidingPiece, slide, slide_many, slide_observed};
 
@@ -68,7 +70,12 @@ impl SlidingOptions {
     /// Standard gravity, no obstacles, until the end of the motion.
     pub fn new(friction: Friction) -> Self {
         let (clearance, until) = (Clearance::default(), Until::default());
-        Self { friction, clearance, gravity_m_s2: G0_M_S2, until }
+        Self {
+            friction,
+            clearance,
+            gravity_m_s2: G0_M_S2,
+            until,
+        }
     }
 
     /// Whether gravity and clearances are numbers that the model can use.
@@ -81,7 +88,11 @@ impl SlidingOptions {
             return Err(RockingError::Gravity { gravity_m_s2 }.into());
         }
         let given = [self.clearance.left_m, self.clearance.right_m];
-        match given.into_iter().flatten().find(|m| !(*m >= 0.0 && m.is_finite())) {
+        match given
+            .into_iter()
+            .flatten()
+            .find(|m| !(*m >= 0.0 && m.is_finite()))
+        {
             Some(clearance_m) => Err(SlidingError::Clearance { clearance_m }),
             None => Ok(()),
         }

@@ -54,14 +54,23 @@ pub struct PlaneSliding {
 ///
 /// # Errors
 /// Motions that differ in step or length, and options that are not numbers.
-pub fn slide_in_plane(motion: PlaneMotion<'_>, options: &SlidingOptions) -> Result<PlaneSliding, SlidingError> {
+pub fn slide_in_plane(
+    motion: PlaneMotion<'_>,
+    options: &SlidingOptions,
+) -> Result<PlaneSliding, SlidingError> {
     options.check()?;
     let PlaneMotion { x, y, vertical } = motion;
     let (samples, dt_s) = (x.accel_m_s2().len(), x.dt_s());
     for other in [Some(y), vertical].into_iter().flatten() {
         let (vertical_samples, vertical_dt_s) = (other.accel_m_s2().len(), other.dt_s());
         if (samples, dt_s) != (vertical_samples, vertical_dt_s) {
-            return Err(RockingError::VerticalMismatch { samples, dt_s, vertical_samples, vertical_dt_s }.into());
+            return Err(RockingError::VerticalMismatch {
+                samples,
+                dt_s,
+                vertical_samples,
+                vertical_dt_s,
+            }
+            .into());
         }
     }
     let end_s = match options.until {
@@ -76,14 +85,26 @@ pub fn slide_in_plane(motion: PlaneMotion<'_>, options: &SlidingOptions) -> Resu
     let mut slider = Slider::new(clearances);
     let mut index = 0;
     while (index as f64) * dt_s < end_s {
-        if index >= samples && slider.velocity == [0.0; 2] && matches!(options.until, Until::Settled { .. }) {
+        if index >= samples
+            && slider.velocity == [0.0; 2]
+            && matches!(options.until, Until::Settled { .. })
+        {
             break;
         }
-        let from = [at(x, index), at(y, index), vertical.map_or(0.0, |motion| at(motion, index))];
-        let to = [at(x, index + 1), at(y, index + 1), vertical.map_or(0.0, |motion| at(motion, index + 1))];
+        let from = [
+            at(x, index),
+            at(y, index),
+            vertical.map_or(0.0, |motion| at(motion, index)),
+        ];
+        let to = [
+            at(x, index + 1),
+            at(y, index + 1),
+            vertical.map_or(0.0, |motion| at(motion, index + 1)),
+        ];
         for part in 0..parts as usize {
             let share = (part as f64 + 0.5) / parts;
-            let [a_x, a_y, a_v] = std::array::from_fn(|way| from[way] + (to[way] - from[way]) * share);
+            let [a_x, a_y, a_v] =
+                std::array::from_fn(|way| from[way] + (to[way] - from[way]) * share);
             let weight = options.gravity_m_s2 + a_v;
             if weight <= 0.0 {
                 slider.result.free_flight_time_s = Some(index as f64 * dt_s + part as f64 * step_s);
@@ -115,7 +136,12 @@ impl Slider {
             end_time_s: 0.0,
             free_flight_time_s: None,
         };
-        Self { velocity: [0.0; 2], place: [0.0; 2], clearances_m, result }
+        Self {
+            velocity: [0.0; 2],
+            place: [0.0; 2],
+            clearances_m,
+            result,
+        }
     }
 
     /// A step under these accelerations of the floor; friction decelerates it by at most `most_m_s2`.
@@ -124,7 +150,11 @@ impl Slider {
         let pushed = [0, 1].map(|way| before[way] - accel_m_s2[way] * step_s);
         let speed = pushed[0].hypot(pushed[1]);
         let held = most_m_s2 * step_s;
-        self.velocity = if speed <= held { [0.0; 2] } else { pushed.map(|v| v * (1.0 - held / speed)) };
+        self.velocity = if speed <= held {
+            [0.0; 2]
+        } else {
+            pushed.map(|v| v * (1.0 - held / speed))
+        };
         if before == [0.0; 2] && self.velocity == [0.0; 2] {
             return;
         }
@@ -134,10 +164,17 @@ impl Slider {
         }
         let result = &mut self.result;
         result.path_m += moved[0].hypot(moved[1]);
-        result.speed_max_m_s = result.speed_max_m_s.max(self.velocity[0].hypot(self.velocity[1]));
+        result.speed_max_m_s = result
+            .speed_max_m_s
+            .max(self.velocity[0].hypot(self.velocity[1]));
         result.peak_m = result.peak_m.max(self.place[0].hypot(self.place[1]));
         let [left_m, right_m] = self.clearances_m;
-        for ((place, moved), stop_speed) in self.place.into_iter().zip(moved).zip(&mut result.stop_speeds_m_s) {
+        for ((place, moved), stop_speed) in self
+            .place
+            .into_iter()
+            .zip(moved)
+            .zip(&mut result.stop_speeds_m_s)
+        {
             let is_beyond = left_m.is_some_and(|room_m| place <= -room_m && moved < 0.0)
                 || right_m.is_some_and(|room_m| place >= room_m && moved > 0.0);
             if is_beyond {
@@ -147,7 +184,10 @@ impl Slider {
     }
 
     fn finish(self) -> PlaneSliding {
-        PlaneSliding { final_m: self.place, ..self.result }
+        PlaneSliding {
+            final_m: self.place,
+            ..self.result
+        }
     }
 }
 
@@ -169,8 +209,13 @@ mod tests {
 
     fn options(ratio: f64, room_m: Option<f64>) -> SlidingOptions {
         SlidingOptions {
-            clearance: Clearance { left_m: room_m, right_m: room_m },
-            until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+            clearance: Clearance {
+                left_m: room_m,
+                right_m: room_m,
+            },
+            until: Until::Settled {
+                at_most_s: LONGEST_TAIL_S,
+            },
             ..SlidingOptions::new(Friction::uniform(ratio).unwrap())
         }
     }
@@ -178,20 +223,58 @@ mod tests {
     #[test]
     fn one_component_is_the_exact_slider() {
         let still = wave(0.0, 1.0);
-        for (peak_g, period_s, ratio) in [(0.5, 1.0, 0.2), (0.9, 0.7, 0.3), (0.4, 2.0, 0.02), (0.25, 1.0, 0.3)] {
+        for (peak_g, period_s, ratio) in [
+            (0.5, 1.0, 0.2),
+            (0.9, 0.7, 0.3),
+            (0.4, 2.0, 0.02),
+            (0.25, 1.0, 0.3),
+        ] {
             let (one, options) = (wave(peak_g, period_s), options(ratio, Some(0.03)));
-            let exact = slide(Base { horizontal: Some(&one), vertical: None }, &options).unwrap();
-            let found = slide_in_plane(PlaneMotion { x: &one, y: &still, vertical: None }, &options).unwrap();
+            let exact = slide(
+                Base {
+                    horizontal: Some(&one),
+                    vertical: None,
+                },
+                &options,
+            )
+            .unwrap();
+            let found = slide_in_plane(
+                PlaneMotion {
+                    x: &one,
+                    y: &still,
+                    vertical: None,
+                },
+                &options,
+            )
+            .unwrap();
             // As documented.
             let close = |found: f64, exact: f64| (found - exact).abs() <= 1e-3 + 2e-3 * exact.abs();
-            assert!(close(found.peak_m, exact.peak_m.abs()), "{} {}", found.peak_m, exact.peak_m);
-            assert!(close(found.final_m[0], exact.final_m), "{:?} {}", found.final_m, exact.final_m);
-            assert!(close(found.path_m, exact.path_m), "{} {}", found.path_m, exact.path_m);
+            assert!(
+                close(found.peak_m, exact.peak_m.abs()),
+                "{} {}",
+                found.peak_m,
+                exact.peak_m
+            );
+            assert!(
+                close(found.final_m[0], exact.final_m),
+                "{:?} {}",
+                found.final_m,
+                exact.final_m
+            );
+            assert!(
+                close(found.path_m, exact.path_m),
+                "{} {}",
+                found.path_m,
+                exact.path_m
+            );
             assert_eq!(found.final_m[1], 0.0);
             assert_eq!(found.stop_speeds_m_s[0].is_some(), exact.contact.is_some());
             let speeds = found.stop_speeds_m_s[0].zip(exact.contact);
             // The speed where a stop stands is reached within a step, half a millisecond of 1 g.
-            assert!(speeds.is_none_or(|(found, (_, exact))| (found - exact.abs()).abs() < 5e-3), "{speeds:?}");
+            assert!(
+                speeds.is_none_or(|(found, (_, exact))| (found - exact.abs()).abs() < 5e-3),
+                "{speeds:?}"
+            );
         }
     }
 
@@ -199,8 +282,17 @@ mod tests {
     #[test]
     fn the_slide_does_not_depend_on_the_axes() {
         let (first, second) = (wave(0.5, 1.0), wave(0.4, 1.3));
-        let found =
-            |x: &Motion, y: &Motion| slide_in_plane(PlaneMotion { x, y, vertical: None }, &options(0.2, None)).unwrap();
+        let found = |x: &Motion, y: &Motion| {
+            slide_in_plane(
+                PlaneMotion {
+                    x,
+                    y,
+                    vertical: None,
+                },
+                &options(0.2, None),
+            )
+            .unwrap()
+        };
         let along = found(&first, &second);
         let (sin, cos) = 0.7_f64.sin_cos();
         let mixed = |a: f64, b: f64| {
@@ -212,11 +304,17 @@ mod tests {
         for (one, other) in [
             (along.peak_m, turned.peak_m),
             (along.path_m, turned.path_m),
-            (along.final_m[0].hypot(along.final_m[1]), turned.final_m[0].hypot(turned.final_m[1])),
+            (
+                along.final_m[0].hypot(along.final_m[1]),
+                turned.final_m[0].hypot(turned.final_m[1]),
+            ),
         ] {
             assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
         }
         let still = wave(0.0, 1.0);
-        assert!(along.peak_m > found(&first, &still).peak_m && along.peak_m > 0.05, "{along:?}");
+        assert!(
+            along.peak_m > found(&first, &still).peak_m && along.peak_m > 0.05,
+            "{along:?}"
+        );
     }
 }

@@ -51,7 +51,8 @@ pub fn slide_observed(
 ) -> Result<Sliding, SlidingError> {
     options.check()?;
     let intervals = Intervals::new(base, options)?;
-    Ok(Slider::new(options, observe).run(&intervals, matches!(options.until, Until::Settled { .. })))
+    Ok(Slider::new(options, observe)
+        .run(&intervals, matches!(options.until, Until::Settled { .. })))
 }
 
 /// The slides of many blocks under one motion, on all threads; each is that of [`slide`].
@@ -59,7 +60,11 @@ pub fn slide_observed(
 /// # Accuracy
 /// The same bits as [`slide`], whatever the other blocks and the number of threads.
 pub fn slide_many(base: Base, options: &[SlidingOptions]) -> Vec<Result<Sliding, SlidingError>> {
-    options.par_iter().with_min_len(BLOCKS_AT_A_TIME).map(|options| slide(base, options)).collect()
+    options
+        .par_iter()
+        .with_min_len(BLOCKS_AT_A_TIME)
+        .map(|options| slide(base, options))
+        .collect()
 }
 
 /// A part of a history without events: x is a cubic of time in it.
@@ -82,8 +87,17 @@ pub struct SlidingPiece {
 impl SlidingPiece {
     /// x and ẋ, `tau_s` after the start \[m, m/s\].
     pub fn state(&self, tau_s: f64) -> (f64, f64) {
-        let Self { slide_m: x, velocity_m_s: v, accel_m_s2: a, jerk_m_s3: j, .. } = *self;
-        (x + tau_s * travelled(v, a, j, tau_s), v + tau_s * (a + 0.5 * tau_s * j))
+        let Self {
+            slide_m: x,
+            velocity_m_s: v,
+            accel_m_s2: a,
+            jerk_m_s3: j,
+            ..
+        } = *self;
+        (
+            x + tau_s * travelled(v, a, j, tau_s),
+            v + tau_s * (a + 0.5 * tau_s * j),
+        )
     }
 }
 
@@ -144,7 +158,10 @@ impl<'a> Intervals<'a> {
     #[inline(always)]
     fn at(&self, i: usize) -> (f64, f64) {
         let sample = |of: &[f64]| of.get(i).copied().unwrap_or(0.0);
-        (sample(self.horizontal), self.gravity + sample(self.vertical))
+        (
+            sample(self.horizontal),
+            self.gravity + sample(self.vertical),
+        )
     }
 
     /// Interval `i`; `None` after the end. Number `samples` is the quiet one after the motion.
@@ -156,14 +173,28 @@ impl<'a> Intervals<'a> {
         }
         let ((u, w), (u_next, w_next)) = (self.at(i), self.at(i + 1));
         let (u, weight) = ([u, u_next], [w, w_next]);
-        let whole = Interval { start_s, length_s: self.dt_s, per_s: self.per_s, u, weight };
+        let whole = Interval {
+            start_s,
+            length_s: self.dt_s,
+            per_s: self.per_s,
+            u,
+            weight,
+        };
         if i == self.samples {
             let length_s = self.end_s - start_s;
-            return Some(Interval { length_s, per_s: 1.0 / length_s, ..whole });
+            return Some(Interval {
+                length_s,
+                per_s: 1.0 / length_s,
+                ..whole
+            });
         }
         // The end may cut an interval; rounding must not cut a last interval that is whole.
         let is_whole = (i + 1) as f64 * self.dt_s <= self.end_s;
-        Some(if is_whole { whole } else { whole.cut(self.end_s - start_s) })
+        Some(if is_whole {
+            whole
+        } else {
+            whole.cut(self.end_s - start_s)
+        })
     }
 }
 
@@ -183,7 +214,13 @@ impl Interval {
     /// The first `length_s` of it.
     fn cut(&self, length_s: f64) -> Self {
         let (u, weight) = self.after(length_s);
-        Self { length_s, per_s: 1.0 / length_s, u: [self.u[0], u], weight: [self.weight[0], weight], ..*self }
+        Self {
+            length_s,
+            per_s: 1.0 / length_s,
+            u: [self.u[0], u],
+            weight: [self.weight[0], weight],
+            ..*self
+        }
     }
 
     /// When the floor falls away, if it does.
@@ -234,7 +271,13 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
             first_slide_time_s: None,
             contact: None,
         };
-        Self { friction: options.friction, clearance: options.clearance, phase: Phase::Stuck, result, observe }
+        Self {
+            friction: options.friction,
+            clearance: options.clearance,
+            phase: Phase::Stuck,
+            result,
+            observe,
+        }
     }
 
     fn run(mut self, intervals: &Intervals, settle: bool) -> Sliding {
@@ -277,12 +320,16 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
                 Phase::Stuck => {
                     let onset = onset(interval, limit, tau);
                     self.observe_rest(interval, tau, onset.map_or(interval.length_s, |(_, at)| at));
-                    let Some((sense, at)) = onset else { return whole_s };
+                    let Some((sense, at)) = onset else {
+                        return whole_s;
+                    };
                     tau = at;
                     self.phase = Phase::Sliding { sense, speed: 0.0 };
                     self.result.outcome = SlidingOutcome::Slid;
                     self.result.slide_count += 1;
-                    self.result.first_slide_time_s.get_or_insert(interval.start_s + tau);
+                    self.result
+                        .first_slide_time_s
+                        .get_or_insert(interval.start_s + tau);
                 }
                 Phase::Sliding { sense, speed } => tau = self.advance(interval, tau, sense, speed),
             }
@@ -333,7 +380,10 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
         }
         self.result.speed_max_m_s = self.result.speed_max_m_s.max(fastest);
         if stop.is_none() {
-            self.phase = Phase::Sliding { sense, speed: end_speed };
+            self.phase = Phase::Sliding {
+                sense,
+                speed: end_speed,
+            };
             return interval.length_s;
         }
         // Rounding may leave a stop at the instant of its onset: every step takes some time.
@@ -343,15 +393,30 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
         self.phase = if u.abs() <= self.friction.static_ratio() * weight {
             Phase::Stuck
         } else {
-            Phase::Sliding { sense: -u.signum(), speed: 0.0 }
+            Phase::Sliding {
+                sense: -u.signum(),
+                speed: 0.0,
+            }
         };
         end
     }
 
     /// Notes the first time at which the block reaches a clearance.
     #[inline(always)]
-    fn meet(&mut self, before: f64, after: f64, sense: f64, piece: (f64, f64, f64), start_s: f64, used: f64) {
-        let side = if sense > 0.0 { self.clearance.right_m } else { self.clearance.left_m };
+    fn meet(
+        &mut self,
+        before: f64,
+        after: f64,
+        sense: f64,
+        piece: (f64, f64, f64),
+        start_s: f64,
+        used: f64,
+    ) {
+        let side = if sense > 0.0 {
+            self.clearance.right_m
+        } else {
+            self.clearance.left_m
+        };
         let Some(limit) = side else { return };
         let (from, to) = (sense * before, sense * after);
         if self.result.contact.is_some() || !(from <= limit && to >= limit && to > from) {
@@ -359,7 +424,9 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
         }
         let (speed, accel, jerk) = piece;
         // The block moves one way in a step, so the cubic is monotonic.
-        let at = bisect(0.0, used, |tau| from + tau * travelled(speed, accel, jerk, tau) >= limit);
+        let at = bisect(0.0, used, |tau| {
+            from + tau * travelled(speed, accel, jerk, tau) >= limit
+        });
         let at = if from >= limit { 0.0 } else { at };
         let met = speed + at * (accel + 0.5 * at * jerk);
         self.result.contact = Some((start_s + at, sense * met.max(0.0)));
@@ -393,11 +460,15 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
 
 /// The sense in which a stuck block begins to slide within the rest of an interval, and when.
 fn onset(interval: &Interval, limit: f64, tau: f64) -> Option<(f64, f64)> {
-    let ((u, weight), (u_end, weight_end)) = (interval.after(tau), (interval.u[1], interval.weight[1]));
+    let ((u, weight), (u_end, weight_end)) =
+        (interval.after(tau), (interval.u[1], interval.weight[1]));
     let mut first: Option<(f64, f64)> = None;
     for sense in [-1.0, 1.0] {
         // How far |ü_h| is below the threshold, for a base that moves against the sense.
-        let (from, to) = (limit * weight + sense * u, limit * weight_end + sense * u_end);
+        let (from, to) = (
+            limit * weight + sense * u,
+            limit * weight_end + sense * u_end,
+        );
         let at = if from < 0.0 {
             tau
         } else if to < 0.0 {
@@ -422,14 +493,22 @@ fn stop(speed: f64, accel: f64, jerk: f64, rest: f64) -> Option<f64> {
         return None;
     }
     let root = if speed == 0.0 {
-        if jerk < 0.0 { -2.0 * accel / jerk } else { f64::INFINITY }
+        if jerk < 0.0 {
+            -2.0 * accel / jerk
+        } else {
+            f64::INFINITY
+        }
     } else {
         let discriminant = accel * accel - 2.0 * jerk * speed;
         if discriminant < 0.0 {
             f64::INFINITY
         } else if accel > 0.0 {
             // Only a falling acceleration stops it; the larger root, without cancellation.
-            if jerk < 0.0 { (accel + discriminant.sqrt()) / -jerk } else { f64::INFINITY }
+            if jerk < 0.0 {
+                (accel + discriminant.sqrt()) / -jerk
+            } else {
+                f64::INFINITY
+            }
         } else {
             // The smaller positive root; infinite where neither accel nor jerk acts.
             2.0 * speed / (discriminant.sqrt() - accel)

@@ -15,11 +15,21 @@ fn options(static_ratio: f64, kinetic_ratio: f64) -> SlidingOptions {
 }
 
 fn settled(options: SlidingOptions) -> SlidingOptions {
-    SlidingOptions { until: Until::Settled { at_most_s: 100.0 }, ..options }
+    SlidingOptions {
+        until: Until::Settled { at_most_s: 100.0 },
+        ..options
+    }
 }
 
 fn solve(motion: &Motion, options: &SlidingOptions) -> Sliding {
-    slide(Base { horizontal: Some(motion), vertical: None }, options).unwrap()
+    slide(
+        Base {
+            horizontal: Some(motion),
+            vertical: None,
+        },
+        options,
+    )
+    .unwrap()
 }
 
 /// A floor that jumps to A g, holds it for T and falls to zero within `dt`: three parabolas and
@@ -35,9 +45,19 @@ fn a_rectangle_has_its_closed_form() {
         let ramp = v * dt + 0.5 * (a - n) * g * dt * dt - a * g * dt * dt / 6.0;
         let exact = 0.5 * (a - n) * g * t * t + ramp + v2 * v2 / (2.0 * n * g);
         // A sum of up to 5e4 steps rounds as often.
-        assert!((got.final_m + exact).abs() < 1e-11 * exact, "{dt}: {} {exact}", got.final_m);
-        assert_eq!((got.slide_count, got.outcome, got.first_slide_time_s), (1, SlidingOutcome::Slid, Some(0.0)));
-        assert_eq!((got.peak_m, got.peak_time_s), (got.final_m, Some(got.end_time_s)));
+        assert!(
+            (got.final_m + exact).abs() < 1e-11 * exact,
+            "{dt}: {} {exact}",
+            got.final_m
+        );
+        assert_eq!(
+            (got.slide_count, got.outcome, got.first_slide_time_s),
+            (1, SlidingOutcome::Slid, Some(0.0))
+        );
+        assert_eq!(
+            (got.peak_m, got.peak_time_s),
+            (got.final_m, Some(got.end_time_s))
+        );
         if dt == 1e-5 {
             // The ramp adds about (A−N)/N (A/2) g T dt to the limit.
             assert!((got.final_m + a * g * t * t * (a - n) / (2.0 * n)).abs() < 1e-4);
@@ -56,8 +76,13 @@ fn a_half_sine_has_its_closed_form() {
         let motion = Motion::new(t / f64::from(steps), (0..=steps).map(sample).collect()).unwrap();
         let got = solve(&motion, &settled(options(n, n)));
         let (w, psi) = (PI / t, f64::asin(n / a));
-        let exact = a * g / (w * w) * (psi.sin() + (1.0 + psi.cos()).powi(2) / (2.0 * psi.sin()) - (PI - psi));
-        assert!((got.final_m + exact).abs() < 1e-7 * exact, "{a} {n} {t}: {} {exact}", got.final_m);
+        let exact = a * g / (w * w)
+            * (psi.sin() + (1.0 + psi.cos()).powi(2) / (2.0 * psi.sin()) - (PI - psi));
+        assert!(
+            (got.final_m + exact).abs() < 1e-7 * exact,
+            "{a} {n} {t}: {} {exact}",
+            got.final_m
+        );
         if a == 0.6 {
             assert!((got.final_m + 0.475945).abs() < 5e-7, "{}", got.final_m);
         }
@@ -88,12 +113,22 @@ fn the_velocity_passes_zero_twice_in_one_interval() {
     let coarse = solve(&motion, &options(0.2, 0.2));
     let fine = solve(&motion.upsampled(1024), &options(0.2, 0.2));
     let mut pieces = Vec::new();
-    let base = Base { horizontal: Some(&motion), vertical: None };
+    let base = Base {
+        horizontal: Some(&motion),
+        vertical: None,
+    };
     slide_observed(base, &options(0.2, 0.2), |piece| pieces.push(*piece)).unwrap();
-    let second: Vec<f64> = pieces.iter().map(|p| p.start_s - 1.0).filter(|t| (0.0..1.0).contains(t)).collect();
+    let second: Vec<f64> = pieces
+        .iter()
+        .map(|p| p.start_s - 1.0)
+        .filter(|t| (0.0..1.0).contains(t))
+        .collect();
     let (stop, onset) = ((0.7 - 0.24f64.sqrt()) / 2.5, 0.28);
     assert_eq!(second.len(), 4, "{second:?}");
-    assert!((second[1] - stop).abs() < 1e-14 && (second[3] - onset).abs() < 1e-14, "{second:?}");
+    assert!(
+        (second[1] - stop).abs() < 1e-14 && (second[3] - onset).abs() < 1e-14,
+        "{second:?}"
+    );
     // 3072 steps in place of 3; each adds one rounding.
     assert!((coarse.final_m - fine.final_m).abs() < 1e-11 * coarse.path_m);
     assert!((coarse.path_m - fine.path_m).abs() < 1e-11 * coarse.path_m);
@@ -106,20 +141,42 @@ fn the_velocity_passes_zero_twice_in_one_interval() {
 fn a_threshold_met_exactly_holds() {
     let under = |samples: Vec<f64>| {
         let motion = Motion::new(0.25, samples).unwrap();
-        solve(&motion, &SlidingOptions { gravity_m_s2: 8.0, ..options(0.25, 0.125) })
+        solve(
+            &motion,
+            &SlidingOptions {
+                gravity_m_s2: 8.0,
+                ..options(0.25, 0.125)
+            },
+        )
     };
-    assert_eq!(under(vec![2.0, 2.0, -2.0, 0.0, 2.0, 2.0]).outcome, SlidingOutcome::Stuck);
-    assert_eq!(under(vec![2.0, 2.0, 2.0 + 4.0 * f64::EPSILON, 2.0]).outcome, SlidingOutcome::Slid);
+    assert_eq!(
+        under(vec![2.0, 2.0, -2.0, 0.0, 2.0, 2.0]).outcome,
+        SlidingOutcome::Stuck
+    );
+    assert_eq!(
+        under(vec![2.0, 2.0, 2.0 + 4.0 * f64::EPSILON, 2.0]).outcome,
+        SlidingOutcome::Slid
+    );
 }
 
 #[test]
 fn the_first_clearance_that_is_reached_counts() {
     let g = G0_M_S2;
     // To the left by 0.1 m and more, then back to the right.
-    let motion = Motion::new(0.1, vec![0.5 * g, 0.5 * g, 0.5 * g, -2.0 * g, -2.0 * g, -2.0 * g, 0.0]).unwrap();
+    let motion = Motion::new(
+        0.1,
+        vec![0.5 * g, 0.5 * g, 0.5 * g, -2.0 * g, -2.0 * g, -2.0 * g, 0.0],
+    )
+    .unwrap();
     let with = |left_m, right_m| {
         let clearance = Clearance { left_m, right_m };
-        solve(&motion, &SlidingOptions { clearance, ..settled(options(0.2, 0.2)) })
+        solve(
+            &motion,
+            &SlidingOptions {
+                clearance,
+                ..settled(options(0.2, 0.2))
+            },
+        )
     };
     let free = with(None, None);
     assert!(free.peak_m > 0.5 && free.contact.is_none());
@@ -132,7 +189,13 @@ fn the_first_clearance_that_is_reached_counts() {
     // Something touches the block: it is reached at once, without speed.
     assert_eq!(with(Some(0.0), None).contact, Some((0.0, 0.0)));
     // The slide is that without an obstacle.
-    assert_eq!(Sliding { contact: None, ..with(Some(0.05), Some(0.5)) }, free);
+    assert_eq!(
+        Sliding {
+            contact: None,
+            ..with(Some(0.05), Some(0.5))
+        },
+        free
+    );
 }
 
 /// Where the weight falls to nothing the history ends; until then less weight means less friction.
@@ -141,8 +204,18 @@ fn free_flight_ends_the_history() {
     let g = G0_M_S2;
     let horizontal = Motion::new(0.5, vec![0.1 * g; 4]).unwrap();
     let vertical = Motion::new(0.5, vec![0.0, 0.0, -2.0 * g, -2.0 * g]).unwrap();
-    let got = slide(Base { horizontal: Some(&horizontal), vertical: Some(&vertical) }, &options(0.2, 0.2)).unwrap();
-    assert_eq!((got.outcome, got.end_time_s), (SlidingOutcome::FreeFlight, 0.75));
+    let got = slide(
+        Base {
+            horizontal: Some(&horizontal),
+            vertical: Some(&vertical),
+        },
+        &options(0.2, 0.2),
+    )
+    .unwrap();
+    assert_eq!(
+        (got.outcome, got.end_time_s),
+        (SlidingOutcome::FreeFlight, 0.75)
+    );
     // g(1 − 4τ) μ = 0.1 g at τ = 1/8.
     assert!((got.first_slide_time_s.unwrap() - 0.625).abs() < 1e-15);
     assert!(got.final_m < 0.0 && got.peak_time_s == Some(0.75));
@@ -153,13 +226,34 @@ fn impossible_values_are_refused() {
     assert!(Friction::new(0.2, 0.3).is_err() && Friction::new(f64::NAN, 0.1).is_err());
     assert!(Friction::uniform(-0.1).is_err() && Friction::uniform(f64::INFINITY).is_err());
     let motion = Motion::new(0.1, vec![0.0; 3]).unwrap();
-    let base = Base { horizontal: Some(&motion), vertical: None };
-    let clearance = Clearance { left_m: Some(-0.1), right_m: None };
+    let base = Base {
+        horizontal: Some(&motion),
+        vertical: None,
+    };
+    let clearance = Clearance {
+        left_m: Some(-0.1),
+        right_m: None,
+    };
     let refused = |options: SlidingOptions| slide(base, &options).unwrap_err();
     let good = options(0.2, 0.1);
-    assert_eq!(refused(SlidingOptions { clearance, ..good }), SlidingError::Clearance { clearance_m: -0.1 });
-    assert!(matches!(refused(SlidingOptions { gravity_m_s2: 0.0, ..good }), SlidingError::Base(_)));
-    assert!(matches!(refused(SlidingOptions { until: Until::Time(-1.0), ..good }), SlidingError::Base(_)));
+    assert_eq!(
+        refused(SlidingOptions { clearance, ..good }),
+        SlidingError::Clearance { clearance_m: -0.1 }
+    );
+    assert!(matches!(
+        refused(SlidingOptions {
+            gravity_m_s2: 0.0,
+            ..good
+        }),
+        SlidingError::Base(_)
+    ));
+    assert!(matches!(
+        refused(SlidingOptions {
+            until: Until::Time(-1.0),
+            ..good
+        }),
+        SlidingError::Base(_)
+    ));
     assert!(slide(Base::default(), &good).is_err());
 }
 
@@ -181,7 +275,11 @@ fn the_modes_from_rest_are_shentons() {
         assert_eq!(mode(friction, a), expected, "{friction} {a}");
     }
     assert_eq!(mode_from_rest(&block, 0.5, 1.0, 0.0), Mode::FreeFlight);
-    assert!(Friction::uniform(1.0 / 3.0).unwrap().is_below_uplift(&block));
+    assert!(
+        Friction::uniform(1.0 / 3.0)
+            .unwrap()
+            .is_below_uplift(&block)
+    );
     assert!(!Friction::uniform(0.334).unwrap().is_below_uplift(&block));
 }
 
@@ -192,7 +290,13 @@ fn an_impact_with_slip_meets_housners_where_slip_ends() {
     let block = Block::uniform(3.0, 1.0).unwrap();
     let needed = impact_friction_needed_ratio(&block, 0.85);
     assert!((needed - 0.2432).abs() < 5e-5);
-    assert_eq!(frictional_impact(&block, needed), FrictionalImpact { ratio: block.landing_ratio(), slip_m: 0.0 });
+    assert_eq!(
+        frictional_impact(&block, needed),
+        FrictionalImpact {
+            ratio: block.landing_ratio(),
+            slip_m: 0.0
+        }
+    );
     let just_below = frictional_impact(&block, needed - 1e-12);
     assert!((just_below.ratio - 0.85).abs() < 1e-10 && just_below.slip_m.abs() < 1e-10);
     for friction in [0.0, 0.1, 0.2] {
@@ -203,7 +307,10 @@ fn an_impact_with_slip_meets_housners_where_slip_ends() {
         assert!((got.slip_m - slip).abs() < 1e-15 && got.slip_m > 0.0);
     }
     // A squat block stops; it never turns back.
-    assert_eq!(frictional_impact(&Block::uniform(1.0, 1.0).unwrap(), 0.0).ratio, 0.0);
+    assert_eq!(
+        frictional_impact(&Block::uniform(1.0, 1.0).unwrap(), 0.0).ratio,
+        0.0
+    );
 }
 
 /// √[(8/3)gR(1−cos α)]/cos α; with an offset, the edge that needs less.
@@ -216,7 +323,10 @@ fn the_trip_speed_has_its_closed_form() {
     assert!((trip_speed_m_s(&block, G0_M_S2) - closed).abs() < 1e-14);
     let leaning = block.with_cg_offset(0.1).unwrap();
     assert!(trip_speed_m_s(&leaning, G0_M_S2) < closed);
-    assert_eq!(trip_speed_m_s(&leaning, G0_M_S2), trip_speed_m_s(&leaning.mirrored(), G0_M_S2));
+    assert_eq!(
+        trip_speed_m_s(&leaning, G0_M_S2),
+        trip_speed_m_s(&leaning.mirrored(), G0_M_S2)
+    );
 }
 
 /// Samples that are multiples of half the threshold (g = 8, μ_s = 1/4, threshold 2), so that
@@ -226,7 +336,10 @@ fn troubled() -> impl Strategy<Value = Vec<f64>> {
 }
 
 fn binary(kinetic_ratio: f64) -> SlidingOptions {
-    SlidingOptions { gravity_m_s2: 8.0, ..settled(options(0.25, kinetic_ratio)) }
+    SlidingOptions {
+        gravity_m_s2: 8.0,
+        ..settled(options(0.25, kinetic_ratio))
+    }
 }
 
 proptest! {

@@ -2,7 +2,8 @@
 
 use super::feet::{self, Feet, Stuck};
 use super::vector::{
-    Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned, turned_back, turning,
+    Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned,
+    turned_back, turning,
 };
 use crate::compliant::Energies;
 use crate::compliant::pad::Pad;
@@ -109,7 +110,10 @@ pub(super) enum Grip {
 }
 
 impl Grip {
-    pub(super) const UNTOUCHED: Self = Self::Open { since_s: 0.0, compression_m: 0.0 };
+    pub(super) const UNTOUCHED: Self = Self::Open {
+        since_s: 0.0,
+        compression_m: 0.0,
+    };
 
     pub(super) fn carries(self) -> bool {
         matches!(self, Self::Stick { .. } | Self::Slip)
@@ -129,8 +133,13 @@ pub(super) struct Pose {
 }
 
 impl Pose {
-    const STILL: Self =
-        Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, shift: [[0.0; 3]; 3], omega: [0.0; 3] };
+    const STILL: Self = Self {
+        place: [0.0; 3],
+        velocity: [0.0; 3],
+        turn: UPRIGHT,
+        shift: [[0.0; 3]; 3],
+        omega: [0.0; 3],
+    };
 
     fn at(y: &[f64]) -> Self {
         let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
@@ -148,7 +157,10 @@ impl Pose {
     pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
         let by_turn = moved(&self.shift, from_cg);
         let arm = sum(from_cg, &by_turn);
-        (sum(&self.place, &by_turn), sum(&self.velocity, &cross(&self.omega, &arm)))
+        (
+            sum(&self.place, &by_turn),
+            sum(&self.velocity, &cross(&self.omega, &arm)),
+        )
     }
 
     /// The axis of the body that is vertical at rest, and its rate.
@@ -209,7 +221,11 @@ pub(super) struct Grips {
 
 impl Grips {
     pub(super) fn new(world: &World<'_>, each: Vec<Grip>) -> Self {
-        let mut grips = Self { each, stuck: Stuck::default(), alone: Vec::new() };
+        let mut grips = Self {
+            each,
+            stuck: Stuck::default(),
+            alone: Vec::new(),
+        };
         grips.sort(world);
         grips
     }
@@ -225,9 +241,15 @@ impl Grips {
 
     pub(super) fn sort(&mut self, world: &World<'_>) {
         self.alone.clear();
-        self.stuck = world.feet.as_ref().map_or(Stuck::default(), |feet| feet.sort(&self.each, &mut self.alone));
+        self.stuck = world.feet.as_ref().map_or(Stuck::default(), |feet| {
+            feet.sort(&self.each, &mut self.alone)
+        });
         let others = self.each.iter().enumerate().skip(world.feet());
-        self.alone.extend(others.filter(|(_, grip)| grip.carries()).map(|(index, _)| index));
+        self.alone.extend(
+            others
+                .filter(|(_, grip)| grip.carries())
+                .map(|(index, _)| index),
+        );
     }
 }
 
@@ -258,12 +280,30 @@ fn along(normal: usize) -> [usize; 2] {
 }
 
 impl<'a> World<'a> {
-    pub(super) fn new(bodies: Vec<Rigid>, elements: Vec<Element<'a>>, gravity: f64, is_planar: bool) -> Self {
-        let units = elements.iter().map(|element| (element.unit_m / gravity).sqrt());
+    pub(super) fn new(
+        bodies: Vec<Rigid>,
+        elements: Vec<Element<'a>>,
+        gravity: f64,
+        is_planar: bool,
+    ) -> Self {
+        let units = elements
+            .iter()
+            .map(|element| (element.unit_m / gravity).sqrt());
         let unit_s = units.fold(f64::INFINITY, f64::min);
-        let slots = elements.iter().filter(|element| element.friction.is_some()).map(|element| element.slot + 1);
+        let slots = elements
+            .iter()
+            .filter(|element| element.friction.is_some())
+            .map(|element| element.slot + 1);
         let slots = slots.fold(0, usize::max);
-        Self { bodies, elements, feet: None, gravity, slots, is_planar, unit_s }
+        Self {
+            bodies,
+            elements,
+            feet: None,
+            gravity,
+            slots,
+            is_planar,
+            unit_s,
+        }
     }
 
     /// Number of feet among the elements.
@@ -297,7 +337,11 @@ impl<'a> World<'a> {
 
     pub(super) fn poses(&self, y: &State) -> Poses {
         let mut poses = [Pose::STILL; MAX_BODIES];
-        for (pose, y) in poses.iter_mut().zip(y.chunks_exact(BODY)).take(self.bodies.len()) {
+        for (pose, y) in poses
+            .iter_mut()
+            .zip(y.chunks_exact(BODY))
+            .take(self.bodies.len())
+        {
             *pose = Pose::at(y);
         }
         poses
@@ -309,20 +353,29 @@ impl<'a> World<'a> {
                 let pose = &poses[body];
                 let by_turn = moved(&pose.shift, &element.point);
                 let arm = sum(&element.point, &by_turn);
-                (sum(&pose.place, &by_turn), sum(&pose.velocity, &cross(&pose.omega, &arm)), arm)
+                (
+                    sum(&pose.place, &by_turn),
+                    sum(&pose.velocity, &cross(&pose.omega, &arm)),
+                    arm,
+                )
             }
             None => ([0.0; 3], [0.0; 3], [0.0; 3]),
         };
         let (place, rate, face_arm, from_cg) = match element.face_of {
             None => (shift, velocity, [0.0; 3], [0.0; 3]),
             Some(body) => {
-                let home = element.point_of.map_or([0.0; 3], |body| self.bodies[body].home);
+                let home = element
+                    .point_of
+                    .map_or([0.0; 3], |body| self.bodies[body].home);
                 let start = sum(&home, &element.point);
                 let pose = &poses[body];
                 let from_cg = difference(&start, &self.bodies[body].home);
                 let shift = difference(&shift, &pose.place);
                 let arm = sum(&from_cg, &shift);
-                let velocity = difference(&difference(&velocity, &pose.velocity), &cross(&pose.omega, &arm));
+                let velocity = difference(
+                    &difference(&velocity, &pose.velocity),
+                    &cross(&pose.omega, &arm),
+                );
                 let place = sum(&shift, &moved_back(&pose.shift, &arm));
                 (place, turned_back(&pose.shift, &velocity), arm, from_cg)
             }
@@ -335,7 +388,9 @@ impl<'a> World<'a> {
             compression_rate: -element.sign * rate[element.normal],
             on_face: [place[a], place[b]],
             sliding: [rate[a], rate[b]],
-            to_end: element.end.map_or(f64::INFINITY, |(axis, end)| end - (from_cg[axis] + place[axis]).abs()),
+            to_end: element.end.map_or(f64::INFINITY, |(axis, end)| {
+                end - (from_cg[axis] + place[axis]).abs()
+            }),
         }
     }
 
@@ -344,7 +399,8 @@ impl<'a> World<'a> {
         match (element.point_of, element.face_of) {
             (Some(body), None) => {
                 let (pose, axis) = (&poses[body], element.normal);
-                -(element.gap + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &element.point)))
+                -(element.gap
+                    + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &element.point)))
             }
             _ => self.foot(element, poses).compression,
         }
@@ -354,7 +410,9 @@ impl<'a> World<'a> {
         if !grip.carries() {
             return Load::default();
         }
-        let [normal, elastic] = element.pad.push_and_elastic(foot.compression, foot.compression_rate);
+        let [normal, elastic] = element
+            .pad
+            .push_and_elastic(foot.compression, foot.compression_rate);
         let (tangential, direction) = match grip {
             Grip::Slip => {
                 let (sin, cos) = y[self.direction(element)].sin_cos();
@@ -363,11 +421,22 @@ impl<'a> World<'a> {
             }
             Grip::Stick { anchor } => {
                 let k = element.tangential_stiffness;
-                ([-k * (foot.on_face[0] - anchor[0]), -k * (foot.on_face[1] - anchor[1])], [0.0; 2])
+                (
+                    [
+                        -k * (foot.on_face[0] - anchor[0]),
+                        -k * (foot.on_face[1] - anchor[1]),
+                    ],
+                    [0.0; 2],
+                )
             }
             Grip::Open { .. } | Grip::Gone => ([0.0; 2], [0.0; 2]),
         };
-        Load { normal, elastic, tangential, direction }
+        Load {
+            normal,
+            elastic,
+            tangential,
+            direction,
+        }
     }
 
     /// The time derivative of the state.
@@ -378,7 +447,13 @@ impl<'a> World<'a> {
     }
 
     /// [`World::rates`] into a state of which only what is in use may differ from zero.
-    pub(super) fn enter_rates(&self, grips: &Grips, line: &Line, (time_s, y): (f64, &State), rates: &mut State) {
+    pub(super) fn enter_rates(
+        &self,
+        grips: &Grips,
+        line: &Line,
+        (time_s, y): (f64, &State),
+        rates: &mut State,
+    ) {
         rates[self.behind()..self.len()].fill(0.0);
         let poses = self.poses(y);
         let (mut forces, mut torques) = ([[0.0; 3]; MAX_BODIES], [[0.0; 3]; MAX_BODIES]);
@@ -472,28 +547,47 @@ impl<'a> World<'a> {
         let [cos, sin] = load.direction;
         let along = cos * foot.sliding[0] + sin * foot.sliding[1];
         let pressing = rates.map_or(0.0, |rates| self.pressing(element, foot, poses, rates));
-        let normal_rate = element.pad.push_rate(foot.compression, foot.compression_rate, pressing);
+        let normal_rate = element
+            .pad
+            .push_rate(foot.compression, foot.compression_rate, pressing);
         along - element.friction.unwrap_or(0.0) * normal_rate / element.tangential_stiffness
     }
 
     /// The second derivative of the compression of an element.
-    pub(super) fn pressing(&self, element: &Element, foot: &Foot, poses: &Poses, rates: &State) -> f64 {
+    pub(super) fn pressing(
+        &self,
+        element: &Element,
+        foot: &Foot,
+        poses: &Poses,
+        rates: &State,
+    ) -> f64 {
         // Acceleration of a body's point at an arm from its centre of gravity.
         let linear = |body: usize| vector(rates, BODY * body + VELOCITY);
         let angular = |body: usize| turned(&poses[body].shift, &vector(rates, BODY * body + SPIN));
         let point = element.point_of.map_or([0.0; 3], |body| {
             let omega = &poses[body].omega;
             let inward = cross(omega, &cross(omega, &foot.point_arm));
-            sum(&linear(body), &sum(&cross(&angular(body), &foot.point_arm), &inward))
+            sum(
+                &linear(body),
+                &sum(&cross(&angular(body), &foot.point_arm), &inward),
+            )
         });
-        let Some(body) = element.face_of else { return -element.sign * point[element.normal] };
+        let Some(body) = element.face_of else {
+            return -element.sign * point[element.normal];
+        };
         let (pose, arm) = (&poses[body], &foot.face_arm);
-        let velocity = element
-            .point_of
-            .map_or([0.0; 3], |other| sum(&poses[other].velocity, &cross(&poses[other].omega, &foot.point_arm)));
+        let velocity = element.point_of.map_or([0.0; 3], |other| {
+            sum(
+                &poses[other].velocity,
+                &cross(&poses[other].omega, &foot.point_arm),
+            )
+        });
         let nearing = difference(&velocity, &pose.velocity);
         let slow = difference(&nearing, &cross(&pose.omega, arm));
-        let relative = difference(&difference(&point, &linear(body)), &cross(&angular(body), arm));
+        let relative = difference(
+            &difference(&point, &linear(body)),
+            &cross(&angular(body), arm),
+        );
         let relative = difference(&relative, &cross(&pose.omega, &nearing));
         // The axes of the face turn as well.
         let relative = difference(&relative, &cross(&pose.omega, &slow));
@@ -506,7 +600,10 @@ impl<'a> World<'a> {
         for (body, y) in self.bodies.iter().zip(y.chunks_exact(BODY)) {
             let (velocity, spin) = (vector(y, VELOCITY), vector(y, SPIN));
             kinetic_j += 0.5 * body.mass * dot(&velocity, &velocity);
-            kinetic_j += 0.5 * (0..3).map(|axis| body.inertia[axis] * spin[axis] * spin[axis]).sum::<f64>();
+            kinetic_j += 0.5
+                * (0..3)
+                    .map(|axis| body.inertia[axis] * spin[axis] * spin[axis])
+                    .sum::<f64>();
             potential_j += body.mass * self.gravity * y[PLACE + 2];
         }
         let stored = |(element, &grip): (&Element, &Grip)| match grip {
@@ -518,12 +615,22 @@ impl<'a> World<'a> {
                 element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
             }
         };
-        let of_feet_j = self.feet.as_ref().map_or(0.0, |feet| feet.stored_j(grips, &poses[0]));
+        let of_feet_j = self
+            .feet
+            .as_ref()
+            .map_or(0.0, |feet| feet.stored_j(grips, &poses[0]));
         let behind = self.behind();
         Energies {
             kinetic_j,
             potential_j,
-            stored_j: of_feet_j + self.elements.iter().zip(grips).skip(self.feet()).map(stored).sum::<f64>(),
+            stored_j: of_feet_j
+                + self
+                    .elements
+                    .iter()
+                    .zip(grips)
+                    .skip(self.feet())
+                    .map(stored)
+                    .sum::<f64>(),
             base_work_j: y[behind + WORK],
             cushion_dissipation_j: y[behind + DASHPOT],
             tangential_dissipation_j: 0.0,
@@ -534,6 +641,10 @@ impl<'a> World<'a> {
     /// Energy in the tangential spring of an element.
     pub(super) fn sheared_j(&self, element: &Element, grip: Grip, foot: &Foot, y: &State) -> f64 {
         let [a, b] = self.load(element, grip, foot, y).tangential;
-        if element.tangential_stiffness > 0.0 { 0.5 * (a * a + b * b) / element.tangential_stiffness } else { 0.0 }
+        if element.tangential_stiffness > 0.0 {
+            0.5 * (a * a + b * b) / element.tangential_stiffness
+        } else {
+            0.0
+        }
     }
 }

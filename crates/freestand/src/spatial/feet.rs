@@ -86,7 +86,10 @@ impl<'a> Feet<'a> {
     /// `one`.
     pub(super) fn new(points: Vec<[f64; 2]>, z: f64, one: &Element<'a>) -> Self {
         Self {
-            reach: points.iter().map(|[x, y]| (x * x + y * y).sqrt()).fold(0.0, f64::max),
+            reach: points
+                .iter()
+                .map(|[x, y]| (x * x + y * y).sqrt())
+                .fold(0.0, f64::max),
             points,
             z,
             pad: one.pad,
@@ -118,7 +121,11 @@ impl<'a> Feet<'a> {
     /// Displacement of a foot along an axis of the floor.
     fn place(&self, pose: &Pose, axis: usize) -> Flat {
         let row = &pose.shift[axis];
-        Flat { at: pose.place[axis] + self.z * row[2], x: row[0], y: row[1] }
+        Flat {
+            at: pose.place[axis] + self.z * row[2],
+            x: row[0],
+            y: row[1],
+        }
     }
 
     /// Upward velocity of a foot: v + ω × Qp.
@@ -126,7 +133,11 @@ impl<'a> Feet<'a> {
         let [[_, xy, xz], [yx, _, yz], _] = pose.shift;
         let (xx, yy) = (1.0 + pose.shift[0][0], 1.0 + pose.shift[1][1]);
         let [x, y, _] = pose.omega;
-        Flat { at: pose.velocity[2] + self.z * (x * yz - y * xz), x: x * yx - y * xx, y: x * yy - y * xy }
+        Flat {
+            at: pose.velocity[2] + self.z * (x * yz - y * xz),
+            x: x * yx - y * xx,
+            y: x * yy - y * xy,
+        }
     }
 
     /// What the feet that stick do to the body: with f = f₀ + Mp + k_t a of each, Σf and
@@ -136,19 +147,40 @@ impl<'a> Feet<'a> {
         let rising = self.rising(pose);
         let pulled = |axis: usize, stiffness: f64| {
             let Flat { at, x, y } = self.place(pose, axis);
-            Flat { at: -stiffness * at, x: -stiffness * x, y: -stiffness * y }
+            Flat {
+                at: -stiffness * at,
+                x: -stiffness * x,
+                y: -stiffness * y,
+            }
         };
         let up = pulled(2, k);
-        let up = Flat { at: up.at - c * rising.at, x: up.x - c * rising.x, y: up.y - c * rising.y };
+        let up = Flat {
+            at: up.at - c * rising.at,
+            x: up.x - c * rising.x,
+            y: up.y - c * rising.y,
+        };
         let k_t = self.tangential_stiffness;
         let of = |flat: Flat, anchor: [f64; 3]| {
-            let force = stuck.count * flat.at + (flat.x * stuck.x + flat.y * stuck.y) + k_t * anchor[0];
-            let by_x = flat.at * stuck.x + (flat.x * stuck.xx + flat.y * stuck.xy) + k_t * anchor[1];
-            let by_y = flat.at * stuck.y + (flat.x * stuck.xy + flat.y * stuck.yy) + k_t * anchor[2];
+            let force =
+                stuck.count * flat.at + (flat.x * stuck.x + flat.y * stuck.y) + k_t * anchor[0];
+            let by_x =
+                flat.at * stuck.x + (flat.x * stuck.xx + flat.y * stuck.xy) + k_t * anchor[1];
+            let by_y =
+                flat.at * stuck.y + (flat.x * stuck.xy + flat.y * stuck.yy) + k_t * anchor[2];
             (force, [by_x, by_y, self.z * force])
         };
-        let anchors = [0, 1].map(|axis| [stuck.anchor[axis], stuck.x_anchor[axis], stuck.y_anchor[axis]]);
-        let sums = [of(pulled(0, k_t), anchors[0]), of(pulled(1, k_t), anchors[1]), of(up, [0.0; 3])];
+        let anchors = [0, 1].map(|axis| {
+            [
+                stuck.anchor[axis],
+                stuck.x_anchor[axis],
+                stuck.y_anchor[axis],
+            ]
+        });
+        let sums = [
+            of(pulled(0, k_t), anchors[0]),
+            of(pulled(1, k_t), anchors[1]),
+            of(up, [0.0; 3]),
+        ];
         // Σ f (Qp)ᵀ.
         let [x, y, z] = sums.map(|(_, by_place)| turned(&pose.shift, &by_place));
         let Flat { at, x: rx, y: ry } = rising;
@@ -156,7 +188,8 @@ impl<'a> Feet<'a> {
         Push {
             force: sums.map(|(force, _)| force),
             torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
-            dissipated_w: c * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),
+            dissipated_w: c
+                * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),
         }
     }
 
@@ -175,13 +208,23 @@ impl<'a> Feet<'a> {
         mut least: f64,
         of: impl Fn(usize) -> f64,
     ) -> f64 {
-        let (right, back, up) = (self.place(pose, 0), self.place(pose, 1), self.place(pose, 2));
+        let (right, back, up) = (
+            self.place(pose, 0),
+            self.place(pose, 1),
+            self.place(pose, 2),
+        );
         let rising = self.rising(pose);
         for (index, (&point, grip)) in self.points.iter().zip(grips).enumerate() {
             let height = up.of(point);
             let margin = match (*grip, self.linear) {
                 (Grip::Gone, _) => continue,
-                (Grip::Open { since_s, compression_m }, _) => {
+                (
+                    Grip::Open {
+                        since_s,
+                        compression_m,
+                    },
+                    _,
+                ) => {
                     // A surface that still recovers is no lower than the unloaded cushion.
                     if height / self.unit_m >= least {
                         continue;
@@ -190,7 +233,9 @@ impl<'a> Feet<'a> {
                 }
                 (Grip::Stick { anchor }, Some([k, c])) => {
                     let normal_n = -(k * height + c * rising.of(point));
-                    let pushes = self.pad.pushes(-height, normal_n, (self.unit_m, self.weight_n));
+                    let pushes = self
+                        .pad
+                        .pushes(-height, normal_n, (self.unit_m, self.weight_n));
                     match self.friction {
                         None => pushes,
                         Some(friction) => {
@@ -209,7 +254,11 @@ impl<'a> Feet<'a> {
 
     /// Energy in the springs; those of feet that slip are counted with the slip.
     pub(super) fn stored_j(&self, grips: &[Grip], pose: &Pose) -> f64 {
-        let (right, back, up) = (self.place(pose, 0), self.place(pose, 1), self.place(pose, 2));
+        let (right, back, up) = (
+            self.place(pose, 0),
+            self.place(pose, 1),
+            self.place(pose, 2),
+        );
         let of = |(&point, grip): (&[f64; 2], &Grip)| {
             let sheared_j = match grip {
                 Grip::Open { .. } | Grip::Gone => return 0.0,

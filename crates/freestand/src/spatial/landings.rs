@@ -38,7 +38,11 @@ pub(super) struct Landings {
 
 impl Landings {
     pub(super) fn new(elements: usize) -> Self {
-        Self { pulses: vec![None; elements], hardest_m_s2: 0.0, found: BaseLandings::default() }
+        Self {
+            pulses: vec![None; elements],
+            hardest_m_s2: 0.0,
+            found: BaseLandings::default(),
+        }
     }
 
     /// Evaluates a step.
@@ -52,11 +56,13 @@ impl Landings {
             }
             let [from, to] = ends.map(|poses| world.compression(element, &poses));
             if from.max(to) > self.found.peak_compression_m {
-                let press = |share: f64| world.compression(element, &world.poses(&seen.state(share)));
+                let press =
+                    |share: f64| world.compression(element, &world.poses(&seen.state(share)));
                 raise(&mut self.found.peak_compression_m, press);
             }
             let up_of = |time_s: f64, poses: &Poses, rates: &State| {
-                line.at(time_s)[2] - world.pressing(element, &world.foot(element, poses), poses, rates)
+                line.at(time_s)[2]
+                    - world.pressing(element, &world.foot(element, poses), poses, rates)
             };
             let end_s = step.start_s + step.length_s;
             let before = up_of(step.start_s, &ends[0], &step.start_rates);
@@ -66,19 +72,27 @@ impl Landings {
                 1.0 => now,
                 _ => {
                     let (y, time_s) = (seen.state(share), step.start_s + share * step.length_s);
-                    up_of(time_s, &world.poses(&y), &world.rates(seen.grips, line, time_s, &y))
+                    up_of(
+                        time_s,
+                        &world.poses(&y),
+                        &world.rates(seen.grips, line, time_s, &y),
+                    )
                 }
             };
             let known_m_s2 = self.found.peak_acceleration_m_s2;
             raise(&mut self.found.peak_acceleration_m_s2, up);
-            let Some(pulse) = &mut self.pulses[index] else { continue };
+            let Some(pulse) = &mut self.pulses[index] else {
+                continue;
+            };
             // Of a pulse that is not the hardest so far the ends of steps will do.
             let top_m_s2 = self.found.peak_acceleration_m_s2;
             let inner_m_s2 = if top_m_s2 > known_m_s2 { top_m_s2 } else { 0.0 };
             pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now).max(inner_m_s2);
             if before > 0.0 && now <= 0.0 {
                 let share = before / (before - now);
-                let rate_m_s = world.foot(element, &world.poses(&seen.state(share))).compression_rate;
+                let rate_m_s = world
+                    .foot(element, &world.poses(&seen.state(share)))
+                    .compression_rate;
                 self.leave(index, step.start_s + share * step.length_s, rate_m_s);
             }
         }
@@ -86,12 +100,18 @@ impl Landings {
 
     /// A point of the base touches the floor at this speed.
     pub(super) fn touch(&mut self, index: usize, start_s: f64, speed_m_s: f64) {
-        self.pulses[index] = Some(Pulse { start_s, speed_m_s, peak_m_s2: 0.0 });
+        self.pulses[index] = Some(Pulse {
+            start_s,
+            speed_m_s,
+            peak_m_s2: 0.0,
+        });
     }
 
     /// The pulse of an element, if there is one, ends with its cushion pressed at this rate.
     pub(super) fn leave(&mut self, index: usize, time_s: f64, rate_m_s: f64) {
-        let Some(pulse) = self.pulses[index].take() else { return };
+        let Some(pulse) = self.pulses[index].take() else {
+            return;
+        };
         let change = pulse.speed_m_s + (-rate_m_s).max(0.0);
         self.found.velocity_change_m_s = self.found.velocity_change_m_s.max(change);
         if pulse.peak_m_s2 > self.hardest_m_s2 {

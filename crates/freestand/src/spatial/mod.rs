@@ -50,8 +50,8 @@ use self::solve::{Ended, follow};
 use self::track::{Seen, tilts, yaw};
 use crate::compliant::pad::Pad;
 use crate::compliant::{
-    ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide, EnergyAudit, not_negative,
-    positive, tangential_ratio,
+    ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide,
+    EnergyAudit, not_negative, positive, tangential_ratio,
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
@@ -97,9 +97,19 @@ impl Shape {
     /// Sizes along x, y and z \[m\].
     pub fn sizes_m(&self) -> [f64; 3] {
         match *self {
-            Self::Prism { thickness_m, width_m, height_m } => [thickness_m, width_m, height_m],
-            Self::Cylinder { diameter_m, height_m } => [diameter_m, diameter_m, height_m],
-            Self::Plane { thickness_m, height_m } => [thickness_m, thickness_m, height_m],
+            Self::Prism {
+                thickness_m,
+                width_m,
+                height_m,
+            } => [thickness_m, width_m, height_m],
+            Self::Cylinder {
+                diameter_m,
+                height_m,
+            } => [diameter_m, diameter_m, height_m],
+            Self::Plane {
+                thickness_m,
+                height_m,
+            } => [thickness_m, thickness_m, height_m],
         }
     }
 
@@ -130,7 +140,9 @@ impl Shape {
             Self::Plane { .. } => vec![[-x, 0.0], [x, 0.0]],
             Self::Cylinder { .. } => {
                 let angle = |index: usize| TAU * index as f64 / RIM_POINTS as f64;
-                (0..RIM_POINTS).map(|index| [x * angle(index).cos(), x * angle(index).sin()]).collect()
+                (0..RIM_POINTS)
+                    .map(|index| [x * angle(index).cos(), x * angle(index).sin()])
+                    .collect()
             }
         }
     }
@@ -150,19 +162,31 @@ pub struct Support {
 impl Support {
     /// This cushion under each of two edges, without slip.
     pub fn new(cushion: Cushion) -> Self {
-        Self { cushion, tangential_stiffness_ratio: ASSUMED_TANGENTIAL_RATIO, friction_ratio: None }
+        Self {
+            cushion,
+            tangential_stiffness_ratio: ASSUMED_TANGENTIAL_RATIO,
+            friction_ratio: None,
+        }
     }
 
     fn check(&self) -> Result<(), CompliantError> {
         tangential_ratio(self.tangential_stiffness_ratio)?;
-        self.friction_ratio.map_or(Ok(()), |friction| not_negative("friction", friction))
+        self.friction_ratio
+            .map_or(Ok(()), |friction| not_negative("friction", friction))
     }
 
     /// An element at `point` of `point_of` on a horizontal face that looks upward, with this share
     /// of the cushion of one edge, under a weight on two edges.
-    fn element(&self, (point_of, point): (usize, [f64; 3]), share: f64, weight_n: f64, slot: usize) -> Element<'_> {
+    fn element(
+        &self,
+        (point_of, point): (usize, [f64; 3]),
+        share: f64,
+        weight_n: f64,
+        slot: usize,
+    ) -> Element<'_> {
         let unit_m = self.cushion.static_compression_m(0.5 * weight_n);
-        let stiffness = share * self.tangential_stiffness_ratio * self.cushion.tangent_stiffness_n_m(unit_m);
+        let stiffness =
+            share * self.tangential_stiffness_ratio * self.cushion.tangent_stiffness_n_m(unit_m);
         // Without friction there is no tangential force at all.
         let (tangential_stiffness, friction) = match self.friction_ratio {
             Some(0.0) => (0.0, None),
@@ -176,7 +200,10 @@ impl Support {
             sign: 1.0,
             gap: 0.0,
             end: None,
-            pad: Pad { cushion: &self.cushion, share },
+            pad: Pad {
+                cushion: &self.cushion,
+                share,
+            },
             tangential_stiffness,
             friction,
             slot,
@@ -274,15 +301,30 @@ impl SpatialOptions {
         let tolerance = self.accuracy.tolerance();
         if !(1e-13..=1e-2).contains(&tolerance) {
             let requirement = "between 1e-13 and 1e-2";
-            return Err(CompliantError::Value { name: "accuracy", requirement, value: tolerance });
+            return Err(CompliantError::Value {
+                name: "accuracy",
+                requirement,
+                value: tolerance,
+            });
         }
-        if let SpatialStart::Released { tilt_rad, toward_rad, omega_rad_s } = self.start {
+        if let SpatialStart::Released {
+            tilt_rad,
+            toward_rad,
+            omega_rad_s,
+        } = self.start
+        {
             if tilt_rad.is_nan() || tilt_rad.abs() >= FRAC_PI_2 {
                 let requirement = "within ±π/2";
-                return Err(CompliantError::Value { name: "initial tilt", requirement, value: tilt_rad });
+                return Err(CompliantError::Value {
+                    name: "initial tilt",
+                    requirement,
+                    value: tilt_rad,
+                });
             }
             not_negative("direction of the initial tilt", toward_rad.abs())?;
-            omega_rad_s.iter().try_for_each(|omega| not_negative("initial angular speed", omega.abs()))?;
+            omega_rad_s
+                .iter()
+                .try_for_each(|omega| not_negative("initial angular speed", omega.abs()))?;
         }
         Ok(())
     }
@@ -356,7 +398,12 @@ impl SpatialPiece<'_, '_> {
 
     /// Where a point of a body is at a share of the step, in floor axes from the point below the
     /// centre of its base at rest; the point is given from the centre of the base, upright \[m\].
-    pub fn place_m(&self, body: usize, from_base_m: [f64; 3], share_ratio: f64) -> Option<[f64; 3]> {
+    pub fn place_m(
+        &self,
+        body: usize,
+        from_base_m: [f64; 3],
+        share_ratio: f64,
+    ) -> Option<[f64; 3]> {
         let rigid = self.seen.world.bodies.get(body)?;
         let poses = self.seen.world.poses(&self.seen.state(share_ratio));
         let [x, y, z] = from_base_m;
@@ -439,26 +486,59 @@ pub fn rock_spatial_observed(
             object.stands(&world)?;
             (rest, true)
         }
-        SpatialStart::Released { tilt_rad, toward_rad, omega_rad_s } => {
-            (world.released(vector::tilted(tilt_rad, toward_rad), omega_rad_s), false)
-        }
+        SpatialStart::Released {
+            tilt_rad,
+            toward_rad,
+            omega_rad_s,
+        } => (
+            world.released(vector::tilted(tilt_rad, toward_rad), omega_rad_s),
+            false,
+        ),
     };
     let poses = world.poses(&start);
-    let walls = world.elements.iter().filter(|element| element.role == Role::Wall);
+    let walls = world
+        .elements
+        .iter()
+        .filter(|element| element.role == Role::Wall);
     // Rounding presses an object that touches by some 1e-16 m.
-    if !is_at_rest && walls.into_iter().any(|wall| world.foot(wall, &poses).compression > 1e-12) {
+    if !is_at_rest
+        && walls
+            .into_iter()
+            .any(|wall| world.foot(wall, &poses).compression > 1e-12)
+    {
         return Err(CompliantError::BeyondWall);
     }
-    let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
-    let Ended { end_time_s, bodies, track, is_open, energy, effort, .. } = ended;
-    let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
+    let ended = follow(
+        &world,
+        [motion.x, motion.y, motion.vertical],
+        options,
+        (&start, is_at_rest),
+        &mut observe,
+    )?;
+    let Ended {
+        end_time_s,
+        bodies,
+        track,
+        is_open,
+        energy,
+        effort,
+        ..
+    } = ended;
+    let Some(&body) = bodies.first() else {
+        return Err(CompliantError::NotFinite { time_s: end_time_s });
+    };
     // Past its balance point and not fallen, it is held by a wall.
     let balance_rad = object.shape.uplift_thresholds()[0].atan();
     let leans = body.outcome == Outcome::Rocked
         && track.wall_contacts > 0
         && object.walls.iter().any(|wall| {
             let tilt_rad = body.final_tilt_x_rad;
-            balance_rad <= if wall.side == EdgeSide::Left { -tilt_rad } else { tilt_rad }
+            balance_rad
+                <= if wall.side == EdgeSide::Left {
+                    -tilt_rad
+                } else {
+                    tilt_rad
+                }
         });
     let outcome = match body.outcome {
         Outcome::Rocked if leans => Outcome::Leaned,
@@ -484,17 +564,28 @@ impl SpatialObject {
     fn check(&self) -> Result<(), CompliantError> {
         positive("mass", self.mass_kg)?;
         let names = ["thickness", "width", "height"];
-        names.into_iter().zip(self.shape.sizes_m()).try_for_each(|(name, size)| positive(name, size))?;
+        names
+            .into_iter()
+            .zip(self.shape.sizes_m())
+            .try_for_each(|(name, size)| positive(name, size))?;
         self.support.check()?;
         for wall in &self.walls {
             not_negative("gap to a wall", wall.gap_m)?;
             if wall.height_m.is_nan() || wall.height_m <= 0.0 {
                 let requirement = "positive";
-                return Err(CompliantError::Value { name: "height of a wall", requirement, value: wall.height_m });
+                return Err(CompliantError::Value {
+                    name: "height of a wall",
+                    requirement,
+                    value: wall.height_m,
+                });
             }
             if let Shape::Cylinder { diameter_m, .. } = self.shape {
                 let requirement = "that of a prism: a cylinder at a wall is not modelled";
-                return Err(CompliantError::Value { name: "shape at a wall", requirement, value: diameter_m });
+                return Err(CompliantError::Value {
+                    name: "shape at a wall",
+                    requirement,
+                    value: diameter_m,
+                });
             }
         }
         Ok(())
@@ -512,8 +603,10 @@ impl SpatialObject {
         let feet = self.shape.feet_m();
         let share = 2.0 / feet.len() as f64;
         let weight_n = mass * gravity;
-        let foot =
-            |(slot, &[x, y]): (usize, &[f64; 2])| self.support.element((0, [x, y, -cg_height]), share, weight_n, slot);
+        let foot = |(slot, &[x, y]): (usize, &[f64; 2])| {
+            self.support
+                .element((0, [x, y, -cg_height]), share, weight_n, slot)
+        };
         let mut elements: Vec<Element<'_>> = feet.iter().enumerate().map(foot).collect();
         for wall in &self.walls {
             let cushion = wall.cushion.as_ref().unwrap_or(&self.support.cushion);
@@ -533,51 +626,91 @@ impl SpatialObject {
                     normal: 0,
                     sign: -out,
                     gap: wall.gap_m,
-                    pad: Pad { cushion, share: 1.0 / ends.len() as f64 },
+                    pad: Pad {
+                        cushion,
+                        share: 1.0 / ends.len() as f64,
+                    },
                     tangential_stiffness: 0.0,
                     friction: None,
                     slot: 0,
                     unit_m: cushion.static_compression_m(0.5 * weight_n),
                     role: Role::Wall,
-                    ..self.support.element((0, [0.5 * out * x, *y, cg_height]), share, weight_n, 0)
+                    ..self
+                        .support
+                        .element((0, [0.5 * out * x, *y, cg_height]), share, weight_n, 0)
                 };
                 elements.push(if is_low {
                     // The top of the wall on the face of the object.
                     let point = [out * (0.5 * x + wall.gap_m), *y, wall.height_m];
                     let end = Some((2, cg_height));
-                    Element { point_of: None, point, face_of: Some(0), sign: out, end, ..on_face }
+                    Element {
+                        point_of: None,
+                        point,
+                        face_of: Some(0),
+                        sign: out,
+                        end,
+                        ..on_face
+                    }
                 } else {
                     on_face
                 });
             }
         }
         let is_planar = matches!(self.shape, Shape::Plane { .. });
-        let feet = elements.first().filter(|_| !is_planar).map(|one| Feet::new(feet, -cg_height, one));
-        World { feet, ..World::new(vec![body], elements, gravity, is_planar) }
+        let feet = elements
+            .first()
+            .filter(|_| !is_planar)
+            .map(|one| Feet::new(feet, -cg_height, one));
+        World {
+            feet,
+            ..World::new(vec![body], elements, gravity, is_planar)
+        }
     }
 
     /// Returns an error if the cushions do not keep the object upright.
     fn stands(&self, world: &World<'_>) -> Result<(), CompliantError> {
         let needed_n_m = self.mass_kg * world.gravity * 0.5 * self.shape.sizes_m()[2];
-        let axes: &[usize] = if matches!(self.shape, Shape::Plane { .. }) { &[0] } else { &[0, 1] };
-        let stiffness_n_m = axes.iter().map(|&axis| world.righting_n_m(Role::Base, axis)).fold(f64::INFINITY, f64::min);
-        if stiffness_n_m > needed_n_m { Ok(()) } else { Err(CompliantError::Unstable { stiffness_n_m, needed_n_m }) }
+        let axes: &[usize] = if matches!(self.shape, Shape::Plane { .. }) {
+            &[0]
+        } else {
+            &[0, 1]
+        };
+        let stiffness_n_m = axes
+            .iter()
+            .map(|&axis| world.righting_n_m(Role::Base, axis))
+            .fold(f64::INFINITY, f64::min);
+        if stiffness_n_m > needed_n_m {
+            Ok(())
+        } else {
+            Err(CompliantError::Unstable {
+                stiffness_n_m,
+                needed_n_m,
+            })
+        }
     }
 }
 
 impl World<'_> {
     /// The compression of the cushions of one role under the weight of `units` (two edges).
     fn sunk_m(&self, role: Role) -> f64 {
-        self.elements.iter().find(|element| element.role == role).map_or(0.0, |element| element.unit_m)
+        self.elements
+            .iter()
+            .find(|element| element.role == role)
+            .map_or(0.0, |element| element.unit_m)
     }
 
     /// Rotational stiffness of the cushions of one role under the weight on them: Σ k x² \[N m/rad\].
     fn righting_n_m(&self, role: Role, axis: usize) -> f64 {
         let of = |element: &Element<'_>| {
-            let slope = element.pad.share * element.pad.cushion.tangent_stiffness_n_m(element.unit_m);
+            let slope =
+                element.pad.share * element.pad.cushion.tangent_stiffness_n_m(element.unit_m);
             slope * element.point[axis].powi(2)
         };
-        self.elements.iter().filter(|element| element.role == role).map(of).sum()
+        self.elements
+            .iter()
+            .filter(|element| element.role == role)
+            .map(of)
+            .sum()
     }
 
     /// At rest: each body as far down as the cushions under it are compressed.
@@ -598,7 +731,11 @@ impl World<'_> {
         y[TURN..SPIN].copy_from_slice(&turn);
         let shift = vector::shift(&turn);
         y[SPIN..SPIN + 3].copy_from_slice(&vector::turned_back(&shift, &omega));
-        let base = || self.elements.iter().filter(|element| element.role == Role::Base);
+        let base = || {
+            self.elements
+                .iter()
+                .filter(|element| element.role == Role::Base)
+        };
         let poses = self.poses(&y);
         let compression = |element: &Element<'_>| self.compression(element, &poses);
         let lowest = base().max_by(|a, b| compression(a).total_cmp(&compression(b)));
@@ -606,10 +743,19 @@ impl World<'_> {
         let top = compression(lowest);
         // Below its unloaded cushion by d, the lowest point carries at most the weight.
         let force = |d: f64| {
-            base().map(|element| element.pad.push((compression(element) - top + d).max(0.0), 0.0)).sum::<f64>()
+            base()
+                .map(|element| {
+                    element
+                        .pad
+                        .push((compression(element) - top + d).max(0.0), 0.0)
+                })
+                .sum::<f64>()
         };
         let weight_n = self.bodies[0].mass * self.gravity;
-        let most_m = lowest.pad.cushion.static_compression_m(weight_n / lowest.pad.share);
+        let most_m = lowest
+            .pad
+            .cushion
+            .static_compression_m(weight_n / lowest.pad.share);
         let d = bisect(0.0, most_m, |d| force(d) >= weight_n);
         y[PLACE + 2] = top - d;
         // The lowest point is where it is when the body is upright.

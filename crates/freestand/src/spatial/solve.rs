@@ -1,7 +1,8 @@
 //! The solver: it follows the bodies from step to step and from event to event.
 
 use super::equation::{
-    BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World,
+    BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY,
+    World,
 };
 use super::track::{BodyMotion, Seen, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
@@ -104,12 +105,21 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let unit_s = world.unit_s;
         let poses = world.poses(start);
         let grips = grips_at(world, &poses);
-        let rest_j = world.elements.iter().filter(|element| element.role != Role::Wall);
-        let rest_j = rest_j.map(|element| 0.5 * element.weight_n * element.unit_m).fold(0.0, f64::max);
+        let rest_j = world
+            .elements
+            .iter()
+            .filter(|element| element.role != Role::Wall);
+        let rest_j = rest_j
+            .map(|element| 0.5 * element.weight_n * element.unit_m)
+            .fold(0.0, f64::max);
         let mut solver = Self {
             world,
             lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
-            kinks_m: world.elements.iter().map(|element| element.pad.cushion.law().kinks_m()).collect(),
+            kinks_m: world
+                .elements
+                .iter()
+                .map(|element| element.pad.cushion.law().kinks_m())
+                .collect(),
             y: *start,
             poses,
             rates: *start,
@@ -147,7 +157,10 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 self.time_s = until_s;
             }
             if self.effort.steps > MAX_STEPS {
-                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
+                return Err(CompliantError::TooManySteps {
+                    time_s: self.time_s,
+                    limit: MAX_STEPS,
+                });
             }
         }
         if self.fallen.is_none() && !self.tail.is_over {
@@ -158,9 +171,14 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 
     /// The step of this length from the present state.
     fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
-        let scales = Scales { len: self.world.len(), sizes: &self.sizes, tolerance: self.tolerance };
+        let scales = Scales {
+            len: self.world.len(),
+            sizes: &self.sizes,
+            tolerance: self.tolerance,
+        };
         let rates = |time_s: f64, y: &State, rates: &mut State| {
-            self.world.enter_rates(&self.grips, line, (time_s, y), rates);
+            self.world
+                .enter_rates(&self.grips, line, (time_s, y), rates);
         };
         Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
@@ -171,7 +189,12 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let mut effort = self.effort;
         let take = |length_s: f64| self.take(line, length_s);
         let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
-        let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
+        let (mut step, grow) = accurate(
+            (self.time_s, self.try_s, rest_s),
+            self.unit_s,
+            take,
+            &mut effort,
+        )?;
         let event = first_event(&step, margin);
         if let Some(share) = event {
             let share = nearer(&step, share, NEAR * self.tolerance, margin);
@@ -183,10 +206,20 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         Ok((step, grow, event.is_some()))
     }
 
-    fn accept(&mut self, line: &Line, step: &Step<LEN>, has_event: bool) -> Result<(), CompliantError> {
+    fn accept(
+        &mut self,
+        line: &Line,
+        step: &Step<LEN>,
+        has_event: bool,
+    ) -> Result<(), CompliantError> {
         self.effort.steps += 1;
         let ends = [self.poses, self.world.poses(&step.end)];
-        let seen = Seen { world: self.world, grips: &self.grips, step, ends: &ends };
+        let seen = Seen {
+            world: self.world,
+            grips: &self.grips,
+            step,
+            ends: &ends,
+        };
         self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
         (self.y, self.rates) = (step.end, step.end_rates);
@@ -199,7 +232,9 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let poses = self.world.poses(&self.y);
         self.poses = poses;
         if !poses[0].place[2].is_finite() {
-            return Err(CompliantError::NotFinite { time_s: self.time_s });
+            return Err(CompliantError::NotFinite {
+                time_s: self.time_s,
+            });
         }
         if has_event {
             let mut changed = false;
@@ -214,11 +249,18 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 self.grips.sort(self.world);
                 self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
             }
-            if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].upright() <= 0.0) {
-                self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: false });
+            if let Some(body) =
+                (0..self.world.bodies.len()).find(|&body| poses[body].upright() <= 0.0)
+            {
+                self.fallen = Some(Fallen {
+                    body,
+                    time_s: self.time_s,
+                    slid_off: false,
+                });
             }
         }
-        self.ledger.enter(&self.world.energies(self.grips.each(), &self.y, &poses));
+        self.ledger
+            .enter(&self.world.energies(self.grips.each(), &self.y, &poses));
         self.tail.step(self.time_s, &self.ledger, self.is_held());
         Ok(())
     }
@@ -232,22 +274,41 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     /// How far an element is from its next event, of the order of 1; negative past it.
-    fn margin(&self, index: usize, time_s: f64, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
+    fn margin(
+        &self,
+        index: usize,
+        time_s: f64,
+        poses: &Poses,
+        (y, rates): (&State, Option<&State>),
+    ) -> f64 {
         let (element, grip) = (&self.world.elements[index], self.grips.each()[index]);
         if grip == Grip::Gone {
             return 1.0;
         }
-        if let Grip::Open { since_s, compression_m } = grip {
+        if let Grip::Open {
+            since_s,
+            compression_m,
+        } = grip
+        {
             let surface_m = element.pad.surface(since_s, compression_m, time_s);
             return (surface_m - self.world.compression(element, poses)) / element.unit_m;
         }
         let foot = self.world.foot(element, poses);
         let load = self.world.load(element, grip, &foot, y);
-        let pushes = element.pad.pushes(foot.compression, load.normal, (element.unit_m, element.weight_n));
+        let pushes = element.pad.pushes(
+            foot.compression,
+            load.normal,
+            (element.unit_m, element.weight_n),
+        );
         let (low, high) = self.lines[index];
-        let between = (foot.compression - low).min(high - foot.compression).min(foot.to_end) / element.unit_m;
+        let between = (foot.compression - low)
+            .min(high - foot.compression)
+            .min(foot.to_end)
+            / element.unit_m;
         let margin = pushes.min(between);
-        let Some(friction) = element.friction else { return margin };
+        let Some(friction) = element.friction else {
+            return margin;
+        };
         if grip == Grip::Slip {
             let slipping = self.world.slipping(element, poses, (&foot, &load), rates);
             margin.min(slipping * self.unit_s / element.unit_m)
@@ -268,10 +329,15 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let poses = self.world.poses(y);
         let rates = self.rates_of_slip(line, time_s, y);
         let of = |index: usize| self.margin(index, time_s, &poses, (y, rates.as_ref()));
-        let bodies = poses.iter().take(self.world.bodies.len()).map(|pose| pose.upright());
+        let bodies = poses
+            .iter()
+            .take(self.world.bodies.len())
+            .map(|pose| pose.upright());
         let others = (self.world.feet()..self.world.elements.len()).map(of);
         let least = bodies.chain(others).fold(f64::INFINITY, f64::min);
-        let Some(feet) = &self.world.feet else { return least };
+        let Some(feet) = &self.world.feet else {
+            return least;
+        };
         feet.margin(self.grips.each(), (time_s, &poses[0]), least, of)
     }
 
@@ -306,15 +372,25 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn touch(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
         self.ledger.lose(-element.pad.pressed_j(foot.compression));
-        self.grips.set(index, Grip::Stick { anchor: foot.on_face });
+        self.grips.set(
+            index,
+            Grip::Stick {
+                anchor: foot.on_face,
+            },
+        );
         self.place_between_kinks(index);
-        self.track.touch(index, element.role, self.time_s, foot.compression_rate);
-        let Some(friction) = element.friction else { return };
+        self.track
+            .touch(index, element.role, self.time_s, foot.compression_rate);
+        let Some(friction) = element.friction else {
+            return;
+        };
         let normal_n = element.pad.push(foot.compression, foot.compression_rate);
         // The spring is not stretched yet. At the first contact without dashpots both forces are
         // zero, and their rates decide.
         if normal_n <= TOUCHING * element.weight_n {
-            let rate = element.pad.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
+            let rate = element
+                .pad
+                .push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
             let speed = length(foot.sliding);
             if element.tangential_stiffness * speed > friction * rate {
                 self.grips.set(index, Grip::Slip);
@@ -326,13 +402,24 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     /// Ends a contact; the energy in its springs is lost to the bodies.
     fn leave(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
-        self.track.landings.leave(index, self.time_s, foot.compression_rate);
-        let sheared_j = self.world.sheared_j(element, self.grips.each()[index], foot, &self.y);
+        self.track
+            .landings
+            .leave(index, self.time_s, foot.compression_rate);
+        let sheared_j = self
+            .world
+            .sheared_j(element, self.grips.each()[index], foot, &self.y);
         if self.grips.each()[index] == Grip::Slip {
             self.y[self.world.behind() + SLIP] -= sheared_j;
         }
-        self.ledger.lose(element.pad.pressed_j(foot.compression) + sheared_j);
-        self.grips.set(index, Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) });
+        self.ledger
+            .lose(element.pad.pressed_j(foot.compression) + sheared_j);
+        self.grips.set(
+            index,
+            Grip::Open {
+                since_s: self.time_s,
+                compression_m: foot.compression.max(0.0),
+            },
+        );
     }
 
     /// The point of an element has passed the end of the face; a body without any other support
@@ -340,10 +427,19 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn lose(&mut self, index: usize) {
         self.grips.set(index, Grip::Gone);
         let role = self.world.elements[index].role;
-        let same = self.world.elements.iter().zip(self.grips.each()).filter(|(element, _)| element.role == role);
+        let same = self
+            .world
+            .elements
+            .iter()
+            .zip(self.grips.each())
+            .filter(|(element, _)| element.role == role);
         if role == Role::Interface && same.into_iter().all(|(_, grip)| *grip == Grip::Gone) {
             let body = self.world.bodies.len() - 1;
-            self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: true });
+            self.fallen = Some(Fallen {
+                body,
+                time_s: self.time_s,
+                slid_off: true,
+            });
         }
     }
 
@@ -356,7 +452,12 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         if grip == Grip::Slip {
             self.y[slip] -= sheared_j;
             let k = element.tangential_stiffness;
-            self.grips.set(index, Grip::Stick { anchor: [foot.on_face[0] + a / k, foot.on_face[1] + b / k] });
+            self.grips.set(
+                index,
+                Grip::Stick {
+                    anchor: [foot.on_face[0] + a / k, foot.on_face[1] + b / k],
+                },
+            );
         } else {
             self.y[slip] += sheared_j;
             self.y[self.world.direction(element)] = (-b).atan2(-a);
@@ -365,7 +466,9 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     fn place_between_kinks(&mut self, index: usize) {
-        let foot = self.world.foot(&self.world.elements[index], &self.world.poses(&self.y));
+        let foot = self
+            .world
+            .foot(&self.world.elements[index], &self.world.poses(&self.y));
         self.lines[index] = between_kinks(&self.kinks_m[index], foot.compression);
     }
 
@@ -387,7 +490,13 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 fn grips_at(world: &World<'_>, poses: &Poses) -> Vec<Grip> {
     let grip = |element| {
         let foot = world.foot(element, poses);
-        if foot.compression > 0.0 { Grip::Stick { anchor: foot.on_face } } else { Grip::UNTOUCHED }
+        if foot.compression > 0.0 {
+            Grip::Stick {
+                anchor: foot.on_face,
+            }
+        } else {
+            Grip::UNTOUCHED
+        }
     };
     world.elements.iter().map(grip).collect()
 }
@@ -399,12 +508,28 @@ fn tail(world: &World<'_>, rest_j: f64, ends: bool) -> Tail {
     let poses = world.poses(&rest);
     let stands = world.energies(&grips_at(world, &poses), &rest, &poses);
     let balance_j = world.bodies.iter().enumerate().map(|(index, body)| {
-        let own = world.elements.iter().filter(|one| one.role != Role::Wall && one.point_of == Some(index));
-        let reach = |axis: usize| own.clone().map(|one| one.point[axis].abs()).fold(0.0, f64::max);
-        let nearest = [0, 1].map(reach).into_iter().filter(|reach| *reach > 0.0).fold(f64::INFINITY, f64::min);
+        let own = world
+            .elements
+            .iter()
+            .filter(|one| one.role != Role::Wall && one.point_of == Some(index));
+        let reach = |axis: usize| {
+            own.clone()
+                .map(|one| one.point[axis].abs())
+                .fold(0.0, f64::max)
+        };
+        let nearest = [0, 1]
+            .map(reach)
+            .into_iter()
+            .filter(|reach| *reach > 0.0)
+            .fold(f64::INFINITY, f64::min);
         body.mass * world.gravity * (nearest.hypot(body.cg_height) - body.cg_height)
     });
-    Tail::new(rest_j, stands.potential_j + stands.stored_j, balance_j.fold(f64::INFINITY, f64::min), ends)
+    Tail::new(
+        rest_j,
+        stands.potential_j + stands.stored_j,
+        balance_j.fold(f64::INFINITY, f64::min),
+        ends,
+    )
 }
 
 fn length([a, b]: [f64; 2]) -> f64 {
@@ -421,8 +546,12 @@ fn sizes(world: &World<'_>, unit_s: f64) -> State {
             element.role != Role::Wall && [element.point_of, element.face_of].contains(&Some(index))
         };
         let elements = || world.elements.iter().filter(own);
-        let unit_m = elements().map(|element| element.unit_m).fold(f64::INFINITY, f64::min);
-        let reach = elements().flat_map(|element| [element.point[0].abs(), element.point[1].abs()]).fold(0.0, f64::max);
+        let unit_m = elements()
+            .map(|element| element.unit_m)
+            .fold(f64::INFINITY, f64::min);
+        let reach = elements()
+            .flat_map(|element| [element.point[0].abs(), element.point[1].abs()])
+            .fold(0.0, f64::max);
         let width = 2.0 * reach;
         most_j = most_j.max(body.mass * world.gravity * unit_m);
         for axis in 0..3 {

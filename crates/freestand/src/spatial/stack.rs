@@ -88,10 +88,18 @@ impl StackBody {
     }
 
     fn rigid(&self, base_m: f64) -> Rigid {
-        let shape = Shape::Plane { thickness_m: self.thickness_m, height_m: self.height_m };
+        let shape = Shape::Plane {
+            thickness_m: self.thickness_m,
+            height_m: self.height_m,
+        };
         let cg_height = 0.5 * self.height_m;
         let inertia = shape.gyration_m2().map(|square| self.mass_kg * square);
-        Rigid { mass: self.mass_kg, inertia, home: [0.0, 0.0, base_m + cg_height], cg_height }
+        Rigid {
+            mass: self.mass_kg,
+            inertia,
+            home: [0.0, 0.0, base_m + cg_height],
+            cg_height,
+        }
     }
 }
 
@@ -106,7 +114,8 @@ impl Stack {
     /// gravity: (m₁ + m₂)B₁/[m₁H₁ + m₂(2H₁ + h₂)].
     pub fn threshold_together(&self) -> f64 {
         let (lower, upper) = (&self.lower, &self.upper);
-        let moment = lower.mass_kg * lower.height_m + upper.mass_kg * (2.0 * lower.height_m + upper.height_m);
+        let moment = lower.mass_kg * lower.height_m
+            + upper.mass_kg * (2.0 * lower.height_m + upper.height_m);
         (lower.mass_kg + upper.mass_kg) * lower.thickness_m / moment
     }
 
@@ -133,8 +142,11 @@ impl Stack {
         let upper_is_narrow = upper.thickness_m <= lower.thickness_m;
         for side in [-1.0, 1.0] {
             let x = side * contact_m;
-            let (point, face_of, sign) =
-                if upper_is_narrow { ((1, [x, 0.0, -half_m[1]]), 0, 1.0) } else { ((0, [x, 0.0, half_m[0]]), 1, -1.0) };
+            let (point, face_of, sign) = if upper_is_narrow {
+                ((1, [x, 0.0, -half_m[1]]), 0, 1.0)
+            } else {
+                ((0, [x, 0.0, half_m[0]]), 1, -1.0)
+            };
             let face_m = 0.5 * upper.thickness_m.max(lower.thickness_m) + OVERHANG * contact_m;
             elements.push(Element {
                 face_of: Some(face_of),
@@ -158,12 +170,18 @@ impl Stack {
         let upper_needs = world.gravity * 0.5 * upper.height_m * upper.mass_kg;
         let (first, second) = (base + between - lower_needs, between - upper_needs);
         if second <= 0.0 {
-            return Err(CompliantError::Unstable { stiffness_n_m: between, needed_n_m: upper_needs });
+            return Err(CompliantError::Unstable {
+                stiffness_n_m: between,
+                needed_n_m: upper_needs,
+            });
         }
         if first * second <= between * between {
             // What the base would need for both.
             let needed_n_m = lower_needs + between * upper_needs / second;
-            return Err(CompliantError::Unstable { stiffness_n_m: base, needed_n_m });
+            return Err(CompliantError::Unstable {
+                stiffness_n_m: base,
+                needed_n_m,
+            });
         }
         Ok(())
     }
@@ -185,7 +203,11 @@ impl Stack {
 /// # Errors
 /// Numbers out of range, a start other than from rest, cushions that do not keep the stack upright,
 /// or a history too long for its stiffness.
-pub fn rock_stack(stack: &Stack, motion: Base<'_>, options: &SpatialOptions) -> Result<StackRocking, CompliantError> {
+pub fn rock_stack(
+    stack: &Stack,
+    motion: Base<'_>,
+    options: &SpatialOptions,
+) -> Result<StackRocking, CompliantError> {
     rock_stack_observed(stack, motion, options, |_| {})
 }
 
@@ -199,23 +221,53 @@ pub fn rock_stack_observed(
     options: &SpatialOptions,
     mut observe: impl FnMut(&SpatialPiece<'_, '_>),
 ) -> Result<StackRocking, CompliantError> {
-    [&stack.lower, &stack.upper].into_iter().try_for_each(StackBody::check)?;
-    [&stack.support, &stack.interface].into_iter().try_for_each(Support::check)?;
+    [&stack.lower, &stack.upper]
+        .into_iter()
+        .try_for_each(StackBody::check)?;
+    [&stack.support, &stack.interface]
+        .into_iter()
+        .try_for_each(Support::check)?;
     options.check()?;
     if let SpatialStart::Released { tilt_rad, .. } = options.start {
         let requirement = "0 for a stack: it starts from rest";
-        return Err(CompliantError::Value { name: "initial tilt", requirement, value: tilt_rad });
+        return Err(CompliantError::Value {
+            name: "initial tilt",
+            requirement,
+            value: tilt_rad,
+        });
     }
     let world = stack.world(options.gravity_m_s2);
     stack.stands(&world)?;
     let motions = [motion.horizontal, None, motion.vertical];
-    let ended = follow(&world, motions, options, (&world.at_rest(), true), &mut observe)?;
-    let Ended { end_time_s, bodies, track, fallen, is_open, energy, effort } = ended;
+    let ended = follow(
+        &world,
+        motions,
+        options,
+        (&world.at_rest(), true),
+        &mut observe,
+    )?;
+    let Ended {
+        end_time_s,
+        bodies,
+        track,
+        fallen,
+        is_open,
+        energy,
+        effort,
+    } = ended;
     let (Some(&lower), Some(&upper)) = (bodies.first(), bodies.get(1)) else {
         return Err(CompliantError::NotFinite { time_s: end_time_s });
     };
-    let overturned_body = fallen.map(|fallen| if fallen.body == 0 { StackPart::Lower } else { StackPart::Upper });
-    let has_rocked = [lower, upper].iter().any(|body| body.outcome == Outcome::Rocked);
+    let overturned_body = fallen.map(|fallen| {
+        if fallen.body == 0 {
+            StackPart::Lower
+        } else {
+            StackPart::Upper
+        }
+    });
+    let has_rocked = [lower, upper]
+        .iter()
+        .any(|body| body.outcome == Outcome::Rocked);
     Ok(StackRocking {
         outcome: match overturned_body {
             Some(_) => Outcome::Overturned,

@@ -16,46 +16,101 @@ fn pulse(amplitude_g: f64, period_s: f64, from_s: f64, duration_s: f64) -> Motio
     let at = |index: usize| {
         let time_s = index as f64 * 0.005 - from_s;
         let inside = (0.0..=period_s).contains(&time_s);
-        if inside { amplitude_g * G0_M_S2 * (2.0 * PI * time_s / period_s).sin() } else { 0.0 }
+        if inside {
+            amplitude_g * G0_M_S2 * (2.0 * PI * time_s / period_s).sin()
+        } else {
+            0.0
+        }
     };
     Motion::new(0.005, (0..=samples).map(at).collect()).unwrap()
 }
 
-fn prism(thickness_m: f64, width_m: f64, height_m: f64, mass_kg: f64, stiffness_n_m: f64) -> SpatialObject {
+fn prism(
+    thickness_m: f64,
+    width_m: f64,
+    height_m: f64,
+    mass_kg: f64,
+    stiffness_n_m: f64,
+) -> SpatialObject {
     let support = Support::new(Cushion::linear(stiffness_n_m).unwrap());
-    SpatialObject { shape: Shape::Prism { thickness_m, width_m, height_m }, mass_kg, support, walls: Vec::new() }
+    SpatialObject {
+        shape: Shape::Prism {
+            thickness_m,
+            width_m,
+            height_m,
+        },
+        mass_kg,
+        support,
+        walls: Vec::new(),
+    }
 }
 
 fn cylinder(radius_m: f64, height_m: f64, mass_kg: f64, stiffness_n_m: f64) -> SpatialObject {
-    let shape = Shape::Cylinder { diameter_m: 2.0 * radius_m, height_m };
-    SpatialObject { shape, ..prism(1.0, 1.0, 1.0, mass_kg, stiffness_n_m) }
+    let shape = Shape::Cylinder {
+        diameter_m: 2.0 * radius_m,
+        height_m,
+    };
+    SpatialObject {
+        shape,
+        ..prism(1.0, 1.0, 1.0, mass_kg, stiffness_n_m)
+    }
 }
 
 fn until(duration_s: f64) -> SpatialOptions {
-    SpatialOptions { duration_s: Some(duration_s), ..SpatialOptions::default() }
+    SpatialOptions {
+        duration_s: Some(duration_s),
+        ..SpatialOptions::default()
+    }
 }
 
-fn released(tilt_rad: f64, toward_rad: f64, omega_rad_s: [f64; 3], duration_s: f64) -> SpatialOptions {
-    let start = SpatialStart::Released { tilt_rad, toward_rad, omega_rad_s };
-    SpatialOptions { start, ..until(duration_s) }
+fn released(
+    tilt_rad: f64,
+    toward_rad: f64,
+    omega_rad_s: [f64; 3],
+    duration_s: f64,
+) -> SpatialOptions {
+    let start = SpatialStart::Released {
+        tilt_rad,
+        toward_rad,
+        omega_rad_s,
+    };
+    SpatialOptions {
+        start,
+        ..until(duration_s)
+    }
 }
 
 fn both<'a>(x: &'a Motion, y: &'a Motion) -> SpatialMotion<'a> {
-    SpatialMotion { x: Some(x), y: Some(y), vertical: None }
+    SpatialMotion {
+        x: Some(x),
+        y: Some(y),
+        vertical: None,
+    }
 }
 
 fn along_x(x: &Motion) -> SpatialMotion<'_> {
-    SpatialMotion { x: Some(x), ..SpatialMotion::default() }
+    SpatialMotion {
+        x: Some(x),
+        ..SpatialMotion::default()
+    }
 }
 
 /// To the last sample: most of these objects stand on undamped cushions, on which they ring on.
 fn within(motions: [Option<&Motion>; 3]) -> SpatialOptions {
     let duration_s = motions.into_iter().flatten().next().map(Motion::duration_s);
-    SpatialOptions { duration_s, ..SpatialOptions::default() }
+    SpatialOptions {
+        duration_s,
+        ..SpatialOptions::default()
+    }
 }
 
 fn rock(object: &SpatialObject, motion: SpatialMotion<'_>) -> SpatialRocking {
-    rock_spatial(object, motion, &within([motion.x, motion.y, motion.vertical])).unwrap()
+    rock_spatial(
+        object,
+        motion,
+        &within([motion.x, motion.y, motion.vertical]),
+    )
+    .unwrap()
 }
 
 /// A push that rocks the objects of these tests by about half of their slenderness angle.
@@ -72,36 +127,86 @@ fn a_push_along_x_is_the_planar_block() {
     for friction_ratio in [None, Some(0.35)] {
         let mut object = object.clone();
         object.support.friction_ratio = friction_ratio;
-        let flat = SpatialObject { shape: Shape::Plane { thickness_m: 0.5, height_m: 1.8 }, ..object.clone() };
+        let flat = SpatialObject {
+            shape: Shape::Plane {
+                thickness_m: 0.5,
+                height_m: 1.8,
+            },
+            ..object.clone()
+        };
         let got = rock(&object, along_x(&x));
-        let base = CompliantBase { friction_ratio, ..CompliantBase::new(200.0, object.support.cushion.clone()) };
+        let base = CompliantBase {
+            friction_ratio,
+            ..CompliantBase::new(200.0, object.support.cushion.clone())
+        };
         let block = Block::uniform(1.8, 0.5).unwrap();
-        let motion = Base { horizontal: Some(&x), vertical: None };
-        let within = CompliantOptions { duration_s: Some(x.duration_s()), ..CompliantOptions::default() };
+        let motion = Base {
+            horizontal: Some(&x),
+            vertical: None,
+        };
+        let within = CompliantOptions {
+            duration_s: Some(x.duration_s()),
+            ..CompliantOptions::default()
+        };
         let plane = rock_compliant(&block, &base, motion, &within).unwrap();
         let tolerance = if friction_ratio.is_some() { 1e-5 } else { 1e-6 };
-        assert!(plane.peak_rotation_rad > 0.05, "{}", plane.peak_rotation_rad);
+        assert!(
+            plane.peak_rotation_rad > 0.05,
+            "{}",
+            plane.peak_rotation_rad
+        );
         let error = got.body.peak_tilt_rad / plane.peak_rotation_rad - 1.0;
         assert!(error.abs() < tolerance, "{friction_ratio:?}: {error}");
-        let error = (got.body.final_tilt_x_rad - plane.final_rotation_rad) / plane.peak_rotation_rad;
+        let error =
+            (got.body.final_tilt_x_rad - plane.final_rotation_rad) / plane.peak_rotation_rad;
         assert!(error.abs() < tolerance, "{friction_ratio:?}: {error}");
         let uplift = got.body.uplift_m / plane.uplift_m - 1.0;
         assert!(uplift.abs() < tolerance, "{friction_ratio:?}: {uplift}");
         // Peaks of sums of vibrations: those inside a step are found to 1e-4 of its change.
         let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-4;
         let landings = got.landings;
-        assert!(close(landings.peak_acceleration_m_s2, plane.peak_edge_acceleration_m_s2()), "{landings:?}");
-        assert!(close(landings.peak_compression_m, plane.peak_compression_m), "{landings:?}");
-        let hardest = plane.touches.iter().map(|touch| touch.peak_acceleration_m_s2).fold(0.0, f64::max);
-        assert!(hardest > 0.0 && landings.velocity_change_m_s > 0.0, "{landings:?}");
+        assert!(
+            close(
+                landings.peak_acceleration_m_s2,
+                plane.peak_edge_acceleration_m_s2()
+            ),
+            "{landings:?}"
+        );
+        assert!(
+            close(landings.peak_compression_m, plane.peak_compression_m),
+            "{landings:?}"
+        );
+        let hardest = plane
+            .touches
+            .iter()
+            .map(|touch| touch.peak_acceleration_m_s2)
+            .fold(0.0, f64::max);
+        assert!(
+            hardest > 0.0 && landings.velocity_change_m_s > 0.0,
+            "{landings:?}"
+        );
         // As short as a contact of the plane or shorter: it ends where the point falls again.
-        let contacts = plane.touches.iter().filter_map(|touch| Some(touch.end_time_s? - touch.time_s));
-        assert!(landings.pulse_duration_s.unwrap() <= contacts.fold(0.0, f64::max), "{landings:?}");
+        let contacts = plane
+            .touches
+            .iter()
+            .filter_map(|touch| Some(touch.end_time_s? - touch.time_s));
+        assert!(
+            landings.pulse_duration_s.unwrap() <= contacts.fold(0.0, f64::max),
+            "{landings:?}"
+        );
         let error = rock(&flat, along_x(&x)).body.peak_tilt_rad / plane.peak_rotation_rad - 1.0;
         assert!(error.abs() < tolerance, "{friction_ratio:?}: {error}");
         // With friction the direction π of a sliding spring is rounded to 1e-16 of a half turn.
-        let zero = if friction_ratio.is_some() { 1e-9 } else { 1e-12 };
-        assert!(got.body.peak_tilt_y_rad.abs() < zero && got.body.yaw_rad.abs() < zero, "{:?}", got.body);
+        let zero = if friction_ratio.is_some() {
+            1e-9
+        } else {
+            1e-12
+        };
+        assert!(
+            got.body.peak_tilt_y_rad.abs() < zero && got.body.yaw_rad.abs() < zero,
+            "{:?}",
+            got.body
+        );
     }
 }
 
@@ -112,7 +217,11 @@ fn axes_may_be_swapped_and_mirrored() {
     let (x, y) = (push(), pulse(0.5, 0.4, 0.1, 1.2));
     let object = prism(0.5, 0.7, 1.8, 200.0, 4e6);
     let here = rock(&object, both(&x, &y)).body;
-    assert!(here.peak_tilt_x_rad.abs() > 0.02 && here.peak_tilt_y_rad.abs() > 0.02 && here.yaw_rad.abs() > 1e-4);
+    assert!(
+        here.peak_tilt_x_rad.abs() > 0.02
+            && here.peak_tilt_y_rad.abs() > 0.02
+            && here.yaw_rad.abs() > 1e-4
+    );
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} {b}");
     let swapped = rock(&prism(0.7, 0.5, 1.8, 200.0, 4e6), both(&y, &x)).body;
     near(swapped.final_tilt_x_rad, here.final_tilt_y_rad);
@@ -133,7 +242,10 @@ fn a_diagonal_push_rocks_on_a_vertex() {
     let x = push();
     let got = rock(&prism(0.5, 0.5, 1.8, 200.0, 4e6), both(&x, &x)).body;
     assert!(got.peak_tilt_rad > 0.05);
-    assert!((got.final_tilt_x_rad - got.final_tilt_y_rad).abs() < 1e-9 && got.yaw_rad.abs() < 1e-9, "{got:?}");
+    assert!(
+        (got.final_tilt_x_rad - got.final_tilt_y_rad).abs() < 1e-9 && got.yaw_rad.abs() < 1e-9,
+        "{got:?}"
+    );
 }
 
 /// Released on a corner, without dashpots or slip: only what contacts leave in their springs is
@@ -142,13 +254,27 @@ fn a_diagonal_push_rocks_on_a_vertex() {
 fn free_motion_keeps_its_energy() {
     let object = prism(0.5, 0.7, 1.8, 200.0, 4e6);
     for (toward, omega) in [(0.6, [0.0; 3]), (0.6, [0.3, -0.2, 0.5]), (2.5, [0.0; 3])] {
-        let got = rock_spatial(&object, SpatialMotion::default(), &released(0.08, toward, omega, 1.0)).unwrap();
+        let got = rock_spatial(
+            &object,
+            SpatialMotion::default(),
+            &released(0.08, toward, omega, 1.0),
+        )
+        .unwrap();
         assert!(got.energy.residual_ratio < 1e-8, "{:?}", got.energy);
         assert!(got.base_contact_count > 2);
     }
     // Below the first uplift nothing is lost at all.
-    let got = rock_spatial(&object, SpatialMotion::default(), &released(1e-5, 0.6, [0.0; 3], 1.0)).unwrap();
-    assert!(got.energy.lost_at_separation_j == 0.0 && got.energy.residual_ratio < 1e-8, "{:?}", got.energy);
+    let got = rock_spatial(
+        &object,
+        SpatialMotion::default(),
+        &released(1e-5, 0.6, [0.0; 3], 1.0),
+    )
+    .unwrap();
+    assert!(
+        got.energy.lost_at_separation_j == 0.0 && got.energy.residual_ratio < 1e-8,
+        "{:?}",
+        got.energy
+    );
 }
 
 /// With every law, with friction and under three components the balance closes: to 1e-7 with smooth
@@ -157,12 +283,35 @@ fn free_motion_keeps_its_energy() {
 fn the_energy_balance_closes() {
     let laws = [
         (ContactLaw::Linear { stiffness_n_m: 4e6 }, 1e-7),
-        (ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 3000.0 }, 1e-7),
-        (ContactLaw::Power { coefficient_n_mn: 2e8, exponent: 1.5 }, 1e-5),
-        (ContactLaw::HuntCrossley { coefficient_n_mn: 2e8, exponent: 1.5, dissipation_s_m: 0.3 }, 1e-5),
+        (
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m: 4e6,
+                damping_n_s_m: 3000.0,
+            },
+            1e-7,
+        ),
+        (
+            ContactLaw::Power {
+                coefficient_n_mn: 2e8,
+                exponent: 1.5,
+            },
+            1e-5,
+        ),
+        (
+            ContactLaw::HuntCrossley {
+                coefficient_n_mn: 2e8,
+                exponent: 1.5,
+                dissipation_s_m: 0.3,
+            },
+            1e-5,
+        ),
     ];
     let (x, y, z) = (push(), pulse(0.5, 0.4, 0.1, 1.2), pulse(0.3, 0.3, 0.0, 1.2));
-    let motion = SpatialMotion { x: Some(&x), y: Some(&y), vertical: Some(&z) };
+    let motion = SpatialMotion {
+        x: Some(&x),
+        y: Some(&y),
+        vertical: Some(&z),
+    };
     for (law, limit) in laws {
         for friction_ratio in [None, Some(0.3), Some(0.0)] {
             let mut object = prism(0.5, 0.7, 1.8, 200.0, 4e6);
@@ -170,8 +319,16 @@ fn the_energy_balance_closes() {
             object.support.friction_ratio = friction_ratio;
             let got = rock(&object, motion);
             let slips = friction_ratio == Some(0.3);
-            assert_eq!(got.energy.friction_j > 0.0, slips, "{law:?} {friction_ratio:?}");
-            assert!(got.energy.residual_ratio < limit, "{law:?} {friction_ratio:?}: {:?}", got.energy);
+            assert_eq!(
+                got.energy.friction_j > 0.0,
+                slips,
+                "{law:?} {friction_ratio:?}"
+            );
+            assert!(
+                got.energy.residual_ratio < limit,
+                "{law:?} {friction_ratio:?}: {:?}",
+                got.energy
+            );
         }
     }
 }
@@ -185,7 +342,9 @@ fn a_cylinder_answers_alike_in_every_direction() {
     assert!(straight.peak_tilt_rad > 0.03);
     for turns in [1, 3, 6, 12, 31] {
         let angle = f64::from(turns) * PI / 24.0;
-        let part = |factor: f64| Motion::new(0.005, x.accel_m_s2().iter().map(|a| factor * a).collect()).unwrap();
+        let part = |factor: f64| {
+            Motion::new(0.005, x.accel_m_s2().iter().map(|a| factor * a).collect()).unwrap()
+        };
         let got = rock(&object, both(&part(angle.cos()), &part(angle.sin()))).body;
         let error = got.peak_tilt_rad / straight.peak_tilt_rad - 1.0;
         assert!(error.abs() < 1e-5, "{turns}: {error}");
@@ -196,25 +355,52 @@ fn a_cylinder_answers_alike_in_every_direction() {
 /// 48 forces, each rounded to 1e-16 of the largest.
 #[test]
 fn feet_together_are_feet_one_by_one() {
-    let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 5e3 };
-    let support = Support { friction_ratio: Some(0.4), ..Support::new(Cushion::new(law).unwrap()) };
-    for object in [prism(0.5, 0.7, 1.8, 200.0, 4e6), cylinder(0.25, 1.6, 150.0, 4e6)] {
-        let object = SpatialObject { support: support.clone(), ..object };
+    let law = ContactLaw::KelvinVoigt {
+        stiffness_n_m: 4e6,
+        damping_n_s_m: 5e3,
+    };
+    let support = Support {
+        friction_ratio: Some(0.4),
+        ..Support::new(Cushion::new(law).unwrap())
+    };
+    for object in [
+        prism(0.5, 0.7, 1.8, 200.0, 4e6),
+        cylinder(0.25, 1.6, 150.0, 4e6),
+    ] {
+        let object = SpatialObject {
+            support: support.clone(),
+            ..object
+        };
         let together = object.world(G0_M_S2);
-        let apart = World { feet: None, ..together.clone() };
+        let apart = World {
+            feet: None,
+            ..together.clone()
+        };
         let y = together.released(vector::tilted(0.05, 0.7), [0.2, -0.1, 0.4]);
-        let line = Line { start: [1.0, -2.0, 0.5], slope: [3.0, 1.0, -2.0], start_s: 0.0 };
+        let line = Line {
+            start: [1.0, -2.0, 0.5],
+            slope: [3.0, 1.0, -2.0],
+            start_s: 0.0,
+        };
         let grip = |index: usize| match index % 4 {
             0 => Grip::Slip,
             3 => Grip::UNTOUCHED,
-            _ => Grip::Stick { anchor: [0.01 * index as f64, -0.02] },
+            _ => Grip::Stick {
+                anchor: [0.01 * index as f64, -0.02],
+            },
         };
         let grips: Vec<Grip> = (0..together.elements.len()).map(grip).collect();
-        let of = |world: &World<'_>| world.rates(&Grips::new(world, grips.clone()), &line, 0.01, &y);
+        let of =
+            |world: &World<'_>| world.rates(&Grips::new(world, grips.clone()), &line, 0.01, &y);
         let (got, expected) = (of(&together), of(&apart));
-        let largest = expected.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+        let largest = expected
+            .iter()
+            .fold(0.0, |most: f64, rate| most.max(rate.abs()));
         for (index, (got, expected)) in got.iter().zip(&expected).enumerate() {
-            assert!((got - expected).abs() <= 1e-12 * largest, "{index}: {got} {expected}");
+            assert!(
+                (got - expected).abs() <= 1e-12 * largest,
+                "{index}: {got} {expected}"
+            );
         }
         let stored = |world: &World<'_>| world.energies(&grips, &y, &world.poses(&y)).stored_j;
         assert!((stored(&together) / stored(&apart) - 1.0).abs() < 1e-12);
@@ -231,14 +417,25 @@ fn a_squat_block_slides_in_any_direction() {
         let half_sine = |factor: f64| {
             let at = |index: usize| {
                 let time_s = index as f64 * 0.005;
-                if time_s < 0.5 { factor * 0.6 * G0_M_S2 * (PI * time_s / 0.5).sin() } else { 0.0 }
+                if time_s < 0.5 {
+                    factor * 0.6 * G0_M_S2 * (PI * time_s / 0.5).sin()
+                } else {
+                    0.0
+                }
             };
             Motion::new(0.005, (0..400).map(at).collect()).unwrap()
         };
-        let got = rock(&object, both(&half_sine(f64::cos(angle)), &half_sine(f64::sin(angle))));
+        let got = rock(
+            &object,
+            both(&half_sine(f64::cos(angle)), &half_sine(f64::sin(angle))),
+        );
         let error = got.body.base_slide_final_m / 0.475_945 - 1.0;
         assert!(error.abs() < 0.02, "{angle}: {error}");
-        assert!(got.body.yaw_rad.abs() < 1e-3, "{angle}: {}", got.body.yaw_rad);
+        assert!(
+            got.body.yaw_rad.abs() < 1e-3,
+            "{angle}: {}",
+            got.body.yaw_rad
+        );
     }
 }
 
@@ -247,11 +444,23 @@ fn a_squat_block_slides_in_any_direction() {
 /// 15 ms of 9 s.
 #[test]
 fn a_slow_push_lifts_the_first_point_where_its_load_ends() {
-    let ramp =
-        |rate_g_s: f64| Motion::new(0.01, (0..=1600).map(|i| rate_g_s * G0_M_S2 * f64::from(i) * 0.01).collect());
+    let ramp = |rate_g_s: f64| {
+        Motion::new(
+            0.01,
+            (0..=1600)
+                .map(|i| rate_g_s * G0_M_S2 * f64::from(i) * 0.01)
+                .collect(),
+        )
+    };
     let damped = |object: SpatialObject| {
-        let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 5e3 };
-        SpatialObject { support: Support::new(Cushion::new(law).unwrap()), ..object }
+        let law = ContactLaw::KelvinVoigt {
+            stiffness_n_m: 4e6,
+            damping_n_s_m: 5e3,
+        };
+        SpatialObject {
+            support: Support::new(Cushion::new(law).unwrap()),
+            ..object
+        }
     };
     let (mass_kg, k, h): (f64, f64, f64) = (200.0, 4e6, 1.8);
     let (w, c) = (mass_kg * G0_M_S2, 0.5 * h);
@@ -264,9 +473,15 @@ fn a_slow_push_lifts_the_first_point_where_its_load_ends() {
     let down = 0.5 * t * ax * tilt(t) + 0.5 * b * ay * tilt(b);
     let expected_s = 0.5 * w / k / down;
     let got_s = got.first_uplift_time_s.unwrap();
-    assert!((got_s / expected_s - 1.0).abs() < 2e-3, "{got_s} {expected_s}");
+    assert!(
+        (got_s / expected_s - 1.0).abs() < 2e-3,
+        "{got_s} {expected_s}"
+    );
     // On rigid corners neither axis alone would have lifted: |a_x|h/t + |a_y|h/w > 1 is the rule.
-    assert!((got_s * (ax * h / t + ay * h / b) - 1.0).abs() < 0.03, "{got_s}");
+    assert!(
+        (got_s * (ax * h / t + ay * h / b) - 1.0).abs() < 0.03,
+        "{got_s}"
+    );
     // A cylinder along x: b/4c − mg/(kb), with its diameter b.
     let got = rock(&damped(cylinder(0.25, h, mass_kg, k)), along_x(&x)).body;
     let expected = t / (4.0 * c) - w / (k * t);
@@ -304,13 +519,24 @@ fn a_cylinder_rolls_round_at_the_speed_of_a_rigid_one() {
         let c = 0.5 * h;
         let (sin, cos) = f64::sin_cos(theta);
         // Spin n about the axis and Ω sin θ across it, for a body tilted towards +x.
-        let omega = |round: f64, spin: f64| [spin * sin - round * sin * cos, 0.0, spin * cos + round * sin * sin];
-        for (round, spin, stiffness_n_m, time_s) in
-            [(at_rest, at_rest * c / a * sin, 1e9, 0.05), (wobbling, -wobbling * (1.0 - cos), 1e8, 2.0 * PI / wobbling)]
-        {
+        let omega = |round: f64, spin: f64| {
+            [
+                spin * sin - round * sin * cos,
+                0.0,
+                spin * cos + round * sin * sin,
+            ]
+        };
+        for (round, spin, stiffness_n_m, time_s) in [
+            (at_rest, at_rest * c / a * sin, 1e9, 0.05),
+            (wobbling, -wobbling * (1.0 - cos), 1e8, 2.0 * PI / wobbling),
+        ] {
             let object = cylinder(a, h, mass_kg, stiffness_n_m);
-            let got = goes_round_at_rad_s(&object, &released(theta, 0.0, omega(round, spin), time_s));
-            assert!((got / round - 1.0).abs() < 0.02, "{a} {theta}: {got} {round}");
+            let got =
+                goes_round_at_rad_s(&object, &released(theta, 0.0, omega(round, spin), time_s));
+            assert!(
+                (got / round - 1.0).abs() < 0.02,
+                "{a} {theta}: {got} {round}"
+            );
         }
     }
 }
@@ -320,46 +546,121 @@ fn a_cylinder_rolls_round_at_the_speed_of_a_rigid_one() {
 #[test]
 fn a_wall_holds_an_object() {
     let x = pulse(1.0, 0.9, 0.0, 2.0);
-    let wall = |side: EdgeSide, gap_m: f64, height_m: f64| Wall { side, gap_m, height_m, cushion: None };
+    let wall = |side: EdgeSide, gap_m: f64, height_m: f64| Wall {
+        side,
+        gap_m,
+        height_m,
+        cushion: None,
+    };
     for shape in [
-        Shape::Plane { thickness_m: 0.4, height_m: 1.8 },
-        Shape::Prism { thickness_m: 0.4, width_m: 0.6, height_m: 1.8 },
+        Shape::Plane {
+            thickness_m: 0.4,
+            height_m: 1.8,
+        },
+        Shape::Prism {
+            thickness_m: 0.4,
+            width_m: 0.6,
+            height_m: 1.8,
+        },
     ] {
-        let free = SpatialObject { shape, ..prism(1.0, 1.0, 1.0, 150.0, 3e6) };
-        let at = |walls: Vec<Wall>, motion: &Motion| rock(&SpatialObject { walls, ..free.clone() }, along_x(motion));
+        let free = SpatialObject {
+            shape,
+            ..prism(1.0, 1.0, 1.0, 150.0, 3e6)
+        };
+        let at = |walls: Vec<Wall>, motion: &Motion| {
+            rock(
+                &SpatialObject {
+                    walls,
+                    ..free.clone()
+                },
+                along_x(motion),
+            )
+        };
         let alone = at(Vec::new(), &x);
         assert_eq!(alone.body.outcome, Outcome::Overturned);
-        let far = at(vec![wall(EdgeSide::Left, 2.0, f64::INFINITY), wall(EdgeSide::Right, 2.0, f64::INFINITY)], &x);
+        let far = at(
+            vec![
+                wall(EdgeSide::Left, 2.0, f64::INFINITY),
+                wall(EdgeSide::Right, 2.0, f64::INFINITY),
+            ],
+            &x,
+        );
         assert_eq!(far.body, alone.body);
         let gap_m = 0.05;
-        let tall = |height_m: f64| vec![wall(EdgeSide::Left, gap_m, height_m), wall(EdgeSide::Right, gap_m, height_m)];
+        let tall = |height_m: f64| {
+            vec![
+                wall(EdgeSide::Left, gap_m, height_m),
+                wall(EdgeSide::Right, gap_m, height_m),
+            ]
+        };
         for height_m in [f64::INFINITY, 1.2] {
             let held = at(tall(height_m), &x);
-            assert!(held.wall_contact_count > 0 && held.energy.residual_ratio < 1e-7, "{held:?}");
+            assert!(
+                held.wall_contact_count > 0 && held.energy.residual_ratio < 1e-7,
+                "{held:?}"
+            );
             // On undamped cushions it still rocks where the motion ends.
-            assert!(matches!(held.body.outcome, Outcome::Rocked | Outcome::Unresolved), "{held:?}");
+            assert!(
+                matches!(held.body.outcome, Outcome::Rocked | Outcome::Unresolved),
+                "{held:?}"
+            );
             let contact = (gap_m / height_m.min(1.8)).atan();
             // The foot may jump and come closer to the wall, but the object does not fall past it.
             let peak = held.body.peak_tilt_rad;
-            assert!(peak > 0.9 * contact && peak < (0.4f64 / 1.8).atan(), "{peak} {contact}");
+            assert!(
+                peak > 0.9 * contact && peak < (0.4f64 / 1.8).atan(),
+                "{peak} {contact}"
+            );
         }
         let one = at(vec![wall(EdgeSide::Left, gap_m, f64::INFINITY)], &x).body;
         let opposite = Motion::new(0.005, x.accel_m_s2().iter().map(|a| -a).collect()).unwrap();
         let other = at(vec![wall(EdgeSide::Right, gap_m, f64::INFINITY)], &opposite).body;
-        assert!((one.peak_tilt_x_rad + other.peak_tilt_x_rad).abs() < 1e-9, "{one:?} {other:?}");
+        assert!(
+            (one.peak_tilt_x_rad + other.peak_tilt_x_rad).abs() < 1e-9,
+            "{one:?} {other:?}"
+        );
     }
     // Released past its balance point, 0.22 rad, it comes to lean on a wall that damps its impacts.
-    let law = ContactLaw::KelvinVoigt { stiffness_n_m: 1e6, damping_n_s_m: 1e4 };
+    let law = ContactLaw::KelvinVoigt {
+        stiffness_n_m: 1e6,
+        damping_n_s_m: 1e4,
+    };
     let cushion = Some(Cushion::new(law.clone()).unwrap());
-    let shape = Shape::Plane { thickness_m: 0.4, height_m: 1.8 };
-    let walls = vec![Wall { cushion, ..wall(EdgeSide::Left, 0.6, f64::INFINITY) }];
+    let shape = Shape::Plane {
+        thickness_m: 0.4,
+        height_m: 1.8,
+    };
+    let walls = vec![Wall {
+        cushion,
+        ..wall(EdgeSide::Left, 0.6, f64::INFINITY)
+    }];
     let support = Support::new(Cushion::new(law).unwrap());
-    let far = SpatialObject { shape, mass_kg: 150.0, support, walls };
-    let start = SpatialStart::Released { tilt_rad: -0.25, toward_rad: 0.0, omega_rad_s: [0.0; 3] };
-    let leant = rock_spatial(&far, SpatialMotion::default(), &SpatialOptions { start, ..until(5.0) }).unwrap();
+    let far = SpatialObject {
+        shape,
+        mass_kg: 150.0,
+        support,
+        walls,
+    };
+    let start = SpatialStart::Released {
+        tilt_rad: -0.25,
+        toward_rad: 0.0,
+        omega_rad_s: [0.0; 3],
+    };
+    let leant = rock_spatial(
+        &far,
+        SpatialMotion::default(),
+        &SpatialOptions {
+            start,
+            ..until(5.0)
+        },
+    )
+    .unwrap();
     assert_eq!(leant.body.outcome, Outcome::Leaned, "{leant:?}");
     // On its foot the corner reaches the wall at asin(0.6/1.8); both cushions give by millimetres.
-    assert!((leant.body.final_tilt_x_rad + (0.6f64 / 1.8).asin()).abs() < 0.005, "{leant:?}");
+    assert!(
+        (leant.body.final_tilt_x_rad + (0.6f64 / 1.8).asin()).abs() < 0.005,
+        "{leant:?}"
+    );
     let mut round = cylinder(0.2, 1.8, 150.0, 3e6);
     round.walls = vec![wall(EdgeSide::Left, 0.1, 1.0)];
     assert!(rock_spatial(&round, along_x(&x), &until(1.0)).is_err());
@@ -370,19 +671,46 @@ fn a_wall_holds_an_object() {
 /// quarter of a vibration is short, so 2 % remain for the floor.
 #[test]
 fn the_force_of_a_wall_is_that_of_the_free_body() {
-    let shape = Shape::Plane { thickness_m: 0.2, height_m: 2.0 };
+    let shape = Shape::Plane {
+        thickness_m: 0.2,
+        height_m: 2.0,
+    };
     let stiff = Some(Cushion::linear(1e6).unwrap());
-    let walls = vec![Wall { side: EdgeSide::Right, gap_m: 0.05, height_m: f64::INFINITY, cushion: stiff }];
-    let support = Support { friction_ratio: Some(0.0), ..Support::new(Cushion::linear(2e4).unwrap()) };
-    let object = SpatialObject { shape, mass_kg: 20.0, support, walls };
-    let start = SpatialStart::Released { tilt_rad: 0.01, toward_rad: 0.0, omega_rad_s: [0.0, 0.8, 0.0] };
-    let options = SpatialOptions { start, duration_s: Some(0.1), ..SpatialOptions::default() };
+    let walls = vec![Wall {
+        side: EdgeSide::Right,
+        gap_m: 0.05,
+        height_m: f64::INFINITY,
+        cushion: stiff,
+    }];
+    let support = Support {
+        friction_ratio: Some(0.0),
+        ..Support::new(Cushion::linear(2e4).unwrap())
+    };
+    let object = SpatialObject {
+        shape,
+        mass_kg: 20.0,
+        support,
+        walls,
+    };
+    let start = SpatialStart::Released {
+        tilt_rad: 0.01,
+        toward_rad: 0.0,
+        omega_rad_s: [0.0, 0.8, 0.0],
+    };
+    let options = SpatialOptions {
+        start,
+        duration_s: Some(0.1),
+        ..SpatialOptions::default()
+    };
     let found = rock_spatial(&object, SpatialMotion::default(), &options).unwrap();
     assert_eq!(found.wall_contact_count, 1);
     let gyration_m2 = (0.2f64.powi(2) + 4.0) / 12.0;
     let free_kg = 20.0 / (1.0 + 1.0 / gyration_m2);
     let force_n = found.wall_speed_max_m_s * (1e6 * free_kg).sqrt();
-    assert!((found.wall_forces_max_n[1] / force_n - 1.0).abs() < 0.02, "{found:?} {force_n}");
+    assert!(
+        (found.wall_forces_max_n[1] / force_n - 1.0).abs() < 0.02,
+        "{found:?} {force_n}"
+    );
 }
 
 #[test]
@@ -393,27 +721,67 @@ fn what_makes_no_history_is_refused() {
         let text = error.unwrap_err().to_string();
         assert!(text.contains(name), "{text}");
     };
-    is(rock_spatial(&object, none, &SpatialOptions::default()), "needs a motion");
-    is(rock_spatial(&SpatialObject { mass_kg: 0.0, ..object.clone() }, none, &until(1.0)), "mass");
-    is(rock_spatial(&prism(0.5, -0.7, 1.8, 200.0, 4e6), none, &until(1.0)), "width");
-    is(rock_spatial(&prism(0.5, 0.7, 1.8, 200.0, 4e3), none, &until(1.0)), "too soft");
-    is(rock_spatial(&object, none, &released(2.0, 0.0, [0.0; 3], 1.0)), "initial tilt");
+    is(
+        rock_spatial(&object, none, &SpatialOptions::default()),
+        "needs a motion",
+    );
+    is(
+        rock_spatial(
+            &SpatialObject {
+                mass_kg: 0.0,
+                ..object.clone()
+            },
+            none,
+            &until(1.0),
+        ),
+        "mass",
+    );
+    is(
+        rock_spatial(&prism(0.5, -0.7, 1.8, 200.0, 4e6), none, &until(1.0)),
+        "width",
+    );
+    is(
+        rock_spatial(&prism(0.5, 0.7, 1.8, 200.0, 4e3), none, &until(1.0)),
+        "too soft",
+    );
+    is(
+        rock_spatial(&object, none, &released(2.0, 0.0, [0.0; 3], 1.0)),
+        "initial tilt",
+    );
     let (short, long) = (pulse(0.1, 0.2, 0.0, 0.5), push());
-    is(rock_spatial(&object, both(&short, &long), &until(1.0)), "differ");
+    is(
+        rock_spatial(&object, both(&short, &long), &until(1.0)),
+        "differ",
+    );
 }
 
 /// Without a push nothing moves, whatever the law.
 #[test]
 fn an_object_at_rest_stays_there() {
     let still = Motion::new(0.005, vec![0.0; 100]).unwrap();
-    for object in [prism(0.5, 0.7, 1.8, 200.0, 4e6), cylinder(0.25, 1.8, 200.0, 4e6)] {
+    for object in [
+        prism(0.5, 0.7, 1.8, 200.0, 4e6),
+        cylinder(0.25, 1.8, 200.0, 4e6),
+    ] {
         let got = rock(&object, along_x(&still));
-        assert_eq!((got.body.outcome, got.body.peak_tilt_rad, got.effort.steps), (Outcome::NoUplift, 0.0, 0));
+        assert_eq!(
+            (got.body.outcome, got.body.peak_tilt_rad, got.effort.steps),
+            (Outcome::NoUplift, 0.0, 0)
+        );
     }
 }
 
-fn stack(lower: (f64, f64, f64), upper: (f64, f64, f64), stiffness_n_m: f64, interface_n_m: f64) -> Stack {
-    let body = |(height_m, thickness_m, mass_kg): (f64, f64, f64)| StackBody { height_m, thickness_m, mass_kg };
+fn stack(
+    lower: (f64, f64, f64),
+    upper: (f64, f64, f64),
+    stiffness_n_m: f64,
+    interface_n_m: f64,
+) -> Stack {
+    let body = |(height_m, thickness_m, mass_kg): (f64, f64, f64)| StackBody {
+        height_m,
+        thickness_m,
+        mass_kg,
+    };
     Stack {
         lower: body(lower),
         upper: body(upper),
@@ -423,17 +791,31 @@ fn stack(lower: (f64, f64, f64), upper: (f64, f64, f64), stiffness_n_m: f64, int
 }
 
 fn rock_both(stack: &Stack, x: &Motion) -> StackRocking {
-    rock_stack(stack, Base { horizontal: Some(x), vertical: None }, &within([Some(x), None, None])).unwrap()
+    rock_stack(
+        stack,
+        Base {
+            horizontal: Some(x),
+            vertical: None,
+        },
+        &within([Some(x), None, None]),
+    )
+    .unwrap()
 }
 
 fn alone(block: &Block, mass_kg: f64, stiffness_n_m: f64, x: &Motion) -> f64 {
     let base = CompliantBase::new(mass_kg, Cushion::linear(stiffness_n_m).unwrap());
-    let motion = Base { horizontal: Some(x), vertical: None };
+    let motion = Base {
+        horizontal: Some(x),
+        vertical: None,
+    };
     rock_compliant(
         block,
         &base,
         motion,
-        &CompliantOptions { duration_s: Some(x.duration_s()), ..CompliantOptions::default() },
+        &CompliantOptions {
+            duration_s: Some(x.duration_s()),
+            ..CompliantOptions::default()
+        },
     )
     .unwrap()
     .peak_rotation_rad
@@ -454,10 +836,23 @@ fn thresholds_of_a_stack() {
 fn a_weightless_upper_body_changes_nothing() {
     let x = pulse(0.46, 0.72, 0.0, 0.6);
     let (mass_kg, stiffness_n_m) = (367.0, 7.515e6);
-    let light = stack((1.149, 0.363, mass_kg), (0.358, 0.287, 1e-8 * mass_kg), stiffness_n_m, 0.06);
-    let expected = alone(&Block::uniform(1.149, 0.363).unwrap(), mass_kg, stiffness_n_m, &x);
+    let light = stack(
+        (1.149, 0.363, mass_kg),
+        (0.358, 0.287, 1e-8 * mass_kg),
+        stiffness_n_m,
+        0.06,
+    );
+    let expected = alone(
+        &Block::uniform(1.149, 0.363).unwrap(),
+        mass_kg,
+        stiffness_n_m,
+        &x,
+    );
     let got = rock_both(&light, &x).lower.peak_tilt_rad;
-    assert!(expected > 0.03 && (got / expected - 1.0).abs() < 1e-5, "{got} {expected}");
+    assert!(
+        expected > 0.03 && (got / expected - 1.0).abs() < 1e-5,
+        "{got} {expected}"
+    );
 }
 
 /// On a wide, heavy and stiff pedestal the upper body rocks as alone on a floor; 1e-3: the pedestal
@@ -470,7 +865,10 @@ fn a_heavy_pedestal_is_a_floor() {
     let got = rock_both(&on_rock, &x);
     let error = got.upper.peak_tilt_rad / expected - 1.0;
     assert!(expected > 0.03 && error.abs() < 1e-3, "{got:?} {expected}");
-    assert!(got.patterns.upper_alone_ratio > 0.5 && got.lower.peak_tilt_rad < 1e-6, "{got:?}");
+    assert!(
+        got.patterns.upper_alone_ratio > 0.5 && got.lower.peak_tilt_rad < 1e-6,
+        "{got:?}"
+    );
 }
 
 /// A squat upper body on stiff pads goes along with the lower one: one block with the common centre
@@ -483,13 +881,29 @@ fn a_squat_upper_body_goes_along() {
     let got = rock_both(&stack((h1, b1, m1), (h2, b2, m2), 7e6, 7e8), &x);
     let mass_kg = m1 + m2;
     let cg_m = (m1 * 0.5 * h1 + m2 * (h1 + 0.5 * h2)) / mass_kg;
-    let about_edge = |m: f64, b: f64, h: f64, z: f64| m * ((b * b + h * h) / 12.0 + 0.25 * b1 * b1 + z * z);
+    let about_edge =
+        |m: f64, b: f64, h: f64, z: f64| m * ((b * b + h * h) / 12.0 + 0.25 * b1 * b1 + z * z);
     let inertia = about_edge(m1, b1, h1, 0.5 * h1) + about_edge(m2, b2, h2, h1 + 0.5 * h2);
-    let block = Block::uniform(h1 + h2, b1).unwrap().with_cg_height(cg_m).unwrap();
-    let expected = alone(&block.with_inertia_per_mass(inertia / mass_kg).unwrap(), mass_kg, 7e6, &x);
+    let block = Block::uniform(h1 + h2, b1)
+        .unwrap()
+        .with_cg_height(cg_m)
+        .unwrap();
+    let expected = alone(
+        &block.with_inertia_per_mass(inertia / mass_kg).unwrap(),
+        mass_kg,
+        7e6,
+        &x,
+    );
     let error = got.lower.peak_tilt_rad / expected - 1.0;
-    assert!(expected > 0.02 && error.abs() < 2e-3, "{} {expected}", got.lower.peak_tilt_rad);
-    assert!(got.patterns.together_ratio > 0.2 && got.peak_relative_rotation_rad < 1e-3, "{got:?}");
+    assert!(
+        expected > 0.02 && error.abs() < 2e-3,
+        "{} {expected}",
+        got.lower.peak_tilt_rad
+    );
+    assert!(
+        got.patterns.together_ratio > 0.2 && got.peak_relative_rotation_rad < 1e-3,
+        "{got:?}"
+    );
 }
 
 /// Mirror images (1e-5: one upper body begins to fall, and the 5e-8 with which events are located
@@ -507,17 +921,39 @@ fn stacks_keep_their_symmetry_and_energy() {
         let mut both = stack(lower, upper, 7.4e6, 1.3e6);
         for is_rough in [false, true] {
             if is_rough {
-                let law = |k: f64, c: f64| Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: k, damping_n_s_m: c });
-                both.support = Support { friction_ratio: Some(0.4), ..Support::new(law(7.4e6, 3e3).unwrap()) };
-                both.interface = Support { friction_ratio: Some(0.25), ..Support::new(law(1.3e6, 600.0).unwrap()) };
+                let law = |k: f64, c: f64| {
+                    Cushion::new(ContactLaw::KelvinVoigt {
+                        stiffness_n_m: k,
+                        damping_n_s_m: c,
+                    })
+                };
+                both.support = Support {
+                    friction_ratio: Some(0.4),
+                    ..Support::new(law(7.4e6, 3e3).unwrap())
+                };
+                both.interface = Support {
+                    friction_ratio: Some(0.25),
+                    ..Support::new(law(1.3e6, 600.0).unwrap())
+                };
             }
             let got = rock_both(&both, &x);
             // They ring without losses for a second: 1e-8 of each of some hundred vibrations.
-            assert!(got.energy.residual_ratio < 1e-6, "{lower:?} {is_rough}: {:?}", got.energy);
+            assert!(
+                got.energy.residual_ratio < 1e-6,
+                "{lower:?} {is_rough}: {:?}",
+                got.energy
+            );
             let p = got.patterns;
-            let sum = p.rest_ratio + p.same_ratio + p.opposite_ratio + p.together_ratio + p.upper_alone_ratio;
+            let sum = p.rest_ratio
+                + p.same_ratio
+                + p.opposite_ratio
+                + p.together_ratio
+                + p.upper_alone_ratio;
             assert!((sum - 1.0).abs() < 1e-12 && p.rest_ratio < 0.9, "{p:?}");
-            assert!(got.upper.peak_tilt_y_rad == 0.0 && got.lower.yaw_rad == 0.0, "{got:?}");
+            assert!(
+                got.upper.peak_tilt_y_rad == 0.0 && got.lower.yaw_rad == 0.0,
+                "{got:?}"
+            );
             let mirrored = rock_both(&both, &opposite);
             assert!((got.lower.peak_tilt_x_rad + mirrored.lower.peak_tilt_x_rad).abs() < 1e-5);
             let apart = got.upper.peak_tilt_x_rad + mirrored.upper.peak_tilt_x_rad;
@@ -532,25 +968,51 @@ fn the_upper_body_falls() {
     let strong = pulse(0.9, 0.9, 0.0, 4.0);
     let slender = stack((0.5, 1.0, 400.0), (1.2, 0.2, 60.0), 8e6, 1.2e6);
     let got = rock_both(&slender, &strong);
-    assert_eq!((got.outcome, got.overturned_body), (Outcome::Overturned, Some(StackPart::Upper)));
+    assert_eq!(
+        (got.outcome, got.overturned_body),
+        (Outcome::Overturned, Some(StackPart::Upper))
+    );
     assert_eq!(got.upper.peak_tilt_rad, FRAC_PI_2);
-    assert_eq!(got.lower.outcome, if got.lower.uplift_m > 0.0 { Outcome::Rocked } else { Outcome::NoUplift });
+    assert_eq!(
+        got.lower.outcome,
+        if got.lower.uplift_m > 0.0 {
+            Outcome::Rocked
+        } else {
+            Outcome::NoUplift
+        }
+    );
     let mut smooth = stack((0.5, 0.6, 400.0), (0.3, 0.4, 60.0), 8e6, 1.2e6);
     smooth.interface.friction_ratio = Some(0.05);
     let got = rock_both(&smooth, &strong);
-    assert_eq!((got.outcome, got.overturned_body), (Outcome::Overturned, Some(StackPart::Upper)));
+    assert_eq!(
+        (got.outcome, got.overturned_body),
+        (Outcome::Overturned, Some(StackPart::Upper))
+    );
     assert!(got.energy.friction_j > 0.0, "{:?}", got.energy);
     let soft = stack((0.5, 0.6, 400.0), (1.3, 0.2, 60.0), 8e6, 2e3);
-    let motion = Base { horizontal: Some(&strong), vertical: None };
-    assert!(matches!(rock_stack(&soft, motion, &until(1.0)), Err(CompliantError::Unstable { .. })));
+    let motion = Base {
+        horizontal: Some(&strong),
+        vertical: None,
+    };
+    assert!(matches!(
+        rock_stack(&soft, motion, &until(1.0)),
+        Err(CompliantError::Unstable { .. })
+    ));
 }
 
 fn any_law() -> impl Strategy<Value = ContactLaw> {
     prop_oneof![
         (1e6..1e8f64).prop_map(|stiffness_n_m| ContactLaw::Linear { stiffness_n_m }),
-        ((1e6..1e7f64), (0.0..1e4f64))
-            .prop_map(|(stiffness_n_m, damping_n_s_m)| ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }),
-        (1e8..1e9f64).prop_map(|coefficient_n_mn| ContactLaw::Power { coefficient_n_mn, exponent: 1.5 }),
+        ((1e6..1e7f64), (0.0..1e4f64)).prop_map(|(stiffness_n_m, damping_n_s_m)| {
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            }
+        }),
+        (1e8..1e9f64).prop_map(|coefficient_n_mn| ContactLaw::Power {
+            coefficient_n_mn,
+            exponent: 1.5
+        }),
         (0.0..0.5f64).prop_map(|dissipation_s_m| ContactLaw::HuntCrossley {
             coefficient_n_mn: 2e8,
             exponent: 1.5,
@@ -565,11 +1027,13 @@ fn any_law() -> impl Strategy<Value = ContactLaw> {
 
 fn any_support() -> impl Strategy<Value = Support> {
     let friction = prop_oneof![Just(None), Just(Some(0.0)), (0.05..1.2f64).prop_map(Some)];
-    (any_law(), friction, 0.3..3.0f64).prop_map(|(law, friction_ratio, tangential_stiffness_ratio)| Support {
-        cushion: Cushion::new(law).unwrap(),
-        tangential_stiffness_ratio,
-        friction_ratio,
-    })
+    (any_law(), friction, 0.3..3.0f64).prop_map(
+        |(law, friction_ratio, tangential_stiffness_ratio)| Support {
+            cushion: Cushion::new(law).unwrap(),
+            tangential_stiffness_ratio,
+            friction_ratio,
+        },
+    )
 }
 
 /// 0.5 s of two sines.
@@ -660,16 +1124,41 @@ proptest! {
 /// Unequal gaps under a motion and mirrored: the same forces on the other walls.
 #[test]
 fn mirrored_walls_have_mirrored_forces() {
-    let push = Motion::new(0.01, (0..200).map(|i| 5.0 * (f64::from(i) * 0.06).sin()).collect()).unwrap();
+    let push = Motion::new(
+        0.01,
+        (0..200)
+            .map(|i| 5.0 * (f64::from(i) * 0.06).sin())
+            .collect(),
+    )
+    .unwrap();
     let forces = |left_m: f64, right_m: f64, factor: f64| {
-        let wall = |side, gap_m| Wall { side, gap_m, height_m: f64::INFINITY, cushion: None };
+        let wall = |side, gap_m| Wall {
+            side,
+            gap_m,
+            height_m: f64::INFINITY,
+            cushion: None,
+        };
         let walls = vec![wall(EdgeSide::Left, left_m), wall(EdgeSide::Right, right_m)];
-        let shape = Shape::Plane { thickness_m: 0.4, height_m: 1.8 };
-        let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 2e3 };
+        let shape = Shape::Plane {
+            thickness_m: 0.4,
+            height_m: 1.8,
+        };
+        let law = ContactLaw::KelvinVoigt {
+            stiffness_n_m: 4e6,
+            damping_n_s_m: 2e3,
+        };
         let support = Support::new(Cushion::new(law).unwrap());
         let motion = push.scaled(factor).unwrap();
-        let motion = SpatialMotion { x: Some(&motion), ..SpatialMotion::default() };
-        let object = SpatialObject { shape, mass_kg: 100.0, support, walls };
+        let motion = SpatialMotion {
+            x: Some(&motion),
+            ..SpatialMotion::default()
+        };
+        let object = SpatialObject {
+            shape,
+            mass_kg: 100.0,
+            support,
+            walls,
+        };
         rock(&object, motion).wall_forces_max_n
     };
     let [left, right] = forces(0.03, 0.06, 1.0);
@@ -679,12 +1168,33 @@ fn mirrored_walls_have_mirrored_forces() {
 
 #[test]
 fn a_start_beyond_a_wall_is_refused() {
-    let walls = vec![Wall { side: EdgeSide::Left, gap_m: 0.005, height_m: f64::INFINITY, cushion: None }];
-    let shape = Shape::Plane { thickness_m: 0.4, height_m: 1.8 };
-    let object = SpatialObject { shape, mass_kg: 100.0, support: Support::new(Cushion::linear(4e6).unwrap()), walls };
+    let walls = vec![Wall {
+        side: EdgeSide::Left,
+        gap_m: 0.005,
+        height_m: f64::INFINITY,
+        cushion: None,
+    }];
+    let shape = Shape::Plane {
+        thickness_m: 0.4,
+        height_m: 1.8,
+    };
+    let object = SpatialObject {
+        shape,
+        mass_kg: 100.0,
+        support: Support::new(Cushion::linear(4e6).unwrap()),
+        walls,
+    };
     let from = |tilt_rad: f64| {
-        let start = SpatialStart::Released { tilt_rad, toward_rad: 0.0, omega_rad_s: [0.0; 3] };
-        let options = SpatialOptions { start, duration_s: Some(0.1), ..SpatialOptions::default() };
+        let start = SpatialStart::Released {
+            tilt_rad,
+            toward_rad: 0.0,
+            omega_rad_s: [0.0; 3],
+        };
+        let options = SpatialOptions {
+            start,
+            duration_s: Some(0.1),
+            ..SpatialOptions::default()
+        };
         rock_spatial(&object, SpatialMotion::default(), &options)
     };
     assert_eq!(from(-0.1).unwrap_err(), CompliantError::BeyondWall);
@@ -695,9 +1205,16 @@ fn a_start_beyond_a_wall_is_refused() {
 /// zeros after it change nothing; a time that was given ends it, open. One that stays upright rests.
 #[test]
 fn a_history_goes_on_until_the_object_rests_or_lies() {
-    let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 5000.0 };
+    let law = ContactLaw::KelvinVoigt {
+        stiffness_n_m: 4e6,
+        damping_n_s_m: 5000.0,
+    };
     let object = SpatialObject {
-        shape: Shape::Prism { thickness_m: 0.4, width_m: 0.5, height_m: 1.8 },
+        shape: Shape::Prism {
+            thickness_m: 0.4,
+            width_m: 0.5,
+            height_m: 1.8,
+        },
         mass_kg: 200.0,
         support: Support::new(Cushion::new(law).unwrap()),
         walls: Vec::new(),
@@ -707,14 +1224,30 @@ fn a_history_goes_on_until_the_object_rests_or_lies() {
         Motion::new(0.005, half.chain(std::iter::repeat_n(0.0, zeros)).collect()).unwrap()
     };
     let run = |motion: &Motion, duration_s: Option<f64>| {
-        let options = SpatialOptions { duration_s, ..SpatialOptions::default() };
-        rock_spatial(&object, along_x(motion), &options).unwrap().body
+        let options = SpatialOptions {
+            duration_s,
+            ..SpatialOptions::default()
+        };
+        rock_spatial(&object, along_x(motion), &options)
+            .unwrap()
+            .body
     };
-    for (peak_g, outcome) in [(0.1, Outcome::NoUplift), (0.6, Outcome::Rocked), (3.0, Outcome::Overturned)] {
+    for (peak_g, outcome) in [
+        (0.1, Outcome::NoUplift),
+        (0.6, Outcome::Rocked),
+        (3.0, Outcome::Overturned),
+    ] {
         let (bare, padded) = (run(&half(peak_g, 0), None), run(&half(peak_g, 100), None));
-        assert_eq!((bare.outcome, padded.outcome), (outcome, outcome), "{peak_g} g");
+        assert_eq!(
+            (bare.outcome, padded.outcome),
+            (outcome, outcome),
+            "{peak_g} g"
+        );
         // The steps of the padded history end at its samples.
-        assert!((bare.peak_tilt_rad / padded.peak_tilt_rad - 1.0).abs() < 1e-6, "{peak_g} g");
+        assert!(
+            (bare.peak_tilt_rad / padded.peak_tilt_rad - 1.0).abs() < 1e-6,
+            "{peak_g} g"
+        );
     }
     assert_eq!(run(&half(3.0, 0), Some(0.2)).outcome, Outcome::Unresolved);
 }

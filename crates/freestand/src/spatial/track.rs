@@ -130,7 +130,11 @@ impl Seen<'_, '_> {
         if ends <= 0.0 || ends < HEADROOM * best {
             return None;
         }
-        let mut most = if from.0 > to.0 { (0.0, from.0) } else { (1.0, to.0) };
+        let mut most = if from.0 > to.0 {
+            (0.0, from.0)
+        } else {
+            (1.0, to.0)
+        };
         if from.1 > 0.0 && to.1 <= 0.0 {
             let inside = |share: f64| of(&self.world.poses(&self.step.state(share)));
             let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
@@ -209,7 +213,9 @@ impl Track {
         for body in 0..seen.world.bodies.len() {
             self.tilts(seen, body);
             let reached = self.peaks[body].slide.powi(2);
-            if let Some((_, square)) = seen.crest(reached, |poses| slide(seen.world, &poses[body], body)) {
+            if let Some((_, square)) =
+                seen.crest(reached, |poses| slide(seen.world, &poses[body], body))
+            {
                 self.peaks[body].slide = square.sqrt();
             }
         }
@@ -231,7 +237,10 @@ impl Track {
         // sin²: rises with the tilt up to π/2.
         let square = |poses: &Poses| {
             let (axis, rate) = axis(poses);
-            (axis[0].powi(2) + axis[1].powi(2), 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]))
+            (
+                axis[0].powi(2) + axis[1].powi(2),
+                2.0 * (axis[0] * rate[0] + axis[1] * rate[1]),
+            )
         };
         if let Some((share, _)) = seen.crest(peaks.tilt.0.sin().powi(2), square) {
             let [x, y, z] = axis_at(share);
@@ -249,7 +258,10 @@ impl Track {
             let size = |poses: &Poses| {
                 let (axis, rate) = axis(poses);
                 let tilt = tilts(&axis)[side];
-                (tilt.abs(), tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]))
+                (
+                    tilt.abs(),
+                    tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]),
+                )
             };
             if let Some((share, _)) = seen.crest(peaks.tilts[side].abs(), size) {
                 peaks.tilts[side] = tilts(&axis_at(share))[side];
@@ -260,7 +272,11 @@ impl Track {
     fn uplifts(&mut self, seen: &Seen<'_, '_>) {
         let mut elements = seen.world.elements.as_slice();
         if let Some(feet) = &seen.world.feet {
-            let highest_m = seen.ends.iter().map(|poses| feet.highest_m(&poses[0])).fold(0.0, f64::max);
+            let highest_m = seen
+                .ends
+                .iter()
+                .map(|poses| feet.highest_m(&poses[0]))
+                .fold(0.0, f64::max);
             if highest_m <= HEADROOM * self.peaks[0].uplift {
                 elements = elements.get(feet.len()..).unwrap_or_default();
             }
@@ -285,7 +301,11 @@ impl Track {
             }
             if peaks.first_uplift.is_none() {
                 let is_up = |share: f64| height(&seen.world.poses(&seen.state(share))).0 > 0.0;
-                let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
+                let share = if is_up(0.0) {
+                    0.0
+                } else {
+                    bisect(0.0, 1.0, is_up)
+                };
                 peaks.first_uplift = Some(seen.time_s(share));
             }
         }
@@ -296,14 +316,16 @@ impl Track {
     fn walls(&mut self, seen: &Seen<'_, '_>) {
         let poses = &seen.ends[1];
         let pressed = seen.world.elements.iter().zip(seen.grips.each());
-        let pressed = pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
+        let pressed =
+            pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
         let mut forces = [0.0; 2];
         for (element, _) in pressed {
             let foot = seen.world.foot(element, poses);
             // The face of a wall on the right looks to the left; that of the object, on which a low wall
             // presses, looks to the right.
             let is_right = (element.sign < 0.0) == element.face_of.is_none();
-            forces[usize::from(is_right)] += element.pad.push(foot.compression, foot.compression_rate);
+            forces[usize::from(is_right)] +=
+                element.pad.push(foot.compression, foot.compression_rate);
         }
         for (largest, force) in self.wall_forces.iter_mut().zip(forces) {
             *largest = force.max(*largest);
@@ -313,7 +335,8 @@ impl Track {
     /// The patterns and the relative rotation of two bodies.
     fn stack(&mut self, seen: &Seen<'_, '_>) {
         let relative = |poses: &Poses| {
-            let [lower, upper] = [poses[0], poses[1]].map(|pose| (tilts(&pose.axis().0)[0], pose.omega[1]));
+            let [lower, upper] =
+                [poses[0], poses[1]].map(|pose| (tilts(&pose.axis().0)[0], pose.omega[1]));
             let angle = upper.0 - lower.0;
             (angle.abs(), angle.signum() * (upper.1 - lower.1))
         };
@@ -359,7 +382,12 @@ impl Track {
         }
     }
 
-    pub(super) fn finish(&self, world: &World<'_>, y: &State, fallen: Option<Fallen>) -> Vec<BodyMotion> {
+    pub(super) fn finish(
+        &self,
+        world: &World<'_>,
+        y: &State,
+        fallen: Option<Fallen>,
+    ) -> Vec<BodyMotion> {
         let poses = world.poses(y);
         let motion = |(body, peaks): (usize, &Peaks)| {
             let [final_tilt_x_rad, final_tilt_y_rad] = tilts(&poses[body].axis().0);
@@ -375,7 +403,9 @@ impl Track {
             BodyMotion {
                 outcome,
                 peak_tilt_rad: if is_over { FRAC_PI_2 } else { peaks.tilt.0 },
-                peak_tilt_time_s: fallen.filter(|_| is_over).map_or(peaks.tilt.1, |fallen| fallen.time_s),
+                peak_tilt_time_s: fallen
+                    .filter(|_| is_over)
+                    .map_or(peaks.tilt.1, |fallen| fallen.time_s),
                 peak_tilt_x_rad: peaks.tilts[0],
                 peak_tilt_y_rad: peaks.tilts[1],
                 final_tilt_x_rad,

@@ -9,7 +9,11 @@ pub(super) type Turn = [f64; 4];
 pub(super) const UPRIGHT: Turn = [1.0, 0.0, 0.0, 0.0];
 
 pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 pub(super) fn dot(a: &Vector, b: &Vector) -> f64 {
@@ -30,9 +34,21 @@ pub(super) type Shift = [Vector; 3];
 /// Q − I.
 pub(super) fn shift([w, x, y, z]: &Turn) -> Shift {
     [
-        [-2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-        [2.0 * (x * y + w * z), -2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), -2.0 * (x * x + y * y)],
+        [
+            -2.0 * (y * y + z * z),
+            2.0 * (x * y - w * z),
+            2.0 * (x * z + w * y),
+        ],
+        [
+            2.0 * (x * y + w * z),
+            -2.0 * (x * x + z * z),
+            2.0 * (y * z - w * x),
+        ],
+        [
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            -2.0 * (x * x + y * y),
+        ],
     ]
 }
 

@@ -12,16 +12,42 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub(super) fn new(samples: usize, start: usize, end: usize, taper_start: usize, taper_end: usize) -> Self {
-        let rise = |k: usize, over: usize| 0.5 - 0.5 * (PI * (k as f64 / over as f64).min(1.0)).cos();
+    pub(super) fn new(
+        samples: usize,
+        start: usize,
+        end: usize,
+        taper_start: usize,
+        taper_end: usize,
+    ) -> Self {
+        let rise =
+            |k: usize, over: usize| 0.5 - 0.5 * (PI * (k as f64 / over as f64).min(1.0)).cos();
         let within = |k: usize| (start..=end).contains(&k);
-        let taper = |k| if within(k) { rise(k - start, taper_start) * rise(end - k, taper_end) } else { 0.0 };
+        let taper = |k| {
+            if within(k) {
+                rise(k - start, taper_start) * rise(end - k, taper_end)
+            } else {
+                0.0
+            }
+        };
         // Without the last sample, where the sine of a rounded π would give 1e-32 instead of zero.
         let bell = |k| {
-            if within(k) && k < end { (PI * (k - start) as f64 / (end - start) as f64).sin().powi(2) } else { 0.0 }
+            if within(k) && k < end {
+                (PI * (k - start) as f64 / (end - start) as f64)
+                    .sin()
+                    .powi(2)
+            } else {
+                0.0
+            }
         };
-        let (taper, bell) = ((0..samples).map(taper).collect(), (0..samples).map(bell).collect());
-        Self { taper, bell, centre: 0.5 * (start + end) as f64 }
+        let (taper, bell) = (
+            (0..samples).map(taper).collect(),
+            (0..samples).map(bell).collect(),
+        );
+        Self {
+            taper,
+            bell,
+            centre: 0.5 * (start + end) as f64,
+        }
     }
 
     /// Subtracts bell·(c₀ + c₁t) so that Σa = 0 and Σta = 0. With zero ends these are the final

@@ -4,8 +4,8 @@ use super::frame::Frame;
 use super::transform::Transform;
 use super::wavelet::Kernel;
 use super::{
-    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit, Parameter, SHORTEST_PERIOD_S,
-    SynthesisError,
+    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit,
+    Parameter, SHORTEST_PERIOD_S, SynthesisError,
 };
 use crate::G0_M_S2;
 use crate::measures::measures;
@@ -71,7 +71,10 @@ impl Matcher {
         let points = substeps * frame.taper.len() as f64;
         let steps = Parameter::Other("the number of samples at steps of 0.005 s");
         steps.check(points <= MAX_POINTS, "at most 16777216", points)?;
-        let target_m_s2 = periods_s.iter().map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2)).collect::<Result<_, _>>()?;
+        let target_m_s2 = periods_s
+            .iter()
+            .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
+            .collect::<Result<_, _>>()?;
         Ok(Self {
             dt_s,
             target_zpa_g: target(0.0)?,
@@ -95,13 +98,18 @@ impl Matcher {
         self.filter(accel, |frequency_hz| {
             let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
             let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
-            Place::of(frequency_hz).interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
+            Place::of(frequency_hz).interpolate(&ln_target).exp()
+                / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
                 * low
                 * high
         });
     }
 
-    pub(super) fn run(&mut self, mut accel: Vec<f64>, passes: usize) -> Result<MatchedMotion, SynthesisError> {
+    pub(super) fn run(
+        &mut self,
+        mut accel: Vec<f64>,
+        passes: usize,
+    ) -> Result<MatchedMotion, SynthesisError> {
         for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
             *a *= taper;
         }
@@ -112,7 +120,8 @@ impl Matcher {
             return Err(SynthesisError::NoContent);
         }
         accel.iter_mut().for_each(|a| *a *= (-mean).exp());
-        let (mut best, mut best_rms, mut best_pass, mut best_ln) = (Vec::new(), f64::INFINITY, 0, Vec::new());
+        let (mut best, mut best_rms, mut best_pass, mut best_ln) =
+            (Vec::new(), f64::INFINITY, 0, Vec::new());
         for pass in 0..=passes {
             let ln_ratios = self.ln_ratios(&accel);
             let rms = rms_misfit(&ln_ratios);
@@ -127,7 +136,11 @@ impl Matcher {
         }
         let motion = Motion::new(self.dt_s, best)?;
         let misfit = self.described(&motion, &best_ln);
-        Ok(MatchedMotion { motion, misfit, pass: best_pass })
+        Ok(MatchedMotion {
+            motion,
+            misfit,
+            pass: best_pass,
+        })
     }
 
     fn pass(&mut self, accel: &mut [f64], ln_ratios: &[f64]) {
@@ -136,7 +149,10 @@ impl Matcher {
             Gain::Wavelets(kernel) => Some(kernel.gains(ln_ratios)),
         };
         self.filter(accel, |frequency_hz| match &gains {
-            None => (-Place::of(frequency_hz).interpolate(ln_ratios)).exp() * (frequency_hz / LOW_CUT_HZ).min(1.0),
+            None => {
+                (-Place::of(frequency_hz).interpolate(ln_ratios)).exp()
+                    * (frequency_hz / LOW_CUT_HZ).min(1.0)
+            }
             Some(gains) => gains.at(frequency_hz),
         });
     }
@@ -179,9 +195,16 @@ impl Matcher {
             self.fine.extend(accel.last());
             &self.fine
         };
-        self.bank.peaks::<false>(looked_at, &mut self.sd_m, &mut self.unused);
-        let psa = self.sd_m.iter().zip(&self.periods_s).map(|(sd, t)| sd * (TAU / t) * (TAU / t));
-        psa.zip(&self.target_m_s2).map(|(psa, target)| (psa / target).ln()).collect()
+        self.bank
+            .peaks::<false>(looked_at, &mut self.sd_m, &mut self.unused);
+        let psa = self
+            .sd_m
+            .iter()
+            .zip(&self.periods_s)
+            .map(|(sd, t)| sd * (TAU / t) * (TAU / t));
+        psa.zip(&self.target_m_s2)
+            .map(|(psa, target)| (psa / target).ln())
+            .collect()
     }
 
     /// Multiplies the Fourier amplitudes by `gain(frequency)`, drops the mean, tapers the ends and
@@ -209,10 +232,15 @@ struct Place {
 impl Place {
     fn of(frequency_hz: f64) -> Self {
         let last = (MATCHED_PERIODS - 1) as f64;
-        let along = -(frequency_hz * SHORTEST_PERIOD_S).ln() / (LONGEST_PERIOD_S / SHORTEST_PERIOD_S).ln() * last;
+        let along = -(frequency_hz * SHORTEST_PERIOD_S).ln()
+            / (LONGEST_PERIOD_S / SHORTEST_PERIOD_S).ln()
+            * last;
         let along = along.clamp(0.0, last);
         let index = (along as usize).min(MATCHED_PERIODS - 2);
-        Self { index, fraction: along - index as f64 }
+        Self {
+            index,
+            fraction: along - index as f64,
+        }
     }
 
     fn interpolate(self, values: &[f64]) -> f64 {
@@ -223,9 +251,16 @@ impl Place {
 /// The matched periods, rising \[s\].
 pub fn matched_periods_s() -> Vec<f64> {
     let span: f64 = LONGEST_PERIOD_S / SHORTEST_PERIOD_S;
-    (0..MATCHED_PERIODS).map(|i| SHORTEST_PERIOD_S * span.powf(i as f64 / (MATCHED_PERIODS - 1) as f64)).collect()
+    (0..MATCHED_PERIODS)
+        .map(|i| SHORTEST_PERIOD_S * span.powf(i as f64 / (MATCHED_PERIODS - 1) as f64))
+        .collect()
 }
 
 fn rms_misfit(ln_ratios: &[f64]) -> f64 {
-    (ln_ratios.iter().map(|ln_ratio| ln_ratio.exp_m1().powi(2)).sum::<f64>() / ln_ratios.len() as f64).sqrt()
+    (ln_ratios
+        .iter()
+        .map(|ln_ratio| ln_ratio.exp_m1().powi(2))
+        .sum::<f64>()
+        / ln_ratios.len() as f64)
+        .sqrt()
 }

@@ -143,9 +143,22 @@ impl Parameter {
     }
 
     /// An error unless the value is `fine` and finite.
-    fn check(self, fine: bool, requirement: &'static str, value: f64) -> Result<(), SynthesisError> {
-        let error = SynthesisError::Option { parameter: self, requirement, value };
-        if fine && value.is_finite() { Ok(()) } else { Err(error) }
+    fn check(
+        self,
+        fine: bool,
+        requirement: &'static str,
+        value: f64,
+    ) -> Result<(), SynthesisError> {
+        let error = SynthesisError::Option {
+            parameter: self,
+            requirement,
+            value,
+        };
+        if fine && value.is_finite() {
+            Ok(())
+        } else {
+            Err(error)
+        }
     }
 }
 
@@ -171,7 +184,9 @@ pub enum SynthesisError {
         value: f64,
     },
     /// The motion to be matched is too short for the longest matched period.
-    #[error("a motion of {duration_s} s is too short for matching up to a period of {LONGEST_PERIOD_S} s")]
+    #[error(
+        "a motion of {duration_s} s is too short for matching up to a period of {LONGEST_PERIOD_S} s"
+    )]
     TooShort {
         /// Its duration \[s\].
         duration_s: f64,
@@ -208,7 +223,14 @@ impl Default for SynthesisOptions {
     /// 0.005 s, 1 s of quiet, 40 s of shaking, 4 s of quiet, T_d = 10 s (D5–95 about 11 s after
     /// matching), 30 passes.
     fn default() -> Self {
-        Self { dt_s: 0.005, lead_in_s: 1.0, shaking_s: 40.0, tail_s: 4.0, envelope_s: 10.0, passes: 30 }
+        Self {
+            dt_s: 0.005,
+            lead_in_s: 1.0,
+            shaking_s: 40.0,
+            tail_s: 4.0,
+            envelope_s: 10.0,
+            passes: 30,
+        }
     }
 }
 
@@ -288,13 +310,23 @@ fn from_noise(
 ) -> Result<MatchedMotion, SynthesisError> {
     check_options(options)?;
     let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
-    let (start, shaking, tail) = (samples(options.lead_in_s), samples(options.shaking_s), samples(options.tail_s));
+    let (start, shaking, tail) = (
+        samples(options.lead_in_s),
+        samples(options.shaking_s),
+        samples(options.tail_s),
+    );
     let end = start + shaking;
     let mut accel = vec![0.0; end + tail + 1];
     for (k, a) in accel[start..=end].iter_mut().enumerate() {
         *a = noise() * Window::Lam.at(k as f64 * options.dt_s / options.envelope_s);
     }
-    let frame = Frame::new(accel.len(), start, end, samples(TAPER_START_S), samples(TAPER_END_S));
+    let frame = Frame::new(
+        accel.len(),
+        start,
+        end,
+        samples(TAPER_START_S),
+        samples(TAPER_END_S),
+    );
     let mut matcher = Matcher::new(&target_sa_g, options.dt_s, frame, Gain::AtPeriod)?;
     matcher.shape_noise(&mut accel);
     matcher.run(accel, options.passes)
@@ -347,7 +379,12 @@ pub fn match_by_wavelets(
     target_sa_g: impl Fn(f64) -> f64,
     passes: usize,
 ) -> Result<MatchedMotion, SynthesisError> {
-    match_record(seed, &target_sa_g, passes, Gain::Wavelets(wavelet::Kernel::new()))
+    match_record(
+        seed,
+        &target_sa_g,
+        passes,
+        Gain::Wavelets(wavelet::Kernel::new()),
+    )
 }
 
 fn match_record(
@@ -374,7 +411,13 @@ fn match_record(
 /// A target that is not positive and finite.
 pub fn misfit(motion: &Motion, target_sa_g: impl Fn(f64) -> f64) -> Result<Misfit, SynthesisError> {
     let n = motion.accel_m_s2().len();
-    Ok(Matcher::new(&target_sa_g, motion.dt_s(), Frame::new(n, 0, n - 1, 1, 1), Gain::AtPeriod)?.misfit(motion))
+    Ok(Matcher::new(
+        &target_sa_g,
+        motion.dt_s(),
+        Frame::new(n, 0, n - 1, 1, 1),
+        Gain::AtPeriod,
+    )?
+    .misfit(motion))
 }
 
 /// The motion with its peak acceleration scaled to `pga_g`: every half-cycle above it is scaled
@@ -398,8 +441,15 @@ pub fn with_pga(
     Parameter::Other("pga_g").check(pga_g > 0.0, "positive and finite", pga_g)?;
     let peak_m_s2 = pga_g * crate::G0_M_S2;
     let mut accel = motion.accel_m_s2().to_vec();
-    let start = accel.iter().position(|&a| a != 0.0).ok_or(SynthesisError::NoContent)?.saturating_sub(1);
-    let end = accel.iter().rposition(|&a| a != 0.0).map_or(0, |k| (k + 1).min(accel.len() - 1));
+    let start = accel
+        .iter()
+        .position(|&a| a != 0.0)
+        .ok_or(SynthesisError::NoContent)?
+        .saturating_sub(1);
+    let end = accel
+        .iter()
+        .rposition(|&a| a != 0.0)
+        .map_or(0, |k| (k + 1).min(accel.len() - 1));
     let frame = Frame::new(accel.len(), start, end, 1, 1);
     for round in 1..=PGA_ROUNDS {
         scale_half_cycles(&mut accel, peak_m_s2);
@@ -408,16 +458,26 @@ pub fn with_pga(
         if (peak / peak_m_s2 - 1.0).abs() < PGA_TOLERANCE_RATIO {
             let motion = Motion::new(motion.dt_s(), accel)?;
             let misfit = misfit(&motion, target_sa_g)?;
-            return Ok(MatchedMotion { motion, misfit, pass: round });
+            return Ok(MatchedMotion {
+                motion,
+                misfit,
+                pass: round,
+            });
         }
     }
     let requirement = "a peak that the motion reaches in 100 iterations of scaling";
-    Err(SynthesisError::Option { parameter: Parameter::Other("pga_g"), requirement, value: pga_g })
+    Err(SynthesisError::Option {
+        parameter: Parameter::Other("pga_g"),
+        requirement,
+        value: pga_g,
+    })
 }
 
 /// Scales the half-cycles that exceed `peak` down to it, or the largest up to it if there are none.
 fn scale_half_cycles(accel: &mut [f64], peak: f64) {
-    let largest = accel.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
+    let largest = accel
+        .iter()
+        .fold(0.0_f64, |largest, a| largest.max(a.abs()));
     let raise = (largest < peak).then_some(largest);
     for half in accel.chunk_by_mut(|a, b| a.is_sign_negative() == b.is_sign_negative()) {
         let own = half.iter().fold(0.0_f64, |own, a| own.max(a.abs()));
@@ -452,23 +512,50 @@ impl Resemblance {
     /// # Ok::<(), freestand::motion::MotionError>(())
     /// ```
     pub fn between(one: &Motion, other: &Motion) -> Self {
-        let product =
-            |a: &Motion, b: &Motion| -> f64 { a.accel_m_s2().iter().zip(b.accel_m_s2()).map(|(a, b)| a * b).sum() };
+        let product = |a: &Motion, b: &Motion| -> f64 {
+            a.accel_m_s2()
+                .iter()
+                .zip(b.accel_m_s2())
+                .map(|(a, b)| a * b)
+                .sum()
+        };
         let size = (product(one, one) * product(other, other)).sqrt();
-        let differences = husid(one).into_iter().zip(husid(other)).map(|(a, b)| (a - b).abs());
+        let differences = husid(one)
+            .into_iter()
+            .zip(husid(other))
+            .map(|(a, b)| (a - b).abs());
         Self {
-            correlation_ratio: if size > 0.0 { product(one, other) / size } else { 0.0 },
+            correlation_ratio: if size > 0.0 {
+                product(one, other) / size
+            } else {
+                0.0
+            },
             husid_difference_ratio: differences.fold(0.0, f64::max),
         }
     }
 }
 
 fn check_options(options: &SynthesisOptions) -> Result<(), SynthesisError> {
-    let SynthesisOptions { dt_s, lead_in_s, shaking_s, tail_s, envelope_s, .. } = *options;
-    Parameter::TimeStep.check(dt_s > 0.0 && dt_s <= 0.01, "positive and at most 0.01 s", dt_s)?;
+    let SynthesisOptions {
+        dt_s,
+        lead_in_s,
+        shaking_s,
+        tail_s,
+        envelope_s,
+        ..
+    } = *options;
+    Parameter::TimeStep.check(
+        dt_s > 0.0 && dt_s <= 0.01,
+        "positive and at most 0.01 s",
+        dt_s,
+    )?;
     Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s)?;
     let is_long = shaking_s >= 2.0 * LONGEST_PERIOD_S;
-    Parameter::Shaking.check(is_long, "at least 10 s, twice the longest period", shaking_s)?;
+    Parameter::Shaking.check(
+        is_long,
+        "at least 10 s, twice the longest period",
+        shaking_s,
+    )?;
     Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s)?;
     Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s)?;
     check_samples((lead_in_s + shaking_s + tail_s) / dt_s)

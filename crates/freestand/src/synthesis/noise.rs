@@ -92,7 +92,14 @@ mod tests {
         // Recorded from rand_chacha 0.10.0 and rand_distr 0.6.0. Any other value changes every
         // synthetic motion.
         let mut noise = noise(1, 7);
-        assert_eq!([noise(), noise(), noise()], [-0.8937706181435281, -0.5479682301173312, 0.04426811833978719]);
+        assert_eq!(
+            [noise(), noise(), noise()],
+            [
+                -0.8937706181435281,
+                -0.5479682301173312,
+                0.04426811833978719
+            ]
+        );
     }
 
     #[test]
@@ -100,8 +107,14 @@ mod tests {
         // GMSS 2.0 prints 26.312, 1.253 and 6.266; four and five digits of b and c follow from ε
         // and η.
         let (a, b, c) = saragoni_hart();
-        assert!((a - 26.312).abs() < 5e-4 && (b - 1.2531).abs() < 5e-5 && (c - 6.2657).abs() < 5e-5, "{a} {b} {c}");
-        assert!((Window::SaragoniHart.at(0.4) - 1.0).abs() < 1e-12, "the peak at 0.2 t_η");
+        assert!(
+            (a - 26.312).abs() < 5e-4 && (b - 1.2531).abs() < 5e-5 && (c - 6.2657).abs() < 5e-5,
+            "{a} {b} {c}"
+        );
+        assert!(
+            (Window::SaragoniHart.at(0.4) - 1.0).abs() < 1e-12,
+            "the peak at 0.2 t_η"
+        );
     }
 
     #[test]
@@ -114,6 +127,10 @@ mod tests {
         let energy = |until: f64| until * unit_integral(|x| Window::Lam.at(x * until).powi(2));
         assert!((energy(8.0) - 1.0 / 14.4).abs() < 1e-12 && (1.0_f64 / 14.4 - 0.0694).abs() < 5e-5);
         let time = |share: f64| crate::search::bisect(0.0, 8.0, |t| energy(t) > share / 14.4);
-        assert!((time(0.95) - time(0.05) - 0.754).abs() < 5e-4, "{}", time(0.95) - time(0.05));
+        assert!(
+            (time(0.95) - time(0.05) - 0.754).abs() < 5e-4,
+            "{}",
+            time(0.95) - time(0.05)
+        );
     }
 }

@@ -96,14 +96,26 @@ pub fn distance_for_target(
         let value = ln_ratio(distance_m)?;
         if value.abs() < RATIO_TOLERANCE {
             let magnitude = at_distance(distance_m).magnitude;
-            return Ok(Some(Pair { magnitude, distance_m, mean_ratio: value.exp() }));
+            return Ok(Some(Pair {
+                magnitude,
+                distance_m,
+                mean_ratio: value.exp(),
+            }));
         }
         if value > 0.0 {
             (near, above) = (ln_distance, value);
-            below *= if last_was_near == Some(true) { 0.5 } else { 1.0 };
+            below *= if last_was_near == Some(true) {
+                0.5
+            } else {
+                1.0
+            };
         } else {
             (far, below) = (ln_distance, value);
-            above *= if last_was_near == Some(false) { 0.5 } else { 1.0 };
+            above *= if last_was_near == Some(false) {
+                0.5
+            } else {
+                1.0
+            };
         }
         last_was_near = Some(value > 0.0);
     }
@@ -120,13 +132,18 @@ pub fn mean_ratio<'a>(
     target_sa_g: impl Fn(f64) -> f64,
 ) -> Result<Option<f64>, SynthesisError> {
     let (periods_s, ln_target) = (periods_s(), ln_target(target_sa_g)?);
-    let means = motions.into_iter().map(|motion| ln_mean(motion, &periods_s)).collect::<Result<Vec<_>, _>>()?;
+    let means = motions
+        .into_iter()
+        .map(|motion| ln_mean(motion, &periods_s))
+        .collect::<Result<Vec<_>, _>>()?;
     let mean = means.iter().sum::<f64>() / means.len() as f64;
     Ok((!means.is_empty()).then(|| (mean - ln_target).exp()))
 }
 
 fn periods_s() -> Vec<f64> {
-    (0..PERIODS).map(|i| FROM_PERIOD_S * 2.0_f64.powf(i as f64 / (PERIODS - 1) as f64)).collect()
+    (0..PERIODS)
+        .map(|i| FROM_PERIOD_S * 2.0_f64.powf(i as f64 / (PERIODS - 1) as f64))
+        .collect()
 }
 
 /// Mean of ln Sa over the periods, Sa in g.
@@ -145,7 +162,12 @@ fn ln_target(target_sa_g: impl Fn(f64) -> f64) -> Result<f64, SynthesisError> {
 /// Mean of ln PSA over the periods, PSA in g.
 fn ln_mean(motion: &Motion, periods_s: &[f64]) -> Result<f64, SynthesisError> {
     let spectrum = response_spectrum(motion, DAMPING_RATIO, periods_s)?;
-    Ok(spectrum.psa_m_s2.iter().map(|psa| (psa / G0_M_S2).ln()).sum::<f64>() / periods_s.len() as f64)
+    Ok(spectrum
+        .psa_m_s2
+        .iter()
+        .map(|psa| (psa / G0_M_S2).ln())
+        .sum::<f64>()
+        / periods_s.len() as f64)
 }
 
 #[cfg(test)]
@@ -159,21 +181,35 @@ mod tests {
 
     fn found(magnitude: f64, options: &SimulationOptions, streams: Range<u64>) -> Pair {
         let at = |distance_m| Preset::Victoria.source(magnitude, distance_m);
-        distance_for_target(at, rock, options, 1, streams).unwrap().unwrap()
+        distance_for_target(at, rock, options, 1, streams)
+            .unwrap()
+            .unwrap()
     }
 
     /// ln of the ratios of the motions of `streams` at a distance.
     fn ln_ratios(magnitude: f64, distance_m: f64, streams: Range<u64>) -> Vec<f64> {
         let source = Preset::Victoria.source(magnitude, distance_m);
         let simulator = Simulator::new(&source, |_| 1.0, &SimulationOptions::default()).unwrap();
-        let ratio = |stream| mean_ratio([&simulator.motion(1, stream).unwrap()], rock).unwrap().unwrap().ln();
+        let ratio = |stream| {
+            mean_ratio([&simulator.motion(1, stream).unwrap()], rock)
+                .unwrap()
+                .unwrap()
+                .ln()
+        };
         streams.map(ratio).collect()
     }
 
     fn mean_and_variance(values: &[f64]) -> (f64, f64) {
         let n = values.len() as f64;
         let mean = values.iter().sum::<f64>() / n;
-        (mean, values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (n - 1.0))
+        (
+            mean,
+            values
+                .iter()
+                .map(|value| (value - mean).powi(2))
+                .sum::<f64>()
+                / (n - 1.0),
+        )
     }
 
     #[test]
@@ -187,12 +223,16 @@ mod tests {
             let pair = found(magnitude, &SimulationOptions::default(), 0..20);
             let here = ln_ratios(magnitude, pair.distance_m, 0..20);
             let there = ln_ratios(magnitude, 1.2 * pair.distance_m, 0..20);
-            let ((mean, variance), (lower, _)) = (mean_and_variance(&here), mean_and_variance(&there));
+            let ((mean, variance), (lower, _)) =
+                (mean_and_variance(&here), mean_and_variance(&there));
             let slope = (mean - lower) / 1.2_f64.ln();
             let statistical = 2.5 * (2.0 * variance / 20.0).sqrt() / slope;
             let rounding = (1.0 - 2.5 / expected_km).ln().abs();
             let off = (pair.distance_m / 1000.0 / expected_km).ln().abs();
-            assert!(off < statistical + rounding + 0.1 / slope, "{pair:?}: {off} {statistical} {rounding} {slope}");
+            assert!(
+                off < statistical + rounding + 0.1 / slope,
+                "{pair:?}: {off} {statistical} {rounding} {slope}"
+            );
             // The test has power.
             assert!(statistical < 0.25, "{statistical}");
         }
@@ -202,47 +242,95 @@ mod tests {
     fn the_spectrum_of_one_pair_is_that_of_another_computation() {
         // M 6 at 30 km relative to the rock of Melbourne, 500 years, geometric means of 20 motions,
         // printed to 0.01. Plateau 2.94 to 0.3 s, 0.88/T to 1.5 s, 1.32/T² above.
-        let printed = [(0.1, 1.90_f64), (0.2, 1.56), (0.3, 1.16), (0.5, 1.09), (1.0, 0.98), (1.5, 0.77), (2.0, 0.80)];
+        let printed = [
+            (0.1, 1.90_f64),
+            (0.2, 1.56),
+            (0.3, 1.16),
+            (0.5, 1.09),
+            (1.0, 0.98),
+            (1.5, 0.77),
+            (2.0, 0.80),
+        ];
         let code = |t: f64| 0.08 * (0.88 / t).min(2.94).min(1.32 / (t * t));
-        let simulator =
-            Simulator::new(&Preset::Victoria.source(6.0, 30e3), |_| 1.0, &SimulationOptions::default()).unwrap();
+        let simulator = Simulator::new(
+            &Preset::Victoria.source(6.0, 30e3),
+            |_| 1.0,
+            &SimulationOptions::default(),
+        )
+        .unwrap();
         let periods_s = printed.map(|(t, _)| t);
         let spectra: Vec<Vec<f64>> = (0..100)
-            .map(|i| response_spectrum(&simulator.motion(1, i).unwrap(), DAMPING_RATIO, &periods_s).unwrap().psa_m_s2)
+            .map(|i| {
+                response_spectrum(&simulator.motion(1, i).unwrap(), DAMPING_RATIO, &periods_s)
+                    .unwrap()
+                    .psa_m_s2
+            })
             .collect();
         for (i, (period_s, expected)) in printed.into_iter().enumerate() {
-            let ln: Vec<f64> = spectra.iter().map(|psa| (psa[i] / G0_M_S2 / code(period_s)).ln()).collect();
+            let ln: Vec<f64> = spectra
+                .iter()
+                .map(|psa| (psa[i] / G0_M_S2 / code(period_s)).ln())
+                .collect();
             let (mean, variance) = mean_and_variance(&ln);
             // Means of 100 and of 20: seven differences are within 2.7 standard errors for 95 % of
             // all seeds.
             let within = 2.7 * (variance / 100.0 + variance / 20.0).sqrt() + 0.005 / expected;
-            assert!((mean - expected.ln()).abs() < within, "{period_s} s: {} {within}", mean.exp());
+            assert!(
+                (mean - expected.ln()).abs() < within,
+                "{period_s} s: {} {within}",
+                mean.exp()
+            );
         }
     }
 
     #[test]
     fn the_distance_is_that_of_the_motions_that_are_made_with_the_same_options() {
-        let options = SimulationOptions { dt_s: 0.008, low_cut_hz: 0.1 };
+        let options = SimulationOptions {
+            dt_s: 0.008,
+            low_cut_hz: 0.1,
+        };
         let streams = crate::synthesis::stream(2, 0)..crate::synthesis::stream(2, 5);
         let pair = found(6.5, &options, streams.clone());
-        let simulator = Simulator::new(&Preset::Victoria.source(6.5, pair.distance_m), |_| 1.0, &options).unwrap();
-        let motions: Vec<Motion> = streams.map(|stream| simulator.motion(1, stream).unwrap()).collect();
+        let simulator = Simulator::new(
+            &Preset::Victoria.source(6.5, pair.distance_m),
+            |_| 1.0,
+            &options,
+        )
+        .unwrap();
+        let motions: Vec<Motion> = streams
+            .map(|stream| simulator.motion(1, stream).unwrap())
+            .collect();
         // The same numbers, summed in another order over five motions.
         let ratio = mean_ratio(&motions, rock).unwrap().unwrap();
-        assert!((ratio / pair.mean_ratio - 1.0).abs() < 1e-13 && (ratio - 1.0).abs() < 1.001e-3, "{pair:?} {ratio}");
+        assert!(
+            (ratio / pair.mean_ratio - 1.0).abs() < 1e-13 && (ratio - 1.0).abs() < 1.001e-3,
+            "{pair:?} {ratio}"
+        );
         // Eighty other motions at that distance of twenty: 2.7 times the errors of both means.
         let pair = found(6.0, &SimulationOptions::default(), 0..20);
         let (mean, variance) = mean_and_variance(&ln_ratios(6.0, pair.distance_m, 100..180));
-        assert!(mean.abs() < 2.7 * (variance / 80.0 + variance / 20.0).sqrt(), "{mean} {variance}");
+        assert!(
+            mean.abs() < 2.7 * (variance / 80.0 + variance / 20.0).sqrt(),
+            "{mean} {variance}"
+        );
     }
 
     #[test]
     fn what_no_distance_meets_has_no_pair() {
         let at = |distance_m| Preset::Victoria.source(5.5, distance_m);
         let options = SimulationOptions::default();
-        assert_eq!(distance_for_target(at, |_| 20.0, &options, 1, 0..2).unwrap(), None);
-        assert!(matches!(distance_for_target(at, |_| 0.0, &options, 1, 0..2), Err(SynthesisError::Target { .. })));
-        assert!(matches!(distance_for_target(at, rock, &options, 1, 3..3), Err(SynthesisError::Option { .. })));
+        assert_eq!(
+            distance_for_target(at, |_| 20.0, &options, 1, 0..2).unwrap(),
+            None
+        );
+        assert!(matches!(
+            distance_for_target(at, |_| 0.0, &options, 1, 0..2),
+            Err(SynthesisError::Target { .. })
+        ));
+        assert!(matches!(
+            distance_for_target(at, rock, &options, 1, 3..3),
+            Err(SynthesisError::Option { .. })
+        ));
         assert_eq!(mean_ratio([], rock), Ok(None));
     }
 }

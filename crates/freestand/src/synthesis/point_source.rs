@@ -143,7 +143,11 @@ pub enum Preset {
 
 impl Preset {
     /// All presets.
-    pub const ALL: [Self; 3] = [Self::Victoria, Self::IntraplateHardRock, Self::SouthEastAustralia];
+    pub const ALL: [Self; 3] = [
+        Self::Victoria,
+        Self::IntraplateHardRock,
+        Self::SouthEastAustralia,
+    ];
 
     /// The name in commands and files.
     pub fn name(self) -> &'static str {
@@ -164,7 +168,10 @@ impl Preset {
 
     /// The source with these parameters, a magnitude and a distance.
     pub fn source(self, magnitude: f64, distance_m: f64) -> PointSource {
-        let piece = |from_distance_m, exponent_ratio| SpreadingPiece { from_distance_m, exponent_ratio };
+        let piece = |from_distance_m, exponent_ratio| SpreadingPiece {
+            from_distance_m,
+            exponent_ratio,
+        };
         let trilinear = vec![piece(1e3, 1.0), piece(70e3, 0.0), piece(130e3, 0.5)];
         let victoria = PointSource {
             magnitude,
@@ -174,7 +181,10 @@ impl Preset {
             shear_velocity_m_s: 3500.0,
             spectrum: SourceSpectrum::SingleCorner,
             spreading: trilinear,
-            quality: Quality::Power { at_1_hz_ratio: 100.0, exponent_ratio: 0.85 },
+            quality: Quality::Power {
+                at_1_hz_ratio: 100.0,
+                exponent_ratio: 0.85,
+            },
             high_cut: HighCut::Kappa { kappa_s: 0.025 },
             profile: Some(ShearWaveProfile::melbourne()),
             path_duration: PathDuration::Boore,
@@ -184,7 +194,10 @@ impl Preset {
             Self::Victoria => victoria,
             Self::IntraplateHardRock => PointSource {
                 spectrum: SourceSpectrum::TwoCorner,
-                quality: Quality::Power { at_1_hz_ratio: 680.0, exponent_ratio: 0.36 },
+                quality: Quality::Power {
+                    at_1_hz_ratio: 680.0,
+                    exponent_ratio: 0.36,
+                },
                 high_cut: HighCut::MaximumFrequency { frequency_hz: 50.0 },
                 profile: None,
                 ..victoria
@@ -208,8 +221,15 @@ impl Quality {
     /// Q at a frequency.
     pub fn at_ratio(self, frequency_hz: f64) -> f64 {
         match self {
-            Self::Power { at_1_hz_ratio, exponent_ratio } => at_1_hz_ratio * frequency_hz.powf(exponent_ratio),
-            Self::LogCubic { coefficients_ratio: [c0, c1, c2, c3], lowest_hz, highest_hz } => {
+            Self::Power {
+                at_1_hz_ratio,
+                exponent_ratio,
+            } => at_1_hz_ratio * frequency_hz.powf(exponent_ratio),
+            Self::LogCubic {
+                coefficients_ratio: [c0, c1, c2, c3],
+                lowest_hz,
+                highest_hz,
+            } => {
                 let x = frequency_hz.clamp(lowest_hz, highest_hz).log10();
                 10.0_f64.powf(c0 + x * (c1 + x * (c2 + x * c3)))
             }
@@ -219,9 +239,20 @@ impl Quality {
 
 /// G(R), 1 at 1 km: the product over the ranges up to R.
 fn spreading_ratio(pieces: &[SpreadingPiece], distance_m: f64) -> f64 {
-    let ends = pieces.iter().skip(1).map(|piece| piece.from_distance_m).chain([f64::INFINITY]);
-    let reached = pieces.iter().zip(ends).take_while(|(piece, _)| piece.from_distance_m < distance_m);
-    reached.map(|(piece, end)| (end.min(distance_m) / piece.from_distance_m).powf(-piece.exponent_ratio)).product()
+    let ends = pieces
+        .iter()
+        .skip(1)
+        .map(|piece| piece.from_distance_m)
+        .chain([f64::INFINITY]);
+    let reached = pieces
+        .iter()
+        .zip(ends)
+        .take_while(|(piece, _)| piece.from_distance_m < distance_m);
+    reached
+        .map(|(piece, end)| {
+            (end.min(distance_m) / piece.from_distance_m).powf(-piece.exponent_ratio)
+        })
+        .product()
 }
 
 /// Corner frequencies of the source \[Hz\].
@@ -257,7 +288,9 @@ impl PointSource {
     /// assert!((Preset::Victoria.source(6.0, 28e3).corner_hz() - 0.44854).abs() < 5e-6);
     /// ```
     pub fn corner_hz(&self) -> f64 {
-        CORNER_COEFFICIENT * self.shear_velocity_m_s * (self.stress_drop_pa / self.moment_n_m()).cbrt()
+        CORNER_COEFFICIENT
+            * self.shear_velocity_m_s
+            * (self.stress_drop_pa / self.moment_n_m()).cbrt()
     }
 
     /// The corners of the source spectrum.
@@ -268,8 +301,13 @@ impl PointSource {
             SourceSpectrum::TwoCorner => {
                 let lower_hz = 10.0_f64.powf(2.41 - 0.533 * self.magnitude);
                 let share = 10.0_f64.powf(2.52 - 0.637 * self.magnitude);
-                let upper_hz = ((corner_hz * corner_hz - (1.0 - share) * lower_hz * lower_hz) / share).sqrt();
-                Corners::Two { lower_hz, upper_hz, upper_share_ratio: share }
+                let upper_hz =
+                    ((corner_hz * corner_hz - (1.0 - share) * lower_hz * lower_hz) / share).sqrt();
+                Corners::Two {
+                    lower_hz,
+                    upper_hz,
+                    upper_share_ratio: share,
+                }
             }
         }
     }
@@ -292,7 +330,11 @@ impl PointSource {
     fn scale(&self) -> f64 {
         let partition = 0.5_f64.sqrt();
         RADIATION_RATIO * FREE_SURFACE_RATIO * partition
-            / (4.0 * PI * self.density_kg_m3 * self.shear_velocity_m_s.powi(3) * REFERENCE_DISTANCE_M)
+            / (4.0
+                * PI
+                * self.density_kg_m3
+                * self.shear_velocity_m_s.powi(3)
+                * REFERENCE_DISTANCE_M)
     }
 
     /// Fourier amplitude of the ground acceleration without the amplification of the crust \[m/s\].
@@ -315,9 +357,11 @@ impl PointSource {
         let brune = |corner_hz: f64| 1.0 / (1.0 + (frequency_hz / corner_hz).powi(2));
         let shape = match self.corners() {
             Corners::Single { corner_hz } => brune(corner_hz),
-            Corners::Two { lower_hz, upper_hz, upper_share_ratio } => {
-                (1.0 - upper_share_ratio) * brune(lower_hz) + upper_share_ratio * brune(upper_hz)
-            }
+            Corners::Two {
+                lower_hz,
+                upper_hz,
+                upper_share_ratio,
+            } => (1.0 - upper_share_ratio) * brune(lower_hz) + upper_share_ratio * brune(upper_hz),
         };
         let source = self.scale() * self.moment_n_m() * (TAU * frequency_hz).powi(2) * shape;
         let q = self.quality.at_ratio(frequency_hz);
@@ -325,9 +369,9 @@ impl PointSource {
             * (-PI * frequency_hz * self.distance_m / (q * self.shear_velocity_m_s)).exp();
         let surface = match self.high_cut {
             HighCut::Kappa { kappa_s } => (-PI * kappa_s * frequency_hz).exp(),
-            HighCut::MaximumFrequency { frequency_hz: maximum_hz } => {
-                1.0 / (1.0 + (frequency_hz / maximum_hz).powi(8)).sqrt()
-            }
+            HighCut::MaximumFrequency {
+                frequency_hz: maximum_hz,
+            } => 1.0 / (1.0 + (frequency_hz / maximum_hz).powi(8)).sqrt(),
         };
         source * path * surface
     }
@@ -349,33 +393,62 @@ impl PointSource {
     /// # Errors
     /// [`SynthesisError::Option`] names the parameter and its range.
     pub fn check(&self) -> Result<(), SynthesisError> {
-        let positive = |parameter: Parameter, value: f64| parameter.check(value > 0.0, "positive", value);
-        Parameter::Magnitude.check((3.0..=8.5).contains(&self.magnitude), "from 3 to 8.5", self.magnitude)?;
+        let positive =
+            |parameter: Parameter, value: f64| parameter.check(value > 0.0, "positive", value);
+        Parameter::Magnitude.check(
+            (3.0..=8.5).contains(&self.magnitude),
+            "from 3 to 8.5",
+            self.magnitude,
+        )?;
         let distance_km = self.distance_m / 1000.0;
         let is_near = (1.0..=1000.0).contains(&distance_km);
         Parameter::Distance.check(is_near, "from 1 km to 1000 km", self.distance_m)?;
         positive(Parameter::StressDrop, self.stress_drop_pa)?;
         positive(Parameter::Other("density_kg_m3"), self.density_kg_m3)?;
-        positive(Parameter::Other("shear_velocity_m_s"), self.shear_velocity_m_s)?;
-        if let Corners::Two { upper_hz, upper_share_ratio, .. } = self.corners() {
+        positive(
+            Parameter::Other("shear_velocity_m_s"),
+            self.shear_velocity_m_s,
+        )?;
+        if let Corners::Two {
+            upper_hz,
+            upper_share_ratio,
+            ..
+        } = self.corners()
+        {
             let fine = upper_hz > 0.0 && upper_share_ratio < 1.0;
-            let requirement = "one for which two corners exist (4 or more, with a large enough stress drop)";
+            let requirement =
+                "one for which two corners exist (4 or more, with a large enough stress drop)";
             Parameter::Magnitude.check(fine, requirement, self.magnitude)?;
         }
         match self.quality {
-            Quality::Power { at_1_hz_ratio, exponent_ratio } => {
+            Quality::Power {
+                at_1_hz_ratio,
+                exponent_ratio,
+            } => {
                 positive(Parameter::Other("at_1_hz_ratio"), at_1_hz_ratio)?;
                 let fine = (0.0..=1.0).contains(&exponent_ratio);
                 Parameter::Other("exponent_ratio").check(fine, "from 0 to 1", exponent_ratio)?;
             }
-            Quality::LogCubic { lowest_hz, highest_hz, .. } => {
+            Quality::LogCubic {
+                lowest_hz,
+                highest_hz,
+                ..
+            } => {
                 let fine = lowest_hz > 0.0 && lowest_hz < highest_hz;
-                Parameter::Other("lowest_hz").check(fine, "positive and below highest_hz", lowest_hz)?;
+                Parameter::Other("lowest_hz").check(
+                    fine,
+                    "positive and below highest_hz",
+                    lowest_hz,
+                )?;
             }
         }
         match self.high_cut {
-            HighCut::Kappa { kappa_s } => Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)?,
-            HighCut::MaximumFrequency { frequency_hz } => positive(Parameter::Other("frequency_hz"), frequency_hz)?,
+            HighCut::Kappa { kappa_s } => {
+                Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)?
+            }
+            HighCut::MaximumFrequency { frequency_hz } => {
+                positive(Parameter::Other("frequency_hz"), frequency_hz)?
+            }
         }
         self.check_spreading()
     }
@@ -405,7 +478,10 @@ mod tests {
     use super::*;
 
     fn reference() -> PointSource {
-        PointSource { profile: None, ..Preset::Victoria.source(6.0, 28e3) }
+        PointSource {
+            profile: None,
+            ..Preset::Victoria.source(6.0, 28e3)
+        }
     }
 
     #[test]
@@ -427,7 +503,10 @@ mod tests {
         for (frequency_hz, expected) in cm_s {
             let got = 100.0 * source.fourier_amplitude_m_s(frequency_hz);
             // Half a unit of the fifth digit of the smallest leading one.
-            assert!((got / expected - 1.0).abs() < 5e-5, "{frequency_hz} Hz: {got}");
+            assert!(
+                (got / expected - 1.0).abs() < 5e-5,
+                "{frequency_hz} Hz: {got}"
+            );
         }
         // 2.23 s of the source and 1.5 s of the path: 3.7 s, as in the reference.
         assert!((Preset::Victoria.source(6.0, 30e3).duration_s() - 3.7).abs() < 0.05);
@@ -436,13 +515,25 @@ mod tests {
     #[test]
     fn two_corners_meet_the_single_one_at_both_ends() {
         let single = reference();
-        let two = PointSource { spectrum: SourceSpectrum::TwoCorner, ..reference() };
-        let ratio = |frequency_hz: f64| two.unamplified_m_s(frequency_hz) / single.unamplified_m_s(frequency_hz);
+        let two = PointSource {
+            spectrum: SourceSpectrum::TwoCorner,
+            ..reference()
+        };
+        let ratio = |frequency_hz: f64| {
+            two.unamplified_m_s(frequency_hz) / single.unamplified_m_s(frequency_hz)
+        };
         // Both are M₀ at f → 0 and M₀ f₀² at f → ∞, with corrections of (f/f_a)² and (f_b/f)².
         assert!((ratio(1e-4) - 1.0).abs() < 1e-5 && (ratio(1e3) - 1.0).abs() < 1e-5);
         // Between them it sags: log f_a = 2.41 − 3.198.
         assert!(ratio(0.4) < 0.8, "{}", ratio(0.4));
-        let Corners::Two { lower_hz, upper_share_ratio, .. } = two.corners() else { panic!() };
+        let Corners::Two {
+            lower_hz,
+            upper_share_ratio,
+            ..
+        } = two.corners()
+        else {
+            panic!()
+        };
         assert!((lower_hz - 0.16293).abs() < 5e-6 && (upper_share_ratio - 0.049888).abs() < 5e-7);
     }
 
@@ -457,11 +548,20 @@ mod tests {
         let expected = 90.0_f64.powf(-1.3) * (160.0_f64 / 90.0).powf(0.1) * 2.0_f64.powf(-1.6);
         assert!((spreading_ratio(&allen, 320e3) / expected - 1.0).abs() < 1e-13);
         let path = |r_km: f64| {
-            let source =
-                PointSource { distance_m: 1000.0 * r_km, path_duration: PathDuration::AtkinsonBoore, ..reference() };
+            let source = PointSource {
+                distance_m: 1000.0 * r_km,
+                path_duration: PathDuration::AtkinsonBoore,
+                ..reference()
+            };
             source.duration_s() - 1.0 / source.corner_hz()
         };
-        for (r_km, expected) in [(50.0, 8.0), (70.0, 11.2), (100.0, 10.3), (130.0, 9.4), (230.0, 13.4)] {
+        for (r_km, expected) in [
+            (50.0, 8.0),
+            (70.0, 11.2),
+            (100.0, 10.3),
+            (130.0, 9.4),
+            (230.0, 13.4),
+        ] {
             assert!((path(r_km) - expected).abs() < 1e-12, "{r_km} km");
         }
     }
@@ -473,11 +573,23 @@ mod tests {
         // beyond 0.78 and 19.9 Hz.
         assert!((allen.at_ratio(1.0).log10() - 3.66).abs() < 1e-13);
         assert!((allen.at_ratio(10.0).log10() - 3.046).abs() < 1e-13);
-        assert_eq!((allen.at_ratio(0.1), allen.at_ratio(50.0)), (allen.at_ratio(0.78), allen.at_ratio(19.9)));
-        let cut = PointSource { high_cut: HighCut::MaximumFrequency { frequency_hz: 15.0 }, ..reference() };
-        let uncut = PointSource { high_cut: HighCut::Kappa { kappa_s: 0.0 }, ..reference() };
+        assert_eq!(
+            (allen.at_ratio(0.1), allen.at_ratio(50.0)),
+            (allen.at_ratio(0.78), allen.at_ratio(19.9))
+        );
+        let cut = PointSource {
+            high_cut: HighCut::MaximumFrequency { frequency_hz: 15.0 },
+            ..reference()
+        };
+        let uncut = PointSource {
+            high_cut: HighCut::Kappa { kappa_s: 0.0 },
+            ..reference()
+        };
         // 1/√2 at f_max.
-        assert!((cut.unamplified_m_s(15.0) / uncut.unamplified_m_s(15.0) - 0.5_f64.sqrt()).abs() < 1e-14);
+        assert!(
+            (cut.unamplified_m_s(15.0) / uncut.unamplified_m_s(15.0) - 0.5_f64.sqrt()).abs()
+                < 1e-14
+        );
     }
 
     #[test]
@@ -491,11 +603,35 @@ mod tests {
             assert_eq!(Preset::parse(preset.name()), Some(preset));
         }
         assert_eq!(name(Preset::Victoria.source(9.0, 30e3)), "magnitude");
-        assert_eq!(name(Preset::IntraplateHardRock.source(3.5, 30e3)), "magnitude");
+        assert_eq!(
+            name(Preset::IntraplateHardRock.source(3.5, 30e3)),
+            "magnitude"
+        );
         assert_eq!(name(Preset::Victoria.source(6.0, 500.0)), "distance_m");
-        assert_eq!(name(PointSource { stress_drop_pa: f64::NAN, ..reference() }), "stress_drop_pa");
-        assert_eq!(name(PointSource { high_cut: HighCut::Kappa { kappa_s: -1.0 }, ..reference() }), "kappa_s");
-        let spreading = vec![SpreadingPiece { from_distance_m: 2e3, exponent_ratio: 1.0 }];
-        assert_eq!(name(PointSource { spreading, ..reference() }), "spreading");
+        assert_eq!(
+            name(PointSource {
+                stress_drop_pa: f64::NAN,
+                ..reference()
+            }),
+            "stress_drop_pa"
+        );
+        assert_eq!(
+            name(PointSource {
+                high_cut: HighCut::Kappa { kappa_s: -1.0 },
+                ..reference()
+            }),
+            "kappa_s"
+        );
+        let spreading = vec![SpreadingPiece {
+            from_distance_m: 2e3,
+            exponent_ratio: 1.0,
+        }];
+        assert_eq!(
+            name(PointSource {
+                spreading,
+                ..reference()
+            }),
+            "spreading"
+        );
     }
 }

@@ -33,7 +33,10 @@ pub struct SimulationOptions {
 impl Default for SimulationOptions {
     /// 0.005 s, 0.05 Hz: pads of 60 s, and amplitudes 0.4 % lower at 0.2 Hz.
     fn default() -> Self {
-        Self { dt_s: 0.005, low_cut_hz: 0.05 }
+        Self {
+            dt_s: 0.005,
+            low_cut_hz: 0.05,
+        }
     }
 }
 
@@ -62,27 +65,51 @@ impl Simulator {
     ) -> Result<Self, SynthesisError> {
         source.check()?;
         let SimulationOptions { dt_s, low_cut_hz } = *options;
-        Parameter::TimeStep.check(dt_s > 0.0 && dt_s <= 0.01, "positive and at most 0.01 s", dt_s)?;
-        Parameter::LowCut.check((0.01..=0.2).contains(&low_cut_hz), "from 0.01 to 0.2 Hz", low_cut_hz)?;
+        Parameter::TimeStep.check(
+            dt_s > 0.0 && dt_s <= 0.01,
+            "positive and at most 0.01 s",
+            dt_s,
+        )?;
+        Parameter::LowCut.check(
+            (0.01..=0.2).contains(&low_cut_hz),
+            "from 0.01 to 0.2 Hz",
+            low_cut_hz,
+        )?;
         let pad_s = PAD_RATIO * LOW_CUT_ORDER / low_cut_hz;
         check_samples((2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s)?;
         let shaking = (WINDOW_DURATIONS * source.duration_s() / dt_s).ceil() as usize;
         let pad = (pad_s / dt_s).round() as usize;
-        let window = (0..shaking).map(|k| source.window.at(k as f64 * dt_s / source.duration_s())).collect();
+        let window = (0..shaking)
+            .map(|k| source.window.at(k as f64 * dt_s / source.duration_s()))
+            .collect();
         let samples = shaking + 2 * pad;
         let transform = Transform::new(samples);
         let step_hz = transform.step_hz(dt_s);
-        let frequencies_hz: Vec<f64> = (1..=transform.length() / 2).map(|k| k as f64 * step_hz).collect();
+        let frequencies_hz: Vec<f64> = (1..=transform.length() / 2)
+            .map(|k| k as f64 * step_hz)
+            .collect();
         let amplifications = amplifications(source, &frequencies_hz);
         let mut amplitudes_m_s = vec![0.0];
         for (&frequency_hz, amplification) in frequencies_hz.iter().zip(amplifications) {
             let period_s = 1.0 / frequency_hz;
             let site = site_ratio(period_s);
-            Parameter::Other("site_ratio").check(site > 0.0, "positive and finite at all periods", site)?;
+            Parameter::Other("site_ratio").check(
+                site > 0.0,
+                "positive and finite at all periods",
+                site,
+            )?;
             let low_cut = 1.0 / (1.0 + (low_cut_hz / frequency_hz).powf(2.0 * LOW_CUT_ORDER));
-            amplitudes_m_s.push(source.unamplified_m_s(frequency_hz) * amplification * site * low_cut);
+            amplitudes_m_s
+                .push(source.unamplified_m_s(frequency_hz) * amplification * site * low_cut);
         }
-        Ok(Self { options: *options, window, pad, samples, amplitudes_m_s, step_hz })
+        Ok(Self {
+            options: *options,
+            window,
+            pad,
+            samples,
+            amplitudes_m_s,
+            step_hz,
+        })
     }
 
     /// Zeros before and after the shaking \[s\], in which the low cut rings.
@@ -95,7 +122,10 @@ impl Simulator {
     pub fn amplitude_m_s(&self, frequency_hz: f64) -> Option<f64> {
         let along = frequency_hz / self.step_hz;
         let index = along.floor() as usize;
-        let (low, high) = (self.amplitudes_m_s.get(index)?, self.amplitudes_m_s.get(index + 1)?);
+        let (low, high) = (
+            self.amplitudes_m_s.get(index)?,
+            self.amplitudes_m_s.get(index + 1)?,
+        );
         Some(low + (high - low) * (along - index as f64))
     }
 
@@ -141,14 +171,23 @@ impl Simulator {
 
 /// Amplification at rising frequencies, by straight lines in a log–log table.
 fn amplifications(source: &PointSource, frequencies_hz: &[f64]) -> Vec<f64> {
-    let (Some(first), Some(last)) = (frequencies_hz.first(), frequencies_hz.last()) else { return Vec::new() };
+    let (Some(first), Some(last)) = (frequencies_hz.first(), frequencies_hz.last()) else {
+        return Vec::new();
+    };
     if source.profile.is_none() {
         return vec![1.0; frequencies_hz.len()];
     }
-    let steps = ((last / first).log10() * AMPLIFICATIONS_A_DECADE).ceil().max(1.0);
+    let steps = ((last / first).log10() * AMPLIFICATIONS_A_DECADE)
+        .ceil()
+        .max(1.0);
     let ln_step = (last / first).ln() / steps;
-    let table: Vec<f64> =
-        (0..=steps as usize).map(|i| source.amplification_ratio(first * (i as f64 * ln_step).exp()).ln()).collect();
+    let table: Vec<f64> = (0..=steps as usize)
+        .map(|i| {
+            source
+                .amplification_ratio(first * (i as f64 * ln_step).exp())
+                .ln()
+        })
+        .collect();
     let at = |frequency_hz: &f64| {
         let along = ((frequency_hz / first).ln() / ln_step).clamp(0.0, steps);
         let index = (along as usize).min(table.len() - 2);
@@ -166,14 +205,29 @@ mod tests {
     #[test]
     fn the_mean_amplitude_of_a_hundred_motions_is_the_target() {
         let source = Preset::Victoria.source(6.0, 30e3);
-        let options = SimulationOptions { dt_s: 0.01, ..SimulationOptions::default() };
+        let options = SimulationOptions {
+            dt_s: 0.01,
+            ..SimulationOptions::default()
+        };
         let simulator = Simulator::new(&source, |_| 1.0, &options).unwrap();
-        let motions: Vec<Motion> = (0..100).map(|index| simulator.motion(1, index).unwrap()).collect();
+        let motions: Vec<Motion> = (0..100)
+            .map(|index| simulator.motion(1, index).unwrap())
+            .collect();
         // Bands of a third of an octave to a whole one; in each, the energy of a motion divided by
         // that of the target.
-        for (from_hz, to_hz) in [(0.1, 0.2), (0.4, 0.5), (0.9, 1.1), (1.8, 2.2), (4.5, 5.5), (9.0, 11.0), (18.0, 22.0)]
-        {
-            let ratios: Vec<f64> = motions.iter().map(|motion| band_ratio(&source, motion, from_hz, to_hz)).collect();
+        for (from_hz, to_hz) in [
+            (0.1, 0.2),
+            (0.4, 0.5),
+            (0.9, 1.1),
+            (1.8, 2.2),
+            (4.5, 5.5),
+            (9.0, 11.0),
+            (18.0, 22.0),
+        ] {
+            let ratios: Vec<f64> = motions
+                .iter()
+                .map(|motion| band_ratio(&source, motion, from_hz, to_hz))
+                .collect();
             let mean = ratios.iter().sum::<f64>() / 100.0;
             let variance = ratios.iter().map(|r| (r - mean).powi(2)).sum::<f64>() / 99.0;
             // Seven bands within 2.7 standard errors: 95 % of all seeds.
@@ -186,7 +240,11 @@ mod tests {
             // seventh from a hundred values; a band of 1 Hz or more contains several of the bins
             // that 3 s of shaking separate.
             let most = if to_hz - from_hz < 0.9 { 0.12 } else { 0.08 };
-            assert!((variance / 100.0).sqrt() < most, "{from_hz} Hz: {}", (variance / 100.0).sqrt());
+            assert!(
+                (variance / 100.0).sqrt() < most,
+                "{from_hz} Hz: {}",
+                (variance / 100.0).sqrt()
+            );
         }
     }
 
@@ -202,7 +260,8 @@ mod tests {
                 im += a * sin;
             }
             let low_cut = 1.0 / (1.0 + (0.05 / frequency_hz).powi(4));
-            (re * re + im * im) * dt_s * dt_s / (source.fourier_amplitude_m_s(frequency_hz) * low_cut).powi(2)
+            (re * re + im * im) * dt_s * dt_s
+                / (source.fourier_amplitude_m_s(frequency_hz) * low_cut).powi(2)
         };
         frequencies.map(ratio).sum::<f64>() / 8.0
     }
@@ -214,13 +273,23 @@ mod tests {
             (Preset::IntraplateHardRock, 6.0, 100e3),
             (Preset::SouthEastAustralia, 7.0, 80e3),
         ] {
-            let simulator =
-                Simulator::new(&preset.source(magnitude, distance_m), |_| 1.0, &SimulationOptions::default()).unwrap();
+            let simulator = Simulator::new(
+                &preset.source(magnitude, distance_m),
+                |_| 1.0,
+                &SimulationOptions::default(),
+            )
+            .unwrap();
             let motion = simulator.motion(3, 4).unwrap();
             assert_eq!(motion, simulator.motion(3, 4).unwrap());
-            assert!(motion != simulator.motion(3, 5).unwrap() && motion != simulator.motion(4, 4).unwrap());
+            assert!(
+                motion != simulator.motion(3, 5).unwrap()
+                    && motion != simulator.motion(4, 4).unwrap()
+            );
             let accel = motion.accel_m_s2();
-            let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(&motion);
+            let Integrals {
+                velocity_m_s: velocity,
+                displacement_m: displacement,
+            } = integrals(&motion);
             let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
             let (n, last) = (accel.len() as f64, accel.len() - 1);
             assert_eq!((accel[0], accel[last]), (0.0, 0.0));
@@ -228,7 +297,10 @@ mod tests {
             // velocity.
             assert!(velocity[last].abs() < n * f64::EPSILON * peak(&velocity));
             let length_s = motion.duration_s();
-            assert!(displacement[last].abs() < length_s * n * f64::EPSILON * (peak(&velocity) + peak(&displacement)));
+            assert!(
+                displacement[last].abs()
+                    < length_s * n * f64::EPSILON * (peak(&velocity) + peak(&displacement))
+            );
             // The effect of tapers and baseline is below a thousandth of the peak in the outer
             // quarter of the pads.
             let quiet = (0.25 * simulator.pad_s() / motion.dt_s()) as usize;
@@ -246,12 +318,17 @@ mod tests {
         let source = Preset::Victoria.source(6.0, 30e3);
         let options = SimulationOptions::default();
         let plain = Simulator::new(&source, |_| 1.0, &options).unwrap();
-        let factors: Vec<f64> = std::iter::repeat_with(noise(98, 0)).take(1000).map(|n| 1.0 + 1e-15 * n).collect();
+        let factors: Vec<f64> = std::iter::repeat_with(noise(98, 0))
+            .take(1000)
+            .map(|n| 1.0 + 1e-15 * n)
+            .collect();
         let site = |period_s: f64| factors[((1.0 / period_s) * 9.0) as usize % 1000];
         let nudged = Simulator::new(&source, site, &options).unwrap();
         for index in 0..10 {
             let (mut numbers, mut disturbance) = (noise(1, index), noise(99, index));
-            let other = nudged.motion_of(|| numbers() * (1.0 + 1e-15 * disturbance())).unwrap();
+            let other = nudged
+                .motion_of(|| numbers() * (1.0 + 1e-15 * disturbance()))
+                .unwrap();
             let motion = plain.motion(1, index).unwrap();
             let pairs = motion.accel_m_s2().iter().zip(other.accel_m_s2());
             let change = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / motion.peak_m_s2();
@@ -265,14 +342,21 @@ mod tests {
         let options = SimulationOptions::default();
         let motion = |magnitude: f64, earthquake: u32| {
             let source = Preset::Victoria.source(magnitude, 30e3);
-            Simulator::new(&source, |_| 1.0, &options).unwrap().motion(1, stream(earthquake, 0)).unwrap()
+            Simulator::new(&source, |_| 1.0, &options)
+                .unwrap()
+                .motion(1, stream(earthquake, 0))
+                .unwrap()
         };
-        let correlation = |a: &Motion, b: &Motion| Resemblance::between(a, b).correlation_ratio.abs();
+        let correlation =
+            |a: &Motion, b: &Motion| Resemblance::between(a, b).correlation_ratio.abs();
         let first = motion(5.5, 0);
         // Shaking of some 4 s at 5 Hz and above has at least 20 independent numbers: 0.22 at one
         // standard deviation.
         assert!(correlation(&first, &motion(6.0, 1)) < 0.66);
-        assert!(correlation(&first, &motion(6.0, 0)) > 0.8, "the same stream would be seen");
+        assert!(
+            correlation(&first, &motion(6.0, 0)) > 0.8,
+            "the same stream would be seen"
+        );
     }
 
     #[test]
@@ -294,14 +378,30 @@ mod tests {
     #[test]
     fn options_out_of_range_are_named() {
         let source = Preset::Victoria.source(6.0, 30e3);
-        let name = |options: SimulationOptions, site: f64| match Simulator::new(&source, |_| site, &options) {
+        let name = |options: SimulationOptions, site: f64| match Simulator::new(
+            &source,
+            |_| site,
+            &options,
+        ) {
             Err(SynthesisError::Option { parameter, .. }) => parameter.name(),
             other => panic!("{other:?}"),
         };
         let fine = SimulationOptions::default();
         assert_eq!(name(SimulationOptions { dt_s: 0.02, ..fine }, 1.0), "dt_s");
-        assert_eq!(name(SimulationOptions { low_cut_hz: 0.0, ..fine }, 1.0), "low_cut_hz");
-        assert_eq!(name(SimulationOptions { dt_s: 1e-5, ..fine }, 1.0), "the number of samples");
+        assert_eq!(
+            name(
+                SimulationOptions {
+                    low_cut_hz: 0.0,
+                    ..fine
+                },
+                1.0
+            ),
+            "low_cut_hz"
+        );
+        assert_eq!(
+            name(SimulationOptions { dt_s: 1e-5, ..fine }, 1.0),
+            "the number of samples"
+        );
         assert_eq!(name(fine, f64::NAN), "site_ratio");
     }
 }

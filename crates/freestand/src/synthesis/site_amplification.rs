@@ -43,7 +43,10 @@ impl ShearWaveProfile {
         for (i, piece) in pieces.iter().enumerate() {
             let begins = match i.checked_sub(1) {
                 None => piece.from_depth_m == 0.0,
-                Some(before) => piece.from_depth_m > pieces[before].from_depth_m && piece.from_depth_m.is_finite(),
+                Some(before) => {
+                    piece.from_depth_m > pieces[before].from_depth_m
+                        && piece.from_depth_m.is_finite()
+                }
             };
             let positive = |x: f64| x > 0.0 && x.is_finite();
             let fine = positive(piece.velocity_m_s) && positive(piece.reference_depth_m);
@@ -51,7 +54,11 @@ impl ShearWaveProfile {
                 return Err(ProfileError { number: i + 1 });
             }
         }
-        if pieces.is_empty() { Err(ProfileError { number: 1 }) } else { Ok(Self { pieces }) }
+        if pieces.is_empty() {
+            Err(ProfileError { number: 1 })
+        } else {
+            Ok(Self { pieces })
+        }
     }
 
     /// The rock under Melbourne: 940 m/s at 30 m, 1070 m/s at 50 m, 3320 m/s at 4 km, 3520 m/s at
@@ -79,14 +86,24 @@ impl ShearWaveProfile {
 
     /// The layers with the depths of their upper and lower ends.
     fn spans(&self) -> impl Iterator<Item = (f64, f64, &VelocityPiece)> {
-        let ends = self.pieces.iter().skip(1).map(|piece| piece.from_depth_m).chain([f64::INFINITY]);
-        self.pieces.iter().zip(ends).map(|(piece, end)| (piece.from_depth_m, end, piece))
+        let ends = self
+            .pieces
+            .iter()
+            .skip(1)
+            .map(|piece| piece.from_depth_m)
+            .chain([f64::INFINITY]);
+        self.pieces
+            .iter()
+            .zip(ends)
+            .map(|(piece, end)| (piece.from_depth_m, end, piece))
     }
 
     /// Time of a vertical shear wave from a depth to the surface \[s\], in closed form.
     pub fn travel_time_s(&self, depth_m: f64) -> f64 {
         let spans = self.spans().take_while(|(from, ..)| *from < depth_m);
-        spans.map(|(from, end, piece)| piece.time_s(from, end.min(depth_m))).sum()
+        spans
+            .map(|(from, end, piece)| piece.time_s(from, end.min(depth_m)))
+            .sum()
     }
 
     /// Mean velocity of the uppermost 30 m, 30 m over the travel time \[m/s\].
@@ -125,17 +142,24 @@ impl ShearWaveProfile {
     ///
     /// # Accuracy
     /// Depths in closed form, the mean density to 1e-12.
-    pub fn amplification_ratio(&self, frequency_hz: f64, density_kg_m3: f64, velocity_m_s: f64) -> f64 {
+    pub fn amplification_ratio(
+        &self,
+        frequency_hz: f64,
+        density_kg_m3: f64,
+        velocity_m_s: f64,
+    ) -> f64 {
         let depth_m = self.quarter_wavelength_depth_m(frequency_hz);
         let mean_velocity_m_s = depth_m * 4.0 * frequency_hz;
-        (density_kg_m3 * velocity_m_s / (self.mean_density_kg_m3(depth_m) * mean_velocity_m_s)).sqrt()
+        (density_kg_m3 * velocity_m_s / (self.mean_density_kg_m3(depth_m) * mean_velocity_m_s))
+            .sqrt()
     }
 
     fn mean_density_kg_m3(&self, depth_m: f64) -> f64 {
         let spans = self.spans().take_while(|(from, ..)| *from < depth_m);
         let mass = spans.map(|(from, end, piece)| {
             let thickness_m = end.min(depth_m) - from;
-            thickness_m * unit_integral(|x| self::density_kg_m3(piece.velocity_m_s(from + x * thickness_m)))
+            thickness_m
+                * unit_integral(|x| self::density_kg_m3(piece.velocity_m_s(from + x * thickness_m)))
         });
         mass.sum::<f64>() / depth_m
     }
@@ -149,7 +173,8 @@ impl VelocityPiece {
     /// z_ref/(v (1 − n)) (z/z_ref)^(1−n): the time from the surface if the layer began there.
     fn time_from_surface_s(&self, depth_m: f64) -> f64 {
         let rest = 1.0 - self.exponent_ratio;
-        self.reference_depth_m / (self.velocity_m_s * rest) * (depth_m / self.reference_depth_m).powf(rest)
+        self.reference_depth_m / (self.velocity_m_s * rest)
+            * (depth_m / self.reference_depth_m).powf(rest)
     }
 
     fn time_s(&self, from_m: f64, to_m: f64) -> f64 {
@@ -160,7 +185,8 @@ impl VelocityPiece {
     fn depth_m(&self, from_m: f64, time_s: f64) -> f64 {
         let rest = 1.0 - self.exponent_ratio;
         let time_s = self.time_from_surface_s(from_m) + time_s;
-        self.reference_depth_m * (time_s * self.velocity_m_s * rest / self.reference_depth_m).powf(1.0 / rest)
+        self.reference_depth_m
+            * (time_s * self.velocity_m_s * rest / self.reference_depth_m).powf(1.0 / rest)
     }
 }
 
@@ -198,15 +224,22 @@ mod tests {
 
     #[test]
     fn a_constant_velocity_amplifies_by_its_impedance_alone() {
-        let piece =
-            VelocityPiece { from_depth_m: 0.0, reference_depth_m: 1.0, velocity_m_s: 1000.0, exponent_ratio: 0.0 };
+        let piece = VelocityPiece {
+            from_depth_m: 0.0,
+            reference_depth_m: 1.0,
+            velocity_m_s: 1000.0,
+            exponent_ratio: 0.0,
+        };
         let rock = ShearWaveProfile::new(vec![piece]).unwrap();
         // z = v/(4f); √(2800·3500/(ρ·1000)), ρ at 1000 m/s. Sums of a rule that is accurate to
         // 1e-13.
         assert!((rock.quarter_wavelength_depth_m(5.0) - 50.0).abs() < 1e-12);
         let expected = (2800.0 * 3500.0 / (density_kg_m3(1000.0) * 1000.0)).sqrt();
         for frequency_hz in [0.1, 1.0, 20.0] {
-            assert!((rock.amplification_ratio(frequency_hz, 2800.0, 3500.0) / expected - 1.0).abs() < 1e-12);
+            assert!(
+                (rock.amplification_ratio(frequency_hz, 2800.0, 3500.0) / expected - 1.0).abs()
+                    < 1e-12
+            );
         }
     }
 
@@ -240,7 +273,10 @@ mod tests {
             (50.0, 4.887, 0.035),
         ] {
             let got = melbourne.amplification_ratio(frequency_hz, 2800.0, 3500.0);
-            assert!((got / table - 1.0_f64).abs() < within, "{frequency_hz} Hz: {got}");
+            assert!(
+                (got / table - 1.0_f64).abs() < within,
+                "{frequency_hz} Hz: {got}"
+            );
         }
     }
 
@@ -250,7 +286,10 @@ mod tests {
         // Across all three layers; a few roundings of powers.
         for frequency_hz in [0.05, 0.1, 0.2, 1.0, 3.0, 10.0, 100.0] {
             let depth_m = melbourne.quarter_wavelength_depth_m(frequency_hz);
-            assert!((melbourne.travel_time_s(depth_m) * 4.0 * frequency_hz - 1.0).abs() < 1e-13, "{frequency_hz}");
+            assert!(
+                (melbourne.travel_time_s(depth_m) * 4.0 * frequency_hz - 1.0).abs() < 1e-13,
+                "{frequency_hz}"
+            );
         }
     }
 
@@ -262,7 +301,8 @@ mod tests {
             velocity_m_s,
             exponent_ratio,
         };
-        let number = |pieces: &[VelocityPiece]| ShearWaveProfile::new(pieces.to_vec()).unwrap_err().number;
+        let number =
+            |pieces: &[VelocityPiece]| ShearWaveProfile::new(pieces.to_vec()).unwrap_err().number;
         assert_eq!(number(&[]), 1);
         assert_eq!(number(&[piece(1.0, 500.0, 0.1)]), 1);
         assert_eq!(number(&[piece(0.0, 500.0, 0.1), piece(0.0, 500.0, 0.1)]), 2);

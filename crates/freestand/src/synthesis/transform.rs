@@ -18,9 +18,19 @@ impl Transform {
         // The scalar planner: its results do not depend on the vector units of the processor.
         let mut planner = FftPlannerScalar::new();
         let length = transform_length(samples);
-        let (forward, inverse) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
-        let scratch = forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
-        Self { forward, inverse, bins: vec![Complex::default(); length], scratch: vec![Complex::default(); scratch] }
+        let (forward, inverse) = (
+            planner.plan_fft_forward(length),
+            planner.plan_fft_inverse(length),
+        );
+        let scratch = forward
+            .get_inplace_scratch_len()
+            .max(inverse.get_inplace_scratch_len());
+        Self {
+            forward,
+            inverse,
+            bins: vec![Complex::default(); length],
+            scratch: vec![Complex::default(); scratch],
+        }
     }
 
     /// Number of bins.
@@ -39,7 +49,8 @@ impl Transform {
         for (bin, &a) in self.bins.iter_mut().zip(accel) {
             bin.re = a;
         }
-        self.forward.process_with_scratch(&mut self.bins, &mut self.scratch);
+        self.forward
+            .process_with_scratch(&mut self.bins, &mut self.scratch);
     }
 
     /// Multiplies the amplitudes by `gain(k)` for bins 1 to the middle, and by 0 at zero frequency.
@@ -58,7 +69,8 @@ impl Transform {
 
     /// The inverse transform, back to samples.
     pub(super) fn inverse(&mut self, accel: &mut [f64]) {
-        self.inverse.process_with_scratch(&mut self.bins, &mut self.scratch);
+        self.inverse
+            .process_with_scratch(&mut self.bins, &mut self.scratch);
         let length = self.length() as f64;
         for (a, bin) in accel.iter_mut().zip(&self.bins) {
             *a = bin.re / length;
@@ -79,6 +91,9 @@ mod tests {
 
     #[test]
     fn transforms_are_hardly_longer_than_the_motion() {
-        assert_eq!([1, 5, 9, 1000, 9001].map(transform_length), [1, 6, 9, 1024, 9216]);
+        assert_eq!(
+            [1, 5, 9, 1000, 9001].map(transform_length),
+            [1, 6, 9, 1024, 9216]
+        );
     }
 }

@@ -71,9 +71,16 @@ impl Kernel {
 
     /// The gain of a pass, from ln(PSA/target) at the matched periods.
     pub(super) fn gains(&self, ln_ratios: &[f64]) -> Gains {
-        let changes: Vec<f64> = ln_ratios.iter().map(|ln_ratio| (-ln_ratio).exp_m1()).collect();
+        let changes: Vec<f64> = ln_ratios
+            .iter()
+            .map(|ln_ratio| (-ln_ratio).exp_m1())
+            .collect();
         let gain = |shares: &[f64; MATCHED_PERIODS]| {
-            1.0 + shares.iter().zip(&changes).map(|(share, change)| share * change).sum::<f64>()
+            1.0 + shares
+                .iter()
+                .zip(&changes)
+                .map(|(share, change)| share * change)
+                .sum::<f64>()
         };
         Gains(self.shares.iter().map(gain).collect())
     }
@@ -108,7 +115,10 @@ mod tests {
             let psi = |t: f64| (-ZETA * PI * t).exp() * (PI * t).sin() * (omega * t).sin();
             let sum = 2.0 * 1e-3 * (1..120_000).map(|k| psi(1e-3 * f64::from(k))).sum::<f64>();
             // The rule is accurate to (ω dt)²/12 of the integral of |ψ|, 1e-5.
-            assert!((sum * sum - mother(omega)).abs() < 1e-4 * mother(omega).max(1.0), "{omega}: {sum}");
+            assert!(
+                (sum * sum - mother(omega)).abs() < 1e-4 * mother(omega).max(1.0),
+                "{omega}: {sum}"
+            );
         }
     }
 
@@ -118,16 +128,25 @@ mod tests {
         // Outside the scaled periods only the kernel's tails remain, which fall with the square of
         // the distance in bandwidths.
         for frequency_hz in [0.21, 0.5, 1.0, 5.0, 19.0] {
-            assert!((gains.at(frequency_hz) - 1.5).abs() < 0.01, "{frequency_hz}: {}", gains.at(frequency_hz));
+            assert!(
+                (gains.at(frequency_hz) - 1.5).abs() < 0.01,
+                "{frequency_hz}: {}",
+                gains.at(frequency_hz)
+            );
         }
         for frequency_hz in [0.01, 0.08, 50.0, 200.0] {
-            assert!((gains.at(frequency_hz) - 1.0).abs() < 0.02, "{frequency_hz}: {}", gains.at(frequency_hz));
+            assert!(
+                (gains.at(frequency_hz) - 1.0).abs() < 0.02,
+                "{frequency_hz}: {}",
+                gains.at(frequency_hz)
+            );
         }
     }
 
     #[test]
     fn the_table_is_dense_enough() {
-        let ln_ratios: [f64; MATCHED_PERIODS] = std::array::from_fn(|k| 0.3 * (0.2 * k as f64).sin());
+        let ln_ratios: [f64; MATCHED_PERIODS] =
+            std::array::from_fn(|k| 0.3 * (0.2 * k as f64).sin());
         let gains = Kernel::new().gains(&ln_ratios);
         // Between two points of the table, compared with the sum itself; the second difference of a
         // bell of ten points.
@@ -137,10 +156,17 @@ mod tests {
                 let period_s = SHORTEST_PERIOD_S * (k as f64 * ln_step()).exp();
                 let weight = mother(PI * frequency_hz * period_s);
                 all += weight;
-                sum +=
-                    weight * if (-12..=132).contains(&k) { (-ln_ratios[k.clamp(0, 120) as usize]).exp() } else { 1.0 };
+                sum += weight
+                    * if (-12..=132).contains(&k) {
+                        (-ln_ratios[k.clamp(0, 120) as usize]).exp()
+                    } else {
+                        1.0
+                    };
             }
-            assert!((gains.at(frequency_hz) - sum / all).abs() < 1e-3, "{frequency_hz}");
+            assert!(
+                (gains.at(frequency_hz) - sum / all).abs() < 1e-3,
+                "{frequency_hz}"
+            );
         }
     }
 }

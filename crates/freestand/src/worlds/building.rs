@@ -19,7 +19,10 @@ pub struct BuildingSpread {
 impl Default for BuildingSpread {
     /// 0.20 for the periods and 0.40 for the damping.
     fn default() -> Self {
-        Self { period: 0.20, damping: 0.40 }
+        Self {
+            period: 0.20,
+            damping: 0.40,
+        }
     }
 }
 
@@ -67,7 +70,10 @@ impl BuildingSpread {
     /// ```
     pub fn draw(self, seed: u64, world: u32, repetition: u32) -> BuildingDraw {
         let mut random = world_stream(seed, world, Group::Building, repetition);
-        let (period, damping) = (StandardNormal.sample(&mut random), StandardNormal.sample(&mut random));
+        let (period, damping) = (
+            StandardNormal.sample(&mut random),
+            StandardNormal.sample(&mut random),
+        );
         self.at(period, damping)
     }
 }

@@ -8,8 +8,8 @@ use super::{WorldError, within};
 use crate::G0_M_S2;
 use crate::oscillator::{DAMPING_RATIO, response_spectrum};
 use crate::synthesis::{
-    LONGEST_PERIOD_S, MATCHED_PERIODS, MatchedMotion, SHORTEST_PERIOD_S, SynthesisError, SynthesisOptions,
-    matched_periods_s, misfit, stream, synthesize,
+    LONGEST_PERIOD_S, MATCHED_PERIODS, MatchedMotion, SHORTEST_PERIOD_S, SynthesisError,
+    SynthesisOptions, matched_periods_s, misfit, stream, synthesize,
 };
 
 /// The periods over which the mean deviation is removed \[s\].
@@ -38,13 +38,21 @@ impl Default for SpreadOptions {
     /// (0.45). The components of those pairs have a correlation of 0.62 as recorded, 0.45 normalised
     /// and 0.24 with each record scaled.
     fn default() -> Self {
-        Self { spectral_spread: 0.65, intensity_spread: 0.15, component_correlation: 0.6 }
+        Self {
+            spectral_spread: 0.65,
+            intensity_spread: 0.15,
+            component_correlation: 0.6,
+        }
     }
 }
 
 impl SpreadOptions {
     /// No deviations: every world has the target itself.
-    pub const NONE: Self = Self { spectral_spread: 0.0, intensity_spread: 0.0, component_correlation: 0.6 };
+    pub const NONE: Self = Self {
+        spectral_spread: 0.0,
+        intensity_spread: 0.0,
+        component_correlation: 0.6,
+    };
 }
 
 /// A component of the ground motion.
@@ -85,11 +93,19 @@ impl Deviation {
     /// the matched periods and constant beyond them. Without a deviation it is exactly the target.
     pub fn sa_g(&self, period_s: f64, target_sa_g: f64) -> f64 {
         let last = (MATCHED_PERIODS - 1) as f64;
-        let along = (period_s / SHORTEST_PERIOD_S).ln() / (LONGEST_PERIOD_S / SHORTEST_PERIOD_S).ln() * last;
+        let along = (period_s / SHORTEST_PERIOD_S).ln()
+            / (LONGEST_PERIOD_S / SHORTEST_PERIOD_S).ln()
+            * last;
         // The logarithm of period 0 is −∞, which is at the first.
         let along = along.clamp(0.0, last);
         let below = along as usize;
-        let at = |index: usize| self.ln_ratios.get(index).or(self.ln_ratios.last()).copied().unwrap_or(0.0);
+        let at = |index: usize| {
+            self.ln_ratios
+                .get(index)
+                .or(self.ln_ratios.last())
+                .copied()
+                .unwrap_or(0.0)
+        };
         let (low, high) = (at(below), at(below + 1));
         target_sa_g * (low + (high - low) * (along - below as f64)).exp()
     }
@@ -147,11 +163,25 @@ impl GroundSpread {
     /// A spread outside 0 to 1.5, or a correlation outside 0 to 1.
     pub fn new(options: SpreadOptions) -> Result<Self, WorldError> {
         within("the spectral spread", MOST_SPREAD, options.spectral_spread)?;
-        within("the intensity spread", MOST_SPREAD, options.intensity_spread)?;
-        within("the correlation of the components", 1.0, options.component_correlation)?;
+        within(
+            "the intensity spread",
+            MOST_SPREAD,
+            options.intensity_spread,
+        )?;
+        within(
+            "the correlation of the components",
+            1.0,
+            options.component_correlation,
+        )?;
         let periods_s = matched_periods_s();
-        let band = (0..periods_s.len()).filter(|&i| MEAN_OVER_S.contains(&periods_s[i])).collect();
-        Ok(Self { options, factor: factor(&periods_s), band })
+        let band = (0..periods_s.len())
+            .filter(|&i| MEAN_OVER_S.contains(&periods_s[i]))
+            .collect();
+        Ok(Self {
+            options,
+            factor: factor(&periods_s),
+            band,
+        })
     }
 
     /// The options.
@@ -172,16 +202,29 @@ impl GroundSpread {
         let common = self.options.component_correlation.sqrt();
         let own = (1.0 - self.options.component_correlation).sqrt();
         let joined = |e: &[f64], z_own: f64| {
-            let e = shared.iter().zip(e).map(|(shared, e)| common * shared + own * e).collect();
+            let e = shared
+                .iter()
+                .zip(e)
+                .map(|(shared, e)| common * shared + own * e)
+                .collect();
             self.deviation(e, common * z + own * z_own)
         };
-        WorldSpectra { x: joined(&of_x, z_x), y: joined(&of_y, z_y), vertical: self.deviation(vertical, z_vertical) }
+        WorldSpectra {
+            x: joined(&of_x, z_x),
+            y: joined(&of_y, z_y),
+            vertical: self.deviation(vertical, z_vertical),
+        }
     }
 
     /// e: correlated, less its mean over the band.
     fn field(&self, normal: &mut impl FnMut() -> f64) -> Vec<f64> {
         let white: Vec<f64> = self.factor.iter().map(|_| normal()).collect();
-        let row = |row: &Vec<f64>| row.iter().zip(&white).map(|(weight, value)| weight * value).sum::<f64>();
+        let row = |row: &Vec<f64>| {
+            row.iter()
+                .zip(&white)
+                .map(|(weight, value)| weight * value)
+                .sum::<f64>()
+        };
         let e: Vec<f64> = self.factor.iter().map(row).collect();
         // The periods are equally spaced in ln T.
         let mean = self.band.iter().map(|&i| e[i]).sum::<f64>() / self.band.len() as f64;
@@ -189,8 +232,17 @@ impl GroundSpread {
     }
 
     fn deviation(&self, e: Vec<f64>, z: f64) -> Deviation {
-        let SpreadOptions { spectral_spread, intensity_spread, .. } = self.options;
-        Deviation { ln_ratios: e.iter().map(|e| spectral_spread * e + intensity_spread * z).collect() }
+        let SpreadOptions {
+            spectral_spread,
+            intensity_spread,
+            ..
+        } = self.options;
+        Deviation {
+            ln_ratios: e
+                .iter()
+                .map(|e| spectral_spread * e + intensity_spread * z)
+                .collect(),
+        }
     }
 }
 
@@ -201,7 +253,11 @@ pub(super) fn factor(periods_s: &[f64]) -> Vec<Vec<f64>> {
     for (i, &period_s) in periods_s.iter().enumerate() {
         let mut row = Vec::with_capacity(i + 1);
         for (other, other_s) in rows.iter().zip(periods_s) {
-            let product: f64 = row.iter().zip(other).map(|(a, b): (&f64, &f64)| a * b).sum();
+            let product: f64 = row
+                .iter()
+                .zip(other)
+                .map(|(a, b): (&f64, &f64)| a * b)
+                .sum();
             let diagonal = other.last().copied().unwrap_or(1.0);
             row.push((spectral_correlation_ratio(period_s, *other_s) - product) / diagonal);
         }
@@ -243,11 +299,24 @@ pub fn world_motion(
     if deviation.ln_ratios.iter().all(|ln| *ln == 0.0) {
         return Ok(matched);
     }
-    let periods_s: Vec<f64> = matched_periods_s().into_iter().filter(|t| MEAN_OVER_S.contains(t)).collect();
+    let periods_s: Vec<f64> = matched_periods_s()
+        .into_iter()
+        .filter(|t| MEAN_OVER_S.contains(t))
+        .collect();
     let spectrum = response_spectrum(&matched.motion, DAMPING_RATIO, &periods_s)?;
     let missed = |(psa, &t): (&f64, &f64)| (psa / G0_M_S2 / of_world(t)).ln();
-    let mean = spectrum.psa_m_s2.iter().zip(&periods_s).map(missed).sum::<f64>() / periods_s.len() as f64;
+    let mean = spectrum
+        .psa_m_s2
+        .iter()
+        .zip(&periods_s)
+        .map(missed)
+        .sum::<f64>()
+        / periods_s.len() as f64;
     let motion = matched.motion.scaled((-mean).exp())?;
     let misfit = misfit(&motion, of_world)?;
-    Ok(MatchedMotion { motion, misfit, pass: matched.pass })
+    Ok(MatchedMotion {
+        motion,
+        misfit,
+        pass: matched.pass,
+    })
 }

@@ -36,7 +36,11 @@ pub enum WorldError {
 }
 
 fn within(name: &'static str, most: f64, value: f64) -> Result<(), WorldError> {
-    if (0.0..=most).contains(&value) { Ok(()) } else { Err(WorldError::Range { name, most, value }) }
+    if (0.0..=most).contains(&value) {
+        Ok(())
+    } else {
+        Err(WorldError::Range { name, most, value })
+    }
 }
 
 #[cfg(test)]

@@ -108,8 +108,19 @@ pub fn world_stream(seed: u64, world: u32, group: Group, repetition: u32) -> Cha
 
 /// The random numbers of a group of one object in a world; `object` is a number that depends on the
 /// object's name alone, not on its place in a list.
-pub fn object_stream(seed: u64, world: u32, object: u64, group: Group, repetition: u32) -> ChaCha8Rng {
-    draw_stream(seed, object, u64::from(world), OF_OBJECT | purpose(group, repetition))
+pub fn object_stream(
+    seed: u64,
+    world: u32,
+    object: u64,
+    group: Group,
+    repetition: u32,
+) -> ChaCha8Rng {
+    draw_stream(
+        seed,
+        object,
+        u64::from(world),
+        OF_OBJECT | purpose(group, repetition),
+    )
 }
 
 /// A place from 0 to `count` − 1, each with the same chance to within count/2⁶⁴; 0 where there is

@@ -31,7 +31,10 @@ pub fn wall_draw(seed: u64, world: u32, object: u64, repetition: u32) -> WallDra
     let is_on_left = stream(0).random::<bool>();
     let mut random = stream(repetition);
     let _side: bool = random.random();
-    WallDraw { is_on_left, restitution_ratio: wall_restitution_at(random.random()) }
+    WallDraw {
+        is_on_left,
+        restitution_ratio: wall_restitution_at(random.random()),
+    }
 }
 
 /// The restitution of a wall which a share of all walls stays below.

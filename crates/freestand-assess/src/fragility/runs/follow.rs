@@ -29,25 +29,47 @@ impl Followed {
 
 /// The classes of runs, as the search for scales sees them.
 pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
-    let class = |run: &Followed| ScaleRun { scale_ratio: run.scale_ratio, class: run.run().map(|run| run.class) };
+    let class = |run: &Followed| ScaleRun {
+        scale_ratio: run.scale_ratio,
+        class: run.run().map(|run| run.class),
+    };
     runs.iter().map(class).collect()
 }
 
-fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scales_ratio: &[f64]) -> Vec<Followed> {
-    let floors: Vec<_> = scales_ratio.iter().map(|scale_ratio| shaking.scaled(*scale_ratio)).collect();
+fn followed(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    scales_ratio: &[f64],
+) -> Vec<Followed> {
+    let floors: Vec<_> = scales_ratio
+        .iter()
+        .map(|scale_ratio| shaking.scaled(*scale_ratio))
+        .collect();
     let is_finite: Vec<bool> = floors.iter().map(Option::is_some).collect();
     let floors: Vec<FloorOfWorld> = floors.into_iter().flatten().collect();
-    let mut found = one.nominal.runs(shaking.number, &floors, request.rotation_ratio).into_iter();
+    let mut found = one
+        .nominal
+        .runs(shaking.number, &floors, request.rotation_ratio)
+        .into_iter();
     let beyond = || Err("the scaled motion is beyond all numbers".to_owned());
     let of_scale = |(&scale_ratio, is_finite): (&f64, bool)| {
         let found = if is_finite { found.next() } else { None };
-        Followed { scale_ratio, found: found.unwrap_or_else(beyond) }
+        Followed {
+            scale_ratio,
+            found: found.unwrap_or_else(beyond),
+        }
     };
     scales_ratio.iter().zip(is_finite).map(of_scale).collect()
 }
 
 /// At one scale.
-fn followed_at(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Option<Followed> {
+fn followed_at(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    scale_ratio: f64,
+) -> Option<Followed> {
     followed(request, one, shaking, &[scale_ratio]).pop()
 }
 
@@ -75,10 +97,16 @@ const MAX_DOWN: i32 = 200;
 /// The largest scale of a motion, to 0.1 %, at which the object was seen not to lift: below it no limit
 /// state is reached. It is exact where nothing but the horizontal motion lifts the object from a rigid
 /// base; otherwise the scale falls by a tenth until nothing lifts it. `None` where that cannot be told.
-pub(super) fn uplift_ratio(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking) -> Option<f64> {
+pub(super) fn uplift_ratio(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+) -> Option<f64> {
     const BELOW: f64 = 0.999;
     let highest_ratio = BELOW * shaking.uplift_scale_ratio(one.factors);
-    let all: Vec<f64> = (0..MAX_DOWN).map(|step| highest_ratio / 1.1_f64.powi(step)).collect();
+    let all: Vec<f64> = (0..MAX_DOWN)
+        .map(|step| highest_ratio / 1.1_f64.powi(step))
+        .collect();
     // Most objects need the first alone.
     let (first, lower) = all.split_at(1);
     for scales_ratio in std::iter::once(first).chain(lower.chunks(TOGETHER)) {
@@ -107,7 +135,12 @@ pub(super) fn first_runs(
         (Method::Cloud, _) => vec![1.0],
         (Method::Incremental, None) => return adaptive(request, one, shaking, go_on),
         (Method::Incremental, Some(scales)) => scales.clone(),
-        (Method::Stripes, levels) => stripes(one, shaking, measures, levels.as_deref().unwrap_or_default())?,
+        (Method::Stripes, levels) => stripes(
+            one,
+            shaking,
+            measures,
+            levels.as_deref().unwrap_or_default(),
+        )?,
     };
     let most = scales_ratio.iter().copied().fold(0.0, f64::max);
     if most > request.max_scale_ratio {
@@ -133,11 +166,19 @@ fn stripes(
     measures: &[(Measure, At)],
     levels: &[f64],
 ) -> Result<Vec<f64>, Problems> {
-    let Some((measure, at)) = measures.first() else { return Ok(Vec::new()) };
-    let of_one = shaking.intensity(*measure, 0, *at, one.factors).ok_or_else(|| {
-        let message = format!("the motion {} has no {}", shorten(&shaking.name), measure.name());
-        Problem::value(message, "give a measure that every motion has").of(&["im"])
-    })?;
+    let Some((measure, at)) = measures.first() else {
+        return Ok(Vec::new());
+    };
+    let of_one = shaking
+        .intensity(*measure, 0, *at, one.factors)
+        .ok_or_else(|| {
+            let message = format!(
+                "the motion {} has no {}",
+                shorten(&shaking.name),
+                measure.name()
+            );
+            Problem::value(message, "give a measure that every motion has").of(&["im"])
+        })?;
     Ok(levels.iter().map(|level| level / of_one).collect())
 }
 
@@ -150,19 +191,24 @@ fn adaptive(
     let mut stopped = Ok(());
     let mut runs: Vec<Followed> = Vec::new();
     let start_ratio = shaking.uplift_scale_ratio(one.factors);
-    scales_of_motion(start_ratio, request.max_scale_ratio, &one.states(), |scale_ratio| {
-        // The search ends by itself, and nothing more is run.
-        if stopped.is_ok() {
-            stopped = go_on();
-        }
-        if stopped.is_err() {
-            return None;
-        }
-        let run = followed_at(request, one, shaking, scale_ratio)?;
-        let class = run.run().map(|run| run.class);
-        runs.push(run);
-        class
-    });
+    scales_of_motion(
+        start_ratio,
+        request.max_scale_ratio,
+        &one.states(),
+        |scale_ratio| {
+            // The search ends by itself, and nothing more is run.
+            if stopped.is_ok() {
+                stopped = go_on();
+            }
+            if stopped.is_err() {
+                return None;
+            }
+            let run = followed_at(request, one, shaking, scale_ratio)?;
+            let class = run.run().map(|run| run.class);
+            runs.push(run);
+            class
+        },
+    );
     stopped?;
     sort(&mut runs);
     Ok(runs)
@@ -178,23 +224,51 @@ const NORMAL_95: f64 = 1.644_853_626_951_472_6;
 /// The intensities over which the runs of all motions are spread: all that were run of the motions
 /// that lift the object, and the 5–95 % band of the capacities. A motion that is too weak to lift it
 /// at the largest scale would only add levels at which nothing happens; if none lifts it, all count.
-fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, at: At) -> Option<(f64, f64)> {
-    let units: Vec<Option<f64>> =
-        shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
-    let each = || one.motions.iter().zip(&units).filter_map(|(runs, unit)| Some((runs, (*unit)?)));
-    let lifts =
-        |runs: &[Followed]| runs.iter().any(|run| run.run().is_some_and(|run| LimitState::Rocks.is_reached(run.class)));
+fn span(
+    one: &ObjectRuns,
+    shakings: &[Shaking],
+    measure: Measure,
+    place: usize,
+    at: At,
+) -> Option<(f64, f64)> {
+    let units: Vec<Option<f64>> = shakings
+        .iter()
+        .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+        .collect();
+    let each = || {
+        one.motions
+            .iter()
+            .zip(&units)
+            .filter_map(|(runs, unit)| Some((runs, (*unit)?)))
+    };
+    let lifts = |runs: &[Followed]| {
+        runs.iter().any(|run| {
+            run.run()
+                .is_some_and(|run| LimitState::Rocks.is_reached(run.class))
+        })
+    };
     let is_lifted = each().any(|(runs, _)| lifts(runs));
     let spread = || each().filter(|(runs, _)| !is_lifted || lifts(runs));
-    let all = || spread().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
+    let all =
+        || spread().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
     let (mut from, mut to) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
     for state in one.states() {
         let reached = |runs: &[Followed]| {
-            runs.iter().find(|run| run.run().is_some_and(|run| state.is_reached(run.class))).map(|run| run.scale_ratio)
+            runs.iter()
+                .find(|run| run.run().is_some_and(|run| state.is_reached(run.class)))
+                .map(|run| run.scale_ratio)
         };
-        let logs: Vec<f64> = each().filter_map(|(runs, unit)| Some((unit * reached(runs)?).ln())).collect();
-        let Some((mean, sd)) = mean_and_sd(&logs) else { continue };
-        from = if state == LimitState::Rocks { from } else { from.min((mean - NORMAL_95 * sd).exp()) };
+        let logs: Vec<f64> = each()
+            .filter_map(|(runs, unit)| Some((unit * reached(runs)?).ln()))
+            .collect();
+        let Some((mean, sd)) = mean_and_sd(&logs) else {
+            continue;
+        };
+        from = if state == LimitState::Rocks {
+            from
+        } else {
+            from.min((mean - NORMAL_95 * sd).exp())
+        };
         to = to.max((mean + NORMAL_95 * sd).exp());
     }
     Some((from, to))
@@ -210,8 +284,11 @@ pub(super) fn fill(
     go_on: GoOn,
 ) -> Result<(), Problems> {
     use rayon::prelude::*;
-    let spans: Vec<Option<(f64, f64)>> =
-        measures.iter().enumerate().map(|(place, (measure, at))| span(one, shakings, *measure, place, *at)).collect();
+    let spans: Vec<Option<(f64, f64)>> = measures
+        .iter()
+        .enumerate()
+        .map(|(place, (measure, at))| span(one, shakings, *measure, place, *at))
+        .collect();
     one.spans.clone_from(&spans);
     let seen: &ObjectRuns = one;
     let more: Result<Vec<Vec<Followed>>, Problems> = shakings
@@ -222,7 +299,9 @@ pub(super) fn fill(
             let mut added = Vec::new();
             for (place, ((measure, at), span)) in measures.iter().zip(&spans).enumerate() {
                 let unit = shaking.intensity(*measure, place, *at, seen.factors);
-                let Some((unit, (from, to))) = unit.zip(*span) else { continue };
+                let Some((unit, (from, to))) = unit.zip(*span) else {
+                    continue;
+                };
                 let to_ratio = (to / unit).min(request.max_scale_ratio);
                 if from / unit > to_ratio {
                     continue;

@@ -60,15 +60,33 @@ pub(super) fn open(
     hazard: Option<&MeasuredHazard>,
     objects: usize,
 ) -> Result<Option<Store>, Problem> {
-    let (Some(keep), RunObjects::Listed { study, inventory, worlds, changed }) = (&request.keep, &request.objects)
+    let (
+        Some(keep),
+        RunObjects::Listed {
+            study,
+            inventory,
+            worlds,
+            changed,
+        },
+    ) = (&request.keep, &request.objects)
     else {
         return Ok(None);
     };
     let changed: Vec<_> = changed
         .iter()
         .map(|one| {
-            let Change { stiffness_n_m, base_thickness_m, mass_kg } = one.change;
-            (&one.id, &one.curve_id, stiffness_n_m, base_thickness_m, mass_kg)
+            let Change {
+                stiffness_n_m,
+                base_thickness_m,
+                mass_kg,
+            } = one.change;
+            (
+                &one.id,
+                &one.curve_id,
+                stiffness_n_m,
+                base_thickness_m,
+                mass_kg,
+            )
         })
         .collect();
     let text = json!({
@@ -85,8 +103,15 @@ pub(super) fn open(
         "measures": measures.iter().map(|(measure, at)| (measure.name(), at.name())).collect::<Vec<_>>(),
     });
     let rounds = hazard.map_or(0, |_| ROUNDS);
-    let parts: Vec<Part> = (0..=rounds).flat_map(|round| parts(objects, round)).collect();
-    announce(&keep.folder, keep.force, FRAGILITY_SCHEMA, &progress_names(&parts))?;
+    let parts: Vec<Part> = (0..=rounds)
+        .flat_map(|round| parts(objects, round))
+        .collect();
+    announce(
+        &keep.folder,
+        keep.force,
+        FRAGILITY_SCHEMA,
+        &progress_names(&parts),
+    )?;
     let key = sha256_hex(text.to_string().as_bytes());
     Store::open(&keep.folder.join(PROGRESS), &key, keep.resume).map(Some)
 }
@@ -95,14 +120,23 @@ pub(super) fn open(
 pub(super) fn parts(objects: usize, round: usize) -> Vec<Part> {
     let mut parts = Part::of_run(objects, PART);
     if round > 0 {
-        parts.iter_mut().for_each(|part| part.name = format!("{round:02}{:0>8}", part.name));
+        parts
+            .iter_mut()
+            .for_each(|part| part.name = format!("{round:02}{:0>8}", part.name));
     }
     parts
 }
 
 /// Reads a part into its objects; `false` if the part is absent or belongs to other objects.
-pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motions: &[usize]) -> bool {
-    let Some(found) = store.rows::<KeptObject>(part) else { return false };
+pub(super) fn read(
+    store: &Store,
+    part: &Part,
+    objects: &mut [ObjectRuns],
+    motions: &[usize],
+) -> bool {
+    let Some(found) = store.rows::<KeptObject>(part) else {
+        return false;
+    };
     let is_same = found.len() == objects.len()
         && found.iter().zip(&*objects).all(|(kept, one)| {
             kept.id == one.id
@@ -110,7 +144,9 @@ pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motio
                 && kept.uplifts_ratio.len() == kept.motions.len()
         });
     let runs: Option<Vec<Vec<Vec<Followed>>>> = found.iter().map(followed).collect();
-    let (true, Some(runs)) = (is_same, runs) else { return false };
+    let (true, Some(runs)) = (is_same, runs) else {
+        return false;
+    };
     for ((one, runs), kept) in objects.iter_mut().zip(runs).zip(found) {
         (one.motions, one.uplifts_ratio, one.spans) = (runs, kept.uplifts_ratio, kept.spans);
     }
@@ -125,12 +161,22 @@ fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
             Ok((class, rotation_ratio, edge_acceleration_g)) => {
                 let class = *OutcomeClass::ALL.get(*class)?;
                 let (rotation_ratio, edge_acceleration_g) = (*rotation_ratio, *edge_acceleration_g);
-                Ok(NominalRun { class, rotation_ratio, edge_acceleration_g })
+                Ok(NominalRun {
+                    class,
+                    rotation_ratio,
+                    edge_acceleration_g,
+                })
             }
         };
-        Some(Followed { scale_ratio: *scale_ratio, found })
+        Some(Followed {
+            scale_ratio: *scale_ratio,
+            found,
+        })
     };
-    kept.motions.iter().map(|runs| runs.iter().map(run).collect()).collect()
+    kept.motions
+        .iter()
+        .map(|runs| runs.iter().map(run).collect())
+        .collect()
 }
 
 /// Stores a part.
@@ -139,13 +185,26 @@ fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
 /// A disk that is full.
 pub(super) fn write(store: &Store, part: &Part, objects: &[ObjectRuns]) -> Result<(), Problem> {
     let run = |run: &Followed| -> KeptRun {
-        let kept = |run: &NominalRun| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g);
-        (run.scale_ratio, run.found.as_ref().map(kept).map_err(Clone::clone))
+        let kept = |run: &NominalRun| {
+            (
+                run.class.index(),
+                run.rotation_ratio,
+                run.edge_acceleration_g,
+            )
+        };
+        (
+            run.scale_ratio,
+            run.found.as_ref().map(kept).map_err(Clone::clone),
+        )
     };
     let kept = objects.iter().map(|one| KeptObject {
         id: one.id.clone(),
         spans: one.spans.clone(),
-        motions: one.motions.iter().map(|runs| runs.iter().map(run).collect()).collect(),
+        motions: one
+            .motions
+            .iter()
+            .map(|runs| runs.iter().map(run).collect())
+            .collect(),
         uplifts_ratio: one.uplifts_ratio.clone(),
     });
     store.write(part, &kept.collect::<Vec<KeptObject>>())

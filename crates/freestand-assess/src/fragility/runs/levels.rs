@@ -1,7 +1,9 @@
 //! The intensities of stripes that nobody chose, and those that are added for a hazard.
 
 use freestand::fragility::{FitKind, Outcomes, Run, fit_curves};
-use freestand::risk::{AboveLast, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts};
+use freestand::risk::{
+    AboveLast, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts,
+};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 use rayon::prelude::*;
@@ -30,14 +32,26 @@ pub(super) fn chosen(
     measures: &[(Measure, At)],
     go_on: follow::GoOn,
 ) -> Result<Vec<f64>, Problems> {
-    let Some(&(measure, at)) = measures.first() else { return Ok(Vec::new()) };
-    let pilot = RunsRequest { method: Method::Incremental, scales: None, ..request.clone() };
+    let Some(&(measure, at)) = measures.first() else {
+        return Ok(Vec::new());
+    };
+    let pilot = RunsRequest {
+        method: Method::Incremental,
+        scales: None,
+        ..request.clone()
+    };
     let ends = |one: &ObjectRuns| -> Result<Ends, Problems> {
-        let mut ends = Ends { from: f64::INFINITY, to: 0.0 };
+        let mut ends = Ends {
+            from: f64::INFINITY,
+            to: 0.0,
+        };
         for (place, shaking) in floors.get(one.floor).into_iter().flatten().enumerate() {
             go_on()?;
-            let Some(unit) = shaking.intensity(measure, 0, at, one.factors) else { continue };
-            let uplift = follow::uplift_ratio(request, one, shaking).unwrap_or(shaking.uplift_scale_ratio(one.factors));
+            let Some(unit) = shaking.intensity(measure, 0, at, one.factors) else {
+                continue;
+            };
+            let uplift = follow::uplift_ratio(request, one, shaking)
+                .unwrap_or(shaking.uplift_scale_ratio(one.factors));
             ends.from = ends.from.min(unit * uplift);
             if place < PILOTS {
                 let runs = follow::first_runs(&pilot, one, shaking, measures, go_on)?;
@@ -47,16 +61,26 @@ pub(super) fn chosen(
         }
         Ok(ends)
     };
-    let all = objects.par_iter().map(ends).collect::<Result<Vec<Ends>, Problems>>()?;
-    let all = all.into_iter().reduce(|a, b| Ends { from: a.from.min(b.from), to: a.to.max(b.to) });
+    let all = objects
+        .par_iter()
+        .map(ends)
+        .collect::<Result<Vec<Ends>, Problems>>()?;
+    let all = all.into_iter().reduce(|a, b| Ends {
+        from: a.from.min(b.from),
+        to: a.to.max(b.to),
+    });
     let limit = limit(request, objects, floors, measures);
-    let found = all.map(|ends| (ends.from, ends.to.min(limit))).filter(|(from, to)| from < to);
+    let found = all
+        .map(|ends| (ends.from, ends.to.min(limit)))
+        .filter(|(from, to)| from < to);
     let (from, to) = found.ok_or_else(|| {
         let hint = "give the intensities by the first measure as `scales`, or a larger `max_scale`";
         Problem::value("no motion lifts an object within the largest scale", hint).of(&["scales"])
     })?;
     let steps = (((to / from).ln() / RATIO.ln()).ceil() as usize).clamp(1, MOST - 1);
-    Ok((0..=steps).map(|i| from * (to / from).powf(i as f64 / steps as f64)).collect())
+    Ok((0..=steps)
+        .map(|i| from * (to / from).powf(i as f64 / steps as f64))
+        .collect())
 }
 
 /// The intensities that an object needs.
@@ -72,7 +96,10 @@ pub(super) fn limit(
     floors: &[Vec<Shaking>],
     measures: &[(Measure, At)],
 ) -> f64 {
-    let units = objects.iter().flat_map(|one| units(one, floors, measures)).flatten();
+    let units = objects
+        .iter()
+        .flat_map(|one| units(one, floors, measures))
+        .flatten();
     // A motion at the largest scale must not be above it by rounding.
     request.max_scale_ratio * (1.0 - 1e-9) * units.fold(f64::INFINITY, f64::min)
 }
@@ -83,8 +110,11 @@ fn units<'a>(
     floors: &'a [Vec<Shaking>],
     measures: &'a [(Measure, At)],
 ) -> impl Iterator<Item = Option<f64>> + 'a {
-    let of =
-        |shaking: &Shaking| measures.first().and_then(|(measure, at)| shaking.intensity(*measure, 0, *at, one.factors));
+    let of = |shaking: &Shaking| {
+        measures
+            .first()
+            .and_then(|(measure, at)| shaking.intensity(*measure, 0, *at, one.factors))
+    };
     floors.get(one.floor).into_iter().flatten().map(of)
 }
 
@@ -103,8 +133,13 @@ impl Levels {
     pub(super) fn exact(&self, product: f64) -> f64 {
         // Two roundings, 2.2e-16 each.
         const ROUNDING: f64 = 1e-15;
-        let place = self.0.partition_point(|level| *level < product * (1.0 - ROUNDING));
-        let level = self.0.get(place).filter(|level| (product / **level - 1.0).abs() < ROUNDING);
+        let place = self
+            .0
+            .partition_point(|level| *level < product * (1.0 - ROUNDING));
+        let level = self
+            .0
+            .get(place)
+            .filter(|level| (product / **level - 1.0).abs() < ROUNDING);
         level.copied().unwrap_or(product)
     }
 }
@@ -126,15 +161,26 @@ pub(super) struct Added {
 }
 
 /// The hazard for which intensities are added.
-pub(super) fn hazard(request: &RunsRequest, measures: &[(Measure, At)]) -> Result<Option<MeasuredHazard>, Problems> {
-    let Some((source, &(measure, at))) = request.hazard.as_ref().zip(measures.first()) else { return Ok(None) };
+pub(super) fn hazard(
+    request: &RunsRequest,
+    measures: &[(Measure, At)],
+) -> Result<Option<MeasuredHazard>, Problems> {
+    let Some((source, &(measure, at))) = request.hazard.as_ref().zip(measures.first()) else {
+        return Ok(None);
+    };
     if request.method != Method::Stripes {
         let method = name_of(METHODS, request.method);
-        let message = format!("a hazard curve adds intensities to stripes, but the method is {method}");
+        let message =
+            format!("a hazard curve adds intensities to stripes, but the method is {method}");
         let hint = "give `method = \"stripes\"`, or leave the hazard out";
         return Err(Problem::value(message, hint).of(&["hazard"]).into());
     }
-    let hazard = hazard_of(source, HazardPlace::OfOutcomes(at), request.site_deg, Some((measure, at)))?;
+    let hazard = hazard_of(
+        source,
+        HazardPlace::OfOutcomes(at),
+        request.site_deg,
+        Some((measure, at)),
+    )?;
     hazard.check(measure, at)?;
     Ok(Some(hazard))
 }
@@ -149,14 +195,26 @@ pub(super) fn open(
     let levels = Levels::new(levels);
     let of_object = |one: &ObjectRuns| {
         let (mut runs, mut uplifts) = (Vec::new(), Vec::new());
-        let each = one.motions.iter().zip(&one.uplifts_ratio).zip(units(one, floors, measures)).enumerate();
+        let each = one
+            .motions
+            .iter()
+            .zip(&one.uplifts_ratio)
+            .zip(units(one, floors, measures))
+            .enumerate();
         for (motion, ((followed, uplift), unit)) in each {
             let Some(unit) = unit else { continue };
-            let known = followed.iter().filter_map(|run| Some((run.scale_ratio, run.run()?.class)));
+            let known = followed
+                .iter()
+                .filter_map(|run| Some((run.scale_ratio, run.run()?.class)));
             let before = runs.len();
             runs.extend(known.map(|(scale_ratio, class)| {
                 let intensity = levels.exact(unit * scale_ratio);
-                Run { motion: Some(motion), intensity, class, weight: 1.0 }
+                Run {
+                    motion: Some(motion),
+                    intensity,
+                    class,
+                    weight: 1.0,
+                }
             }));
             // Motions without a run have no number.
             if runs.len() > before {
@@ -165,7 +223,9 @@ pub(super) fn open(
         }
         // The fit of all runs says what is wrong with them. However they are fitted, the same intensities are
         // added, so that kept runs serve every fit.
-        let Ok(outcomes) = Outcomes::new(&runs) else { return Vec::new() };
+        let Ok(outcomes) = Outcomes::new(&runs) else {
+            return Vec::new();
+        };
         let curves = fit_curves(&outcomes, &outcomes.limit_states(), FitKind::Ordered).curves;
         let of_curve = curves.into_iter().flat_map(|curve| {
             let found = capacities(&outcomes, curve.limit_state, &uplifts);
@@ -183,16 +243,31 @@ pub(super) fn open(
 pub(super) fn wanted(open: &[Vec<OpenPart>], levels: &[f64], limit: f64, most: usize) -> Vec<f64> {
     let inside = |part: &OpenPart| {
         let level = match part.gap {
-            Gap::Below { uplift: Some(uplift), lowest } => (uplift * lowest).sqrt(),
-            Gap::Below { uplift: None, lowest } => 0.5 * lowest,
+            Gap::Below {
+                uplift: Some(uplift),
+                lowest,
+            } => (uplift * lowest).sqrt(),
+            Gap::Below {
+                uplift: None,
+                lowest,
+            } => 0.5 * lowest,
             Gap::Between(from, to) => (from * to).sqrt(),
             Gap::Above(highest) => (2.0 * highest).min(limit),
         };
         (level, part.share)
     };
     // Runs that could not be followed leave gaps in which there is an intensity.
-    let is_new = |level: f64| levels.iter().all(|other| (level / other).ln().abs() > LEAST_STEP);
-    let mut found: Vec<(f64, f64)> = open.iter().flatten().map(inside).filter(|(level, _)| is_new(*level)).collect();
+    let is_new = |level: f64| {
+        levels
+            .iter()
+            .all(|other| (level / other).ln().abs() > LEAST_STEP)
+    };
+    let mut found: Vec<(f64, f64)> = open
+        .iter()
+        .flatten()
+        .map(inside)
+        .filter(|(level, _)| is_new(*level))
+        .collect();
     // Objects share most of them; the largest share first.
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
     found.dedup_by(|a, b| (a.0 / b.0).ln() < LEAST_STEP);

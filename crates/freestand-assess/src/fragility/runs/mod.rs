@@ -48,7 +48,8 @@ pub use kept::KeepRuns;
 pub use quality::Quality;
 pub use report::RunsReport;
 pub use request::{
-    DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, Limits, METHODS, Method, RunObjects, RunsRequest, measures, scales,
+    DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, Limits, METHODS, Method, RunObjects, RunsRequest,
+    measures, scales,
 };
 pub use shaking::{DEFAULT_WORLDS, FloorMotion};
 pub use table::file_name;
@@ -78,23 +79,49 @@ pub(super) struct ObjectRuns {
 /// # Errors
 /// A measure that the motions do not have, a scale above the largest, no motion, no object that can
 /// be run; a run that was stopped.
-pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<RunsReport, Problems> {
+pub fn fragility_of_runs(
+    request: &RunsRequest,
+    progress: Progress,
+) -> Result<RunsReport, Problems> {
     check_replicates(request.replicates)?;
     let measures = measures_of(request)?;
     let hazard = levels::hazard(request, &measures)?;
     let go_on = || super::go_on(progress).map_err(Problems::from);
-    let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
+    let Prepared {
+        mut objects,
+        floors,
+        left_out,
+    } = prepare(request, &measures, go_on)?;
     check_ground(request, &measures, &floors)?;
     check_shocks(request.fit, &objects)?;
     let mut asked = request.clone();
     if request.method == Method::Stripes && request.scales.is_none() {
-        asked.scales = Some(levels::chosen(request, &objects, &floors, &measures, &go_on)?);
+        asked.scales = Some(levels::chosen(
+            request, &objects, &floors, &measures, &go_on,
+        )?);
     }
     let store = kept::open(&asked, &measures, hazard.as_ref(), objects.len())?;
-    let work = Work { floors: &floors, measures: &measures, store: store.as_ref(), progress };
+    let work = Work {
+        floors: &floors,
+        measures: &measures,
+        store: store.as_ref(),
+        progress,
+    };
     work.run(&asked, &mut objects, 0)?;
-    let added = hazard.map(|hazard| work.add_levels(&mut asked, &mut objects, hazard)).transpose()?;
-    fit(&asked, measures, Prepared { objects, floors, left_out }, added, progress)
+    let added = hazard
+        .map(|hazard| work.add_levels(&mut asked, &mut objects, hazard))
+        .transpose()?;
+    fit(
+        &asked,
+        measures,
+        Prepared {
+            objects,
+            floors,
+            left_out,
+        },
+        added,
+        progress,
+    )
 }
 
 /// What all runs of a request have in common.
@@ -108,7 +135,12 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// Runs objects, part by part; parts of this round that are kept are read.
-    fn run(&self, request: &RunsRequest, objects: &mut [ObjectRuns], round: usize) -> Result<(), Problems> {
+    fn run(
+        &self,
+        request: &RunsRequest,
+        objects: &mut [ObjectRuns],
+        round: usize,
+    ) -> Result<(), Problems> {
         let go_on = || super::go_on(self.progress).map_err(Problems::from);
         let motions: Vec<usize> = self.floors.iter().map(Vec::len).collect();
         let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
@@ -116,20 +148,32 @@ impl Work<'_> {
         let done = AtomicUsize::new(0);
         let count = |runs: usize| -> Result<(), Problems> {
             let done = done.fetch_add(runs, Ordering::Relaxed) + runs;
-            match (self.progress)(Step { stage: Some(Stage::RockingHistories), done, total }) {
+            match (self.progress)(Step {
+                stage: Some(Stage::RockingHistories),
+                done,
+                total,
+            }) {
                 ControlFlow::Continue(()) => Ok(()),
                 ControlFlow::Break(()) => Err(Problem::stopped().into()),
             }
         };
         for part in kept::parts(objects.len(), round) {
-            let Some(objects) = objects.get_mut(part.rows.clone()) else { continue };
+            let Some(objects) = objects.get_mut(part.rows.clone()) else {
+                continue;
+            };
             if let Some(store) = self.store
                 && kept::read(store, &part, objects, &motions)
             {
                 count(objects.iter().map(of).sum())?;
                 continue;
             }
-            run_part(request, objects, self.floors, self.measures, (&go_on, &|| count(1)))?;
+            run_part(
+                request,
+                objects,
+                self.floors,
+                self.measures,
+                (&go_on, &|| count(1)),
+            )?;
             if let Some(store) = self.store {
                 kept::write(store, &part, objects)?;
             }
@@ -151,19 +195,40 @@ impl Work<'_> {
         loop {
             round += 1;
             super::go_on(self.progress)?;
-            let open = levels::open(&hazard.hazard, objects, (self.floors, self.measures), &levels);
-            let room = if round > levels::ROUNDS { 0 } else { levels::MOST_ADDED - added };
+            let open = levels::open(
+                &hazard.hazard,
+                objects,
+                (self.floors, self.measures),
+                &levels,
+            );
+            let room = if round > levels::ROUNDS {
+                0
+            } else {
+                levels::MOST_ADDED - added
+            };
             let more = levels::wanted(&open, &levels, limit, room);
             if more.is_empty() {
                 request.scales = Some(levels);
-                let ids = objects.iter().zip(open).filter(|(_, parts)| !parts.is_empty());
-                return Ok(Added { hazard, count: added, open_ids: ids.map(|(one, _)| one.id.clone()).collect() });
+                let ids = objects
+                    .iter()
+                    .zip(open)
+                    .filter(|(_, parts)| !parts.is_empty());
+                return Ok(Added {
+                    hazard,
+                    count: added,
+                    open_ids: ids.map(|(one, _)| one.id.clone()).collect(),
+                });
             }
-            let earlier: Vec<_> = objects.iter_mut().map(|one| std::mem::take(&mut one.motions)).collect();
+            let earlier: Vec<_> = objects
+                .iter_mut()
+                .map(|one| std::mem::take(&mut one.motions))
+                .collect();
             request.scales = Some(more.clone());
             self.run(request, objects, round)?;
-            for (runs, earlier) in
-                objects.iter_mut().flat_map(|one| &mut one.motions).zip(earlier.into_iter().flatten())
+            for (runs, earlier) in objects
+                .iter_mut()
+                .flat_map(|one| &mut one.motions)
+                .zip(earlier.into_iter().flatten())
             {
                 runs.extend(earlier);
                 follow::sort(runs);
@@ -190,13 +255,18 @@ fn run_part(
     let tasks: Vec<(usize, usize)> = objects
         .iter()
         .enumerate()
-        .flat_map(|(i, one)| (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion)))
+        .flat_map(|(i, one)| {
+            (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion))
+        })
         .collect();
     let followed: Vec<Result<Followings, Problems>> = tasks
         .par_iter()
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
-            let shaking = floors.get(one.floor).and_then(|floor| floor.get(motion)).ok_or_else(missing)?;
+            let shaking = floors
+                .get(one.floor)
+                .and_then(|floor| floor.get(motion))
+                .ok_or_else(missing)?;
             let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
             let known = one.uplifts_ratio.get(motion).copied();
             let uplift_ratio = known.unwrap_or_else(|| follow::uplift_ratio(request, one, shaking));
@@ -217,7 +287,13 @@ fn run_part(
     if request.method == Method::Incremental && request.scales.is_none() {
         objects.par_iter_mut().try_for_each(|one| {
             go_on()?;
-            follow::fill(request, one, floors.get(one.floor).map_or(&[], Vec::as_slice), measures, go_on)
+            follow::fill(
+                request,
+                one,
+                floors.get(one.floor).map_or(&[], Vec::as_slice),
+                measures,
+                go_on,
+            )
         })?;
     }
     Ok(())
@@ -231,7 +307,11 @@ fn missing() -> Problems {
 fn fit(
     request: &RunsRequest,
     measures: Vec<(Measure, At)>,
-    Prepared { objects, floors, left_out }: Prepared,
+    Prepared {
+        objects,
+        floors,
+        left_out,
+    }: Prepared,
     added: Option<Added>,
     progress: Progress,
 ) -> Result<RunsReport, Problems> {
@@ -247,7 +327,12 @@ fn fit(
         objects,
         floors,
         left_out,
-        inputs: request.inputs.iter().chain(added.iter().filter_map(|one| one.hazard.file.as_ref())).cloned().collect(),
+        inputs: request
+            .inputs
+            .iter()
+            .chain(added.iter().filter_map(|one| one.hazard.file.as_ref()))
+            .cloned()
+            .collect(),
         added,
         study: OfStudy::of(&request.objects),
     };
@@ -266,13 +351,31 @@ fn fit(
             replicates: request.replicates,
             seed: request.seed,
         };
-        let mut found = fitted(fits, table, (name_of(METHODS, request.method), &limits), progress)?;
+        let mut found = fitted(
+            fits,
+            table,
+            (name_of(METHODS, request.method), &limits),
+            progress,
+        )?;
         for object in &mut found.objects {
-            let Some(runs) = report.objects.iter().find(|one| one.id == object.id) else { continue };
+            let Some(runs) = report.objects.iter().find(|one| one.id == object.id) else {
+                continue;
+            };
             let shakings = report.floors.get(runs.floor).map_or(&[][..], Vec::as_slice);
-            object.resurrections = Some(runs.motions.iter().map(|runs| resurrections(&follow::classes(runs))).sum());
+            object.resurrections = Some(
+                runs.motions
+                    .iter()
+                    .map(|runs| resurrections(&follow::classes(runs)))
+                    .sum(),
+            );
             object.scaled_above_4 = Some(runs.marked());
-            object.qualities = quality::qualities(request.method, object, runs, shakings, (*measure, place, *at));
+            object.qualities = quality::qualities(
+                request.method,
+                object,
+                runs,
+                shakings,
+                (*measure, place, *at),
+            );
         }
         report.reports.push(found);
         report.outcomes.push(outcomes);
@@ -287,20 +390,35 @@ fn fit(
 /// Refuses a fit of shocks if no object has a tolerance that is a peak acceleration alone.
 fn check_shocks(fit: FitMethod, objects: &[ObjectRuns]) -> Result<(), Problem> {
     let why = objects.first().and_then(|one| one.shock_limits().err());
-    let Some(why) = why.filter(|_| fit == FitMethod::TwoStage && objects.iter().all(|one| one.shock_limits().is_err()))
-    else {
+    let Some(why) = why.filter(|_| {
+        fit == FitMethod::TwoStage && objects.iter().all(|one| one.shock_limits().is_err())
+    }) else {
         return Ok(());
     };
-    let message = format!("`fit = \"{TWO_STAGE}\"` needs the shocks of an object and its tolerance: {why}");
+    let message =
+        format!("`fit = \"{TWO_STAGE}\"` needs the shocks of an object and its tolerance: {why}");
     let hint = "give mass, cushion and a peak acceleration as tolerance, or fit the outcomes with `fit = \"ordered\"`";
     Err(Problem::value(message, hint).of(&["fit"]))
 }
 
 /// What a fit of shocks needs for each object of a table; `None` for objects whose outcomes are
 /// fitted.
-fn shock_limits(fit: FitMethod, objects: &[ObjectRuns], table: &OutcomeTable) -> Vec<Option<ShockLimits>> {
-    let of = |id: &String| objects.iter().find(|one| one.id == *id).and_then(|one| one.shock_limits().ok());
-    table.objects.iter().map(|id| of(id).filter(|_| fit == FitMethod::TwoStage)).collect()
+fn shock_limits(
+    fit: FitMethod,
+    objects: &[ObjectRuns],
+    table: &OutcomeTable,
+) -> Vec<Option<ShockLimits>> {
+    let of = |id: &String| {
+        objects
+            .iter()
+            .find(|one| one.id == *id)
+            .and_then(|one| one.shock_limits().ok())
+    };
+    table
+        .objects
+        .iter()
+        .map(|id| of(id).filter(|_| fit == FitMethod::TwoStage))
+        .collect()
 }
 
 /// The measures with the place of each.
@@ -308,44 +426,89 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
     let (ground, default) = match &request.objects {
         RunObjects::Given(object) if object.is_on_ground => (At::Ground, Measure::Pgv),
         RunObjects::Given(_) => (At::Floor, Measure::Pfv),
-        RunObjects::Listed { study, .. } if study.ground == freestand_study::study::Ground::OnFloors => {
+        RunObjects::Listed { study, .. }
+            if study.ground == freestand_study::study::Ground::OnFloors =>
+        {
             (At::Floor, Measure::Pfv)
         }
         RunObjects::Listed { .. } => (At::Ground, Measure::Pgv),
     };
-    let asked = if request.measures.is_empty() { vec![default] } else { request.measures.clone() };
+    let asked = if request.measures.is_empty() {
+        vec![default]
+    } else {
+        request.measures.clone()
+    };
     if asked.len() > MAX_MEASURES {
         let message = format!("{} measures are too many", asked.len());
-        return Err(Problem::value(message, format!("give at most {MAX_MEASURES}")).of(&["im"]).into());
+        return Err(
+            Problem::value(message, format!("give at most {MAX_MEASURES}"))
+                .of(&["im"])
+                .into(),
+        );
     }
-    if let Some((i, twice)) = asked.iter().enumerate().find(|(i, one)| asked[..*i].contains(one)) {
-        let message = format!("the measure {} is given twice (number {} in the list)", twice.name(), i + 1);
-        return Err(Problem::value(message, "name each measure once").of(&["im"]).into());
+    if let Some((i, twice)) = asked
+        .iter()
+        .enumerate()
+        .find(|(i, one)| asked[..*i].contains(one))
+    {
+        let message = format!(
+            "the measure {} is given twice (number {} in the list)",
+            twice.name(),
+            i + 1
+        );
+        return Err(Problem::value(message, "name each measure once")
+            .of(&["im"])
+            .into());
     }
     let placed = |measure: Measure| -> Result<(Measure, At), Problem> {
         // A place that was named holds for the measures that may be at either.
-        let given = if measure.place().is_some() { None } else { Some(request.at.unwrap_or(ground)) };
+        let given = if measure.place().is_some() {
+            None
+        } else {
+            Some(request.at.unwrap_or(ground))
+        };
         Ok((measure, measure.at(given)?))
     };
-    Ok(asked.into_iter().map(placed).collect::<Result<_, Problem>>()?)
+    Ok(asked
+        .into_iter()
+        .map(placed)
+        .collect::<Result<_, Problem>>()?)
 }
 
 /// Refuses measures of the ground where only floor motions are known.
-fn check_ground(request: &RunsRequest, measures: &[(Measure, At)], floors: &[Vec<Shaking>]) -> Result<(), Problem> {
-    let has_ground = floors.iter().flatten().all(|shaking| shaking.at_ground.is_some());
-    let Some((measure, _)) = measures.iter().find(|(_, at)| *at == At::Ground && !has_ground) else { return Ok(()) };
+fn check_ground(
+    request: &RunsRequest,
+    measures: &[(Measure, At)],
+    floors: &[Vec<Shaking>],
+) -> Result<(), Problem> {
+    let has_ground = floors
+        .iter()
+        .flatten()
+        .all(|shaking| shaking.at_ground.is_some());
+    let Some((measure, _)) = measures
+        .iter()
+        .find(|(_, at)| *at == At::Ground && !has_ground)
+    else {
+        return Ok(());
+    };
     let (known, otherwise) = match &request.objects {
-        RunObjects::Given(_) => {
-            ("only the motions of the floor are known", "if the object stands on the ground, give `at = \"ground\"`")
-        }
+        RunObjects::Given(_) => (
+            "only the motions of the floor are known",
+            "if the object stands on the ground, give `at = \"ground\"`",
+        ),
         RunObjects::Listed { .. } => (
             "the study gives the motions of the floors, not those of the ground",
             "for a measure of the ground, give a study with motions of the ground and the building",
         ),
     };
-    let is = if measure.place().is_none() { "is asked for at the ground" } else { "is a measure of the ground" };
+    let is = if measure.place().is_none() {
+        "is asked for at the ground"
+    } else {
+        "is a measure of the ground"
+    };
     let message = format!("{} {is}, and {known}", measure.name());
-    let hint = format!("write pfa or pfv, or `at = \"floor\"` for a spectral acceleration; {otherwise}");
+    let hint =
+        format!("write pfa or pfv, or `at = \"floor\"` for a spectral acceleration; {otherwise}");
     Err(Problem::value(message, hint).of(&["im"]))
 }
 
@@ -365,7 +528,11 @@ fn prepare(
     let asked: Vec<Measure> = measures.iter().map(|(measure, _)| *measure).collect();
     let runs = |id: &str, nominal: Nominal, floor: usize| -> Result<ObjectRuns, Problem> {
         // Its fit needs shocks that follow from the uplift.
-        let nominal = if request.fit == FitMethod::TwoStage { nominal.without_pads() } else { nominal };
+        let nominal = if request.fit == FitMethod::TwoStage {
+            nominal.without_pads()
+        } else {
+            nominal
+        };
         Ok(ObjectRuns {
             id: id.to_owned(),
             factors: RatioFactors::new(&nominal.block)?,
@@ -381,31 +548,57 @@ fn prepare(
     match &request.objects {
         RunObjects::Given(object) => {
             if object.motions.is_empty() {
-                return Err(Problem::value("there are no motions to run", "give `motion`, one or more files").into());
+                return Err(Problem::value(
+                    "there are no motions to run",
+                    "give `motion`, one or more files",
+                )
+                .into());
             }
             Sizes::of(&object.block).check()?;
-            refuse_copies(
-                object
-                    .motions
-                    .iter()
-                    .map(|motion| (motion.name.as_str(), [Some(&motion.horizontal), motion.vertical.as_ref()])),
-            )?;
-            let tolerance = Some(object.limits.tolerance()).filter(|_| object.limits != Limits::default());
-            let nominal = Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
+            refuse_copies(object.motions.iter().map(|motion| {
+                (
+                    motion.name.as_str(),
+                    [Some(&motion.horizontal), motion.vertical.as_ref()],
+                )
+            }))?;
+            let tolerance =
+                Some(object.limits.tolerance()).filter(|_| object.limits != Limits::default());
+            let nominal = Nominal::of_block(
+                object.block,
+                object.restitution,
+                object.body.as_ref(),
+                tolerance.as_ref(),
+            );
             if nominal.lacks_shock() {
-                let hint = "give `mass` and `stiffness` (or another cushion), or leave the tolerance out";
-                let message =
-                    "the tolerance needs the shock of a landing, and so the mass and the cushion of the object";
+                let hint =
+                    "give `mass` and `stiffness` (or another cushion), or leave the tolerance out";
+                let message = "the tolerance needs the shock of a landing, and so the mass and the cushion of the object";
                 return Err(Problem::value(message, hint).of(&["tolerance"]).into());
             }
-            let floors = vec![shaking::given(&object.motions, object.is_on_ground, &asked)?];
-            Ok(Prepared { objects: vec![runs(GIVEN_ID, nominal, 0)?], floors, left_out: Vec::new() })
+            let floors = vec![shaking::given(
+                &object.motions,
+                object.is_on_ground,
+                &asked,
+            )?];
+            Ok(Prepared {
+                objects: vec![runs(GIVEN_ID, nominal, 0)?],
+                floors,
+                left_out: Vec::new(),
+            })
         }
-        RunObjects::Listed { study, inventory, worlds, changed } => {
+        RunObjects::Listed {
+            study,
+            inventory,
+            worlds,
+            changed,
+        } => {
             let mut levels_ratio: Vec<f64> = Vec::new();
             let (mut objects, mut left_out) = (Vec::new(), Vec::new());
             let mut problems = Problems::default();
-            let as_changed = changed.iter().filter_map(|one| problems.keep(changed_item(one, inventory))).collect();
+            let as_changed = changed
+                .iter()
+                .filter_map(|one| problems.keep(changed_item(one, inventory)))
+                .collect();
             let as_changed: Vec<Item> = problems.finish(Some(as_changed))?;
             for item in inventory.items.iter().cloned().chain(as_changed) {
                 let nominal = match Nominal::new(&item, &study.assessment) {
@@ -416,10 +609,13 @@ fn prepare(
                     }
                 };
                 let level = nominal.level_ratio;
-                let floor = levels_ratio.iter().position(|other| *other == level).unwrap_or_else(|| {
-                    levels_ratio.push(level);
-                    levels_ratio.len() - 1
-                });
+                let floor = levels_ratio
+                    .iter()
+                    .position(|other| *other == level)
+                    .unwrap_or_else(|| {
+                        levels_ratio.push(level);
+                        levels_ratio.len() - 1
+                    });
                 objects.push(runs(&item.id, nominal, floor)?);
             }
             if objects.is_empty() {
@@ -428,11 +624,18 @@ fn prepare(
                     |(id, why)| format!("{} for example: {why}", shorten(id)),
                 );
                 let message = format!("no object of the list can be run ({why})");
-                let hint = "give at least `height`, `thickness` and the floor of one object that can rock";
-                return Err(Problem::value(message, hint).in_file(&inventory.path).into());
+                let hint =
+                    "give at least `height`, `thickness` and the floor of one object that can rock";
+                return Err(Problem::value(message, hint)
+                    .in_file(&inventory.path)
+                    .into());
             }
             let floors = shaking::of_study(study, &levels_ratio, *worlds, &asked, go_on)?;
-            Ok(Prepared { objects, floors, left_out })
+            Ok(Prepared {
+                objects,
+                floors,
+                left_out,
+            })
         }
     }
 }
@@ -453,11 +656,18 @@ impl ObjectRuns {
             return Err("its tolerance also limits the rotation");
         }
         let (tolerance_g, ceiling_g) = self.nominal.shock_limits()?;
-        Ok(ShockLimits { tolerance_g, ceiling_g })
+        Ok(ShockLimits {
+            tolerance_g,
+            ceiling_g,
+        })
     }
 
     /// Number of runs whose scale is above [`DOUBTFUL_SCALE`].
     fn marked(&self) -> usize {
-        self.motions.iter().flatten().filter(|run| run.scale_ratio > DOUBTFUL_SCALE).count()
+        self.motions
+            .iter()
+            .flatten()
+            .filter(|run| run.scale_ratio > DOUBTFUL_SCALE)
+            .count()
     }
 }

@@ -1,6 +1,8 @@
 //! How well a measure tells what an object does.
 
-use freestand::fragility::{LimitState, OutcomeClass, capacity_spread, mean_and_sd, trend_p_value, weighted_line};
+use freestand::fragility::{
+    LimitState, OutcomeClass, capacity_spread, mean_and_sd, trend_p_value, weighted_line,
+};
 use freestand_output::facts::Facts;
 
 use super::super::measure::{At, Measure};
@@ -71,8 +73,11 @@ pub(super) fn qualities(
             let line = weighted_line(&demands.iter().map(|(_, point)| *point).collect::<Vec<_>>());
             let (efficiency, left) = match method {
                 Method::Cloud => {
-                    let left = demands.iter().zip(line.iter().flat_map(|line| &line.residuals));
-                    let left: Vec<(usize, f64)> = left.map(|((motion, ..), e)| (*motion, *e)).collect();
+                    let left = demands
+                        .iter()
+                        .zip(line.iter().flat_map(|line| &line.residuals));
+                    let left: Vec<(usize, f64)> =
+                        left.map(|((motion, ..), e)| (*motion, *e)).collect();
                     (line.as_ref().map(|line| line.residual_sd), left)
                 }
                 Method::Incremental | Method::Stripes => (
@@ -85,11 +90,21 @@ pub(super) fn qualities(
                 .iter()
                 .filter_map(|(motion, e)| {
                     let strength: &Strength = about(*motion)?;
-                    Some([strength.mean_period_s?.ln(), strength.velocity_over_acceleration_s().ln(), *e])
+                    Some([
+                        strength.mean_period_s?.ln(),
+                        strength.velocity_over_acceleration_s().ln(),
+                        *e,
+                    ])
                 })
                 .collect();
-            let trend =
-                |i: usize| trend_p_value(&residuals.iter().map(|one| (one[i], one[2])).collect::<Vec<(f64, f64)>>());
+            let trend = |i: usize| {
+                trend_p_value(
+                    &residuals
+                        .iter()
+                        .map(|one| (one[i], one[2]))
+                        .collect::<Vec<(f64, f64)>>(),
+                )
+            };
             Quality {
                 limit_state,
                 efficiency,
@@ -111,23 +126,38 @@ fn demands(
     shakings: &[Shaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, (f64, f64, f64))> {
-    let units: Vec<Option<f64>> =
-        shakings.iter().map(|shaking| shaking.intensity(measure, place, at, runs.factors)).collect();
+    let units: Vec<Option<f64>> = shakings
+        .iter()
+        .map(|shaking| shaking.intensity(measure, place, at, runs.factors))
+        .collect();
     let weights = weights(runs, place, &units);
     let by_shock = state == LimitState::Exceeds && runs.nominal.compares_shock();
     let mut demands = Vec::new();
-    for (motion, ((of_motion, unit), weights)) in runs.motions.iter().zip(&units).zip(&weights).enumerate() {
+    for (motion, ((of_motion, unit), weights)) in
+        runs.motions.iter().zip(&units).zip(&weights).enumerate()
+    {
         let Some(unit) = unit else { continue };
         for (followed, weight) in of_motion.iter().zip(weights) {
-            let upright =
-                followed.run().filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
-            let Some((run, turned)) = upright.and_then(|run| Some((run, run.rotation_ratio?))) else { continue };
+            let upright = followed
+                .run()
+                .filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
+            let Some((run, turned)) = upright.and_then(|run| Some((run, run.rotation_ratio?)))
+            else {
+                continue;
+            };
             if turned < LEAST_ROTATION_RATIO {
                 continue;
             }
-            let demand = if by_shock { run.edge_acceleration_g } else { Some(turned) };
+            let demand = if by_shock {
+                run.edge_acceleration_g
+            } else {
+                Some(turned)
+            };
             if let Some(demand) = demand.filter(|demand| *demand > 0.0) {
-                demands.push((motion, ((unit * followed.scale_ratio).ln(), demand.ln(), *weight)));
+                demands.push((
+                    motion,
+                    ((unit * followed.scale_ratio).ln(), demand.ln(), *weight),
+                ));
             }
         }
     }
@@ -142,13 +172,20 @@ fn capacities(
     shakings: &[Shaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, f64)> {
-    let known = runs.motions.iter().zip(shakings).map(|(runs_of_motion, shaking)| {
-        let reached = |run: &&Followed| run.run().is_some_and(|run| state.is_reached(run.class));
-        let scale_ratio = runs_of_motion.iter().find(reached)?.scale_ratio;
-        Some((shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln())
-    });
+    let known = runs
+        .motions
+        .iter()
+        .zip(shakings)
+        .map(|(runs_of_motion, shaking)| {
+            let reached =
+                |run: &&Followed| run.run().is_some_and(|run| state.is_reached(run.class));
+            let scale_ratio = runs_of_motion.iter().find(reached)?.scale_ratio;
+            Some((shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln())
+        });
     let known: Option<Vec<f64>> = known.collect();
-    let Some((known, (mean, _))) = known.and_then(|known| mean_and_sd(&known).map(|found| (known, found))) else {
+    let Some((known, (mean, _))) =
+        known.and_then(|known| mean_and_sd(&known).map(|found| (known, found)))
+    else {
         return Vec::new();
     };
     known.into_iter().map(|ln| ln - mean).enumerate().collect()

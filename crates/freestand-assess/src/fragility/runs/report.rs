@@ -54,7 +54,12 @@ pub(super) struct OfStudy {
 
 impl OfStudy {
     pub(super) fn of(objects: &RunObjects) -> Option<Self> {
-        let RunObjects::Listed { study, inventory, .. } = objects else { return None };
+        let RunObjects::Listed {
+            study, inventory, ..
+        } = objects
+        else {
+            return None;
+        };
         Some(Self {
             said: said(study, &head::head(study, inventory)),
             hazard: head::hazard(study),
@@ -70,17 +75,31 @@ const NAMED_LEFT_OUT: usize = 3;
 
 impl RunsReport {
     pub(super) fn all_warnings(&self) -> Vec<String> {
-        let mut warnings = self.study.as_ref().map_or_else(Vec::new, |study| study.said.all_warnings());
+        let mut warnings = self
+            .study
+            .as_ref()
+            .map_or_else(Vec::new, |study| study.said.all_warnings());
         if !self.left_out.is_empty() {
-            let named: Vec<String> = self.left_out.iter().map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
+            let named: Vec<String> = self
+                .left_out
+                .iter()
+                .map(|(id, why)| format!("{} ({why})", shorten(id)))
+                .collect();
             let named = some(&named, NAMED_LEFT_OUT);
             let objects = counted(self.left_out.len(), "object");
-            let verb = if self.left_out.len() == 1 { "was" } else { "were" };
+            let verb = if self.left_out.len() == 1 {
+                "was"
+            } else {
+                "were"
+            };
             warnings.push(format!("{objects} {verb} not run: {named}"));
         }
         if self.fit == FitMethod::TwoStage {
-            let not: Vec<(&str, &str)> =
-                self.objects.iter().filter_map(|one| Some((&*one.id, one.shock_limits().err()?))).collect();
+            let not: Vec<(&str, &str)> = self
+                .objects
+                .iter()
+                .filter_map(|one| Some((&*one.id, one.shock_limits().err()?)))
+                .collect();
             if let Some((id, why)) = not.first() {
                 let verb = if not.len() == 1 { "is" } else { "are" };
                 warnings.push(format!(
@@ -90,16 +109,29 @@ impl RunsReport {
                 ));
             }
         }
-        let lacking = self.objects.iter().filter(|one| one.nominal.lacks_shock()).count();
+        let lacking = self
+            .objects
+            .iter()
+            .filter(|one| one.nominal.lacks_shock())
+            .count();
         if lacking > 0 {
-            let (verb, them) = if lacking == 1 { ("has", "its shock is") } else { ("have", "their shocks are") };
+            let (verb, them) = if lacking == 1 {
+                ("has", "its shock is")
+            } else {
+                ("have", "their shocks are")
+            };
             warnings.push(format!(
                 "{} {verb} a tolerance, but no mass or no cushion: {them} not known, so \"exceeds\" is not fitted; \
                  add the mass and the cushion",
                 counted(lacking, "object")
             ));
         }
-        let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
+        let runs: usize = self
+            .objects
+            .iter()
+            .flat_map(|one| &one.motions)
+            .map(Vec::len)
+            .sum();
         let marked: usize = self.objects.iter().map(ObjectRuns::marked).sum();
         if marked > 0 {
             warnings.push(format!(
@@ -107,7 +139,12 @@ impl RunsReport {
                 counted(runs, "run")
             ));
         }
-        if let Some(ids) = self.added.as_ref().map(|added| &added.open_ids).filter(|ids| !ids.is_empty()) {
+        if let Some(ids) = self
+            .added
+            .as_ref()
+            .map(|added| &added.open_ids)
+            .filter(|ids| !ids.is_empty())
+        {
             warnings.push(format!(
                 "more than a tenth of a rate of {} is still between two intensities of the runs, or below or above \
                  all of them: at most {MOST_ADDED} are added, and none beyond the largest scale; such rates are only \
@@ -116,11 +153,19 @@ impl RunsReport {
             ));
         }
         // Some do not depend on the measure.
-        let is_of_all = |text: &String| self.reports.iter().all(|report| report.warnings.contains(text));
+        let is_of_all = |text: &String| {
+            self.reports
+                .iter()
+                .all(|report| report.warnings.contains(text))
+        };
         for report in &self.reports {
             let name = report.table.measure.name();
             for text in &report.warnings {
-                let text = if is_of_all(text) { text.clone() } else { format!("{name}: {text}") };
+                let text = if is_of_all(text) {
+                    text.clone()
+                } else {
+                    format!("{name}: {text}")
+                };
                 if !warnings.contains(&text) {
                     warnings.push(text);
                 }
@@ -134,9 +179,17 @@ impl RunsReport {
     /// # Errors
     /// None in practice: see [`of_rows`].
     pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
-        let row = |(id, why): &'_ (String, String)| Facts::default().key("id", id.clone()).key("why", why.clone());
+        let row = |(id, why): &'_ (String, String)| {
+            Facts::default()
+                .key("id", id.clone())
+                .key("why", why.clone())
+        };
         let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
-        if rows.is_empty() { Ok(None) } else { of_rows(rows).map(Some) }
+        if rows.is_empty() {
+            Ok(None)
+        } else {
+            of_rows(rows).map(Some)
+        }
     }
 
     /// The sentence that says whose building this is, where no study was given.
@@ -151,7 +204,11 @@ impl RunsReport {
 
     /// The document.
     pub fn facts(&self, seed: u64) -> Facts<'static> {
-        let objects: Vec<Facts> = self.reports.iter().flat_map(FragilityReport::object_facts).collect();
+        let objects: Vec<Facts> = self
+            .reports
+            .iter()
+            .flat_map(FragilityReport::object_facts)
+            .collect();
         let motions: Vec<Facts> = self
             .floors
             .iter()
@@ -159,7 +216,10 @@ impl RunsReport {
             .map(|shaking| {
                 Facts::default()
                     .key("name", shaking.name.clone())
-                    .key("floor_velocity_over_acceleration_s", shaking.at_floor.velocity_over_acceleration_s())
+                    .key(
+                        "floor_velocity_over_acceleration_s",
+                        shaking.at_floor.velocity_over_acceleration_s(),
+                    )
                     .key("floor_mean_period_s", shaking.at_floor.mean_period_s)
             })
             .collect();
@@ -168,9 +228,16 @@ impl RunsReport {
         let left_out: Vec<Facts> = self
             .left_out
             .iter()
-            .map(|(id, why)| Facts::default().key("id", id.clone()).key("why", why.clone()))
+            .map(|(id, why)| {
+                Facts::default()
+                    .key("id", id.clone())
+                    .key("why", why.clone())
+            })
             .collect();
-        let given = self.scales.as_ref().map(|all| all.len() - self.added.as_ref().map_or(0, |added| added.count));
+        let given = self
+            .scales
+            .as_ref()
+            .map(|all| all.len() - self.added.as_ref().map_or(0, |added| added.count));
         Facts::default()
             .key("version", env!("CARGO_PKG_VERSION"))
             .key("seed", seed)
@@ -179,17 +246,35 @@ impl RunsReport {
             .key("scales", self.scales.clone())
             .key("scales_given", given)
             .key("scales_added", self.added.as_ref().map(|added| added.count))
-            .key("hazard_curve", self.added.as_ref().map(|added| added.hazard.facts()))
+            .key(
+                "hazard_curve",
+                self.added.as_ref().map(|added| added.hazard.facts()),
+            )
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
             .key("no_study", said.and_then(|said| said.no_study.clone()))
-            .key("assumptions", self.study.as_ref().map(|study| study.assumed.clone()))
+            .key(
+                "assumptions",
+                self.study.as_ref().map(|study| study.assumed.clone()),
+            )
             .key("place_is_assumed", said.map(|said| said.place_is_assumed))
-            .key("building_is_assumed", said.map(|said| said.building_is_assumed))
+            .key(
+                "building_is_assumed",
+                said.map(|said| said.building_is_assumed),
+            )
             .key("place_name", said.and_then(|said| said.place_name.clone()))
-            .key("building_name", said.and_then(|said| said.building_name.clone()))
-            .key("hazard", self.study.as_ref().and_then(|study| study.hazard.clone()))
-            .key("building", self.study.as_ref().map(|study| study.building.clone()))
+            .key(
+                "building_name",
+                said.and_then(|said| said.building_name.clone()),
+            )
+            .key(
+                "hazard",
+                self.study.as_ref().and_then(|study| study.hazard.clone()),
+            )
+            .key(
+                "building",
+                self.study.as_ref().map(|study| study.building.clone()),
+            )
             .key("study", self.study.as_ref().map(|study| study.toml.clone()))
             .key("motions", motions)
             .key("left_out", left_out)
@@ -200,7 +285,10 @@ impl RunsReport {
     /// For each object and limit state the measures, the most proficient one first.
     fn ranking(&self) -> Vec<Facts<'static>> {
         let mut ranking = Vec::new();
-        let first = self.reports.first().map_or(&[][..], |report| report.objects.as_slice());
+        let first = self
+            .reports
+            .first()
+            .map_or(&[][..], |report| report.objects.as_slice());
         for (i, object) in first.iter().enumerate() {
             for state in object.fit.curves.iter().map(|curve| curve.limit_state) {
                 let mut measures: Vec<(&FragilityReport, &Quality)> = self
@@ -208,7 +296,12 @@ impl RunsReport {
                     .iter()
                     .filter_map(|report| {
                         let qualities = &report.objects.get(i)?.qualities;
-                        Some((report, qualities.iter().find(|quality| quality.limit_state == state)?))
+                        Some((
+                            report,
+                            qualities
+                                .iter()
+                                .find(|quality| quality.limit_state == state)?,
+                        ))
                     })
                     .collect();
                 let value = |quality: &Quality| quality.proficiency().unwrap_or(f64::INFINITY);
@@ -237,11 +330,20 @@ impl RunsReport {
 
     /// One line for each measure and limit state of the first object, for people.
     pub fn summary(&self) -> String {
-        let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
+        let runs: usize = self
+            .objects
+            .iter()
+            .flat_map(|one| &one.motions)
+            .map(Vec::len)
+            .sum();
         let motions = self.floors.first().map_or(0, Vec::len);
         let mut text = String::new();
         if let Some(OfStudy { said, .. }) = &self.study {
-            text.extend(said.no_study.iter().map(|sentence| format!("{sentence}\n\n")));
+            text.extend(
+                said.no_study
+                    .iter()
+                    .map(|sentence| format!("{sentence}\n\n")),
+            );
             text.push_str(&format!("{}\n\n", said.place));
         }
         text.push_str(&format!(
@@ -253,13 +355,26 @@ impl RunsReport {
         ));
         if let (Some(all), Some(added)) = (&self.scales, &self.added) {
             let given = counted(all.len() - added.count, "intensity");
-            text.push_str(&format!("; {given} to begin with, {} added for the hazard", added.count));
+            text.push_str(&format!(
+                "; {given} to begin with, {} added for the hazard",
+                added.count
+            ));
         }
-        let survived: usize =
-            self.objects.iter().flat_map(|one| &one.motions).map(|runs| resurrections(&follow::classes(runs))).sum();
+        let survived: usize = self
+            .objects
+            .iter()
+            .flat_map(|one| &one.motions)
+            .map(|runs| resurrections(&follow::classes(runs)))
+            .sum();
         if survived > 0 {
-            let plural = if survived == 1 { "run stays" } else { "runs stay" };
-            text.push_str(&format!("; {survived} {plural} upright above a scale that overturns the object"));
+            let plural = if survived == 1 {
+                "run stays"
+            } else {
+                "runs stay"
+            };
+            text.push_str(&format!(
+                "; {survived} {plural} upright above a scale that overturns the object"
+            ));
         }
         text
     }

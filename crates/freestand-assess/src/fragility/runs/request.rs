@@ -29,9 +29,21 @@ pub enum Method {
 
 /// Methods by name.
 pub const METHODS: Choices<Method> = &[
-    (Method::Incremental, "ida", "every motion is scaled up until it overturns the object"),
-    (Method::Stripes, "stripes", "every motion is scaled to each intensity of --scales"),
-    (Method::Cloud, "cloud", "every motion is used once, unscaled"),
+    (
+        Method::Incremental,
+        "ida",
+        "every motion is scaled up until it overturns the object",
+    ),
+    (
+        Method::Stripes,
+        "stripes",
+        "every motion is scaled to each intensity of --scales",
+    ),
+    (
+        Method::Cloud,
+        "cloud",
+        "every motion is used once, unscaled",
+    ),
 ];
 
 /// Scales above this are marked: a motion that is scaled so far is a poor model of a stronger
@@ -53,7 +65,10 @@ pub fn measures(text: &str) -> Result<Vec<Measure>, Problem> {
         let parsed = Measure::parse(name);
         parsed.ok_or_else(|| {
             let message = format!("\"{}\" is not an intensity measure", shorten(name.trim()));
-            Problem::value(message, format!("write some of {MEASURES}, without the units"))
+            Problem::value(
+                message,
+                format!("write some of {MEASURES}, without the units"),
+            )
         })
     };
     text.split(',').map(measure).collect()
@@ -70,8 +85,9 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
         return Ok(None);
     }
     let values = match method {
-        Method::Incremental => parse_grid(text, Dimension::Ratio)
-            .map_err(|problem| problem.hint("write adaptive, or factors such as \"0.5:5:10\" or \"0.5, 1, 2\""))?,
+        Method::Incremental => parse_grid(text, Dimension::Ratio).map_err(|problem| {
+            problem.hint("write adaptive, or factors such as \"0.5:5:10\" or \"0.5, 1, 2\"")
+        })?,
         Method::Stripes => first.quantities(text)?,
         Method::Cloud => {
             let hint = "leave the scales out, or give `method = \"ida\"`";
@@ -79,19 +95,29 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
         }
     };
     if values.len() > MAX_LEVELS {
-        let message =
-            format!("{} are too many: each is a run of every object and motion", counted(values.len(), "scale"));
+        let message = format!(
+            "{} are too many: each is a run of every object and motion",
+            counted(values.len(), "scale")
+        );
         return Err(Problem::value(message, format!("give at most {MAX_LEVELS}")).of(&["scales"]));
     }
     if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
-        return Err(Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]));
+        return Err(
+            Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]),
+        );
     }
-    Ok(Some(if text.contains(':') { in_equal_ratios(values) } else { values }))
+    Ok(Some(if text.contains(':') {
+        in_equal_ratios(values)
+    } else {
+        values
+    }))
 }
 
 /// As many values between the same ends, each the same factor above the one before it.
 fn in_equal_ratios(values: Vec<f64>) -> Vec<f64> {
-    let [from, .., to] = *values.as_slice() else { return values };
+    let [from, .., to] = *values.as_slice() else {
+        return values;
+    };
     let last = values.len() - 1;
     let at = |i: usize| match i {
         0 => from,
@@ -138,9 +164,21 @@ impl Limits {
     }
 
     pub(super) fn tolerance(&self) -> Tolerance {
-        let Self { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m } = *self;
+        let Self {
+            peak_m_s2,
+            duration_s,
+            velocity_change_m_s,
+            edge_lift_m,
+        } = *self;
         let (source, confidence) = ("the user".to_owned(), Confidence::Stated);
-        Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, source, confidence }
+        Tolerance {
+            peak_m_s2,
+            duration_s,
+            velocity_change_m_s,
+            edge_lift_m,
+            source,
+            confidence,
+        }
     }
 }
 
@@ -208,14 +246,24 @@ mod tests {
     /// Ends as they are written, and one factor between neighbours; a list stays as it is.
     #[test]
     fn a_grid_of_levels_has_equal_ratios() {
-        let levels = |text: &str| scales(text, Method::Stripes, Measure::Pga).unwrap().unwrap();
+        let levels = |text: &str| {
+            scales(text, Method::Stripes, Measure::Pga)
+                .unwrap()
+                .unwrap()
+        };
         let grid = levels("0.05 g:1.5 g:10");
         assert_eq!((grid.len(), grid[0], grid[9]), (10, 0.05, 1.5));
         let ratio = 30_f64.powf(1.0 / 9.0);
         // Rounding of two powers.
-        assert!(grid.windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-12), "{grid:?}");
+        assert!(
+            grid.windows(2)
+                .all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-12),
+            "{grid:?}"
+        );
         assert_eq!(levels("0.1 g, 0.2 g, 0.3 g"), [0.1, 0.2, 0.3]);
-        let factors = scales("0.5:2:3", Method::Incremental, Measure::Pga).unwrap().unwrap();
+        let factors = scales("0.5:2:3", Method::Incremental, Measure::Pga)
+            .unwrap()
+            .unwrap();
         assert_eq!(factors, [0.5, 1.0, 2.0]);
         assert!(scales("0 g:1 g:4", Method::Stripes, Measure::Pga).is_err());
     }

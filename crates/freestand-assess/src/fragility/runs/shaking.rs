@@ -52,15 +52,22 @@ impl Strength {
                 Measure::SaAverage { from_s, to_s } => {
                     // Equal steps of the logarithm.
                     let share = |i: usize| i as f64 / (AVERAGED - 1) as f64;
-                    (0..AVERAGED).map(|i| from_s * (to_s / from_s).powf(share(i))).collect()
+                    (0..AVERAGED)
+                        .map(|i| from_s * (to_s / from_s).powf(share(i)))
+                        .collect()
                 }
                 _ => return Ok(None),
             };
-            let spectrum = response_spectrum(motion, DAMPING_RATIO, &periods_s).map_err(|error| {
-                Problem::new(ProblemKind::Value, format!("{}: {error}", measure.name()))
-                    .hint("give a period that the motion can have")
-            })?;
-            let logs = spectrum.psa_m_s2.iter().map(|psa| (psa / G0_M_S2).ln()).sum::<f64>();
+            let spectrum =
+                response_spectrum(motion, DAMPING_RATIO, &periods_s).map_err(|error| {
+                    Problem::new(ProblemKind::Value, format!("{}: {error}", measure.name()))
+                        .hint("give a period that the motion can have")
+                })?;
+            let logs = spectrum
+                .psa_m_s2
+                .iter()
+                .map(|psa| (psa / G0_M_S2).ln())
+                .sum::<f64>();
             Ok(Some((logs / periods_s.len() as f64).exp()))
         };
         Ok(Self {
@@ -91,7 +98,10 @@ impl RatioFactors {
         let pulse = Motion::new(1.0, vec![0.0, 1.0, 0.0])
             .map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()))?;
         let ratios = rocking_measures(&pulse, block, G0_M_S2);
-        Ok(Self { acceleration_per_m_s2: ratios.pga_ratio, velocity_per_m_s: ratios.pgv_ratio })
+        Ok(Self {
+            acceleration_per_m_s2: ratios.pga_ratio,
+            velocity_per_m_s: ratios.pgv_ratio,
+        })
     }
 }
 
@@ -111,7 +121,9 @@ impl Shaking {
     /// The motion of the floor at a scale, its own acceleration left out of demands; `None` where its
     /// numbers have no end.
     pub(super) fn scaled(&self, scale_ratio: f64) -> Option<FloorOfWorld> {
-        self.floor.scaled(scale_ratio).map(FloorOfWorld::without_peak)
+        self.floor
+            .scaled(scale_ratio)
+            .map(FloorOfWorld::without_peak)
     }
 
     /// The scale at which the acceleration ratio of an object is 1.
@@ -121,12 +133,20 @@ impl Shaking {
 
     /// The intensity at a scale of 1, in the unit of outputs; `place` is that of the measure among
     /// those asked. `None` where the ground motion is not known.
-    pub(super) fn intensity(&self, measure: Measure, place: usize, at: At, factors: RatioFactors) -> Option<f64> {
+    pub(super) fn intensity(
+        &self,
+        measure: Measure,
+        place: usize,
+        at: At,
+        factors: RatioFactors,
+    ) -> Option<f64> {
         let strength = self.at(at)?;
         match measure {
             Measure::Pga | Measure::Pfa => Some(strength.peak_m_s2 / G0_M_S2),
             Measure::Pgv | Measure::Pfv => Some(strength.peak_m_s),
-            Measure::Sa { .. } | Measure::SaAverage { .. } => strength.spectral_g.get(place).copied().flatten(),
+            Measure::Sa { .. } | Measure::SaAverage { .. } => {
+                strength.spectral_g.get(place).copied().flatten()
+            }
             Measure::VelocityRatio => Some(factors.velocity_per_m_s * strength.peak_m_s),
             Measure::AccelerationRatio => Some(factors.acceleration_per_m_s2 * strength.peak_m_s2),
         }
@@ -142,19 +162,32 @@ impl Shaking {
 }
 
 /// Motions of one floor that the user gave; `is_ground`: the object is on the ground.
-pub(super) fn given(motions: &[FloorMotion], is_ground: bool, asked: &[Measure]) -> Result<Vec<Shaking>, Problems> {
+pub(super) fn given(
+    motions: &[FloorMotion],
+    is_ground: bool,
+    asked: &[Measure],
+) -> Result<Vec<Shaking>, Problems> {
     let shaking = |(number, motion): (usize, &FloorMotion)| {
-        let strength = Strength::new(&motion.horizontal, asked).map_err(|problem| of_motion(problem, &motion.name))?;
+        let strength = Strength::new(&motion.horizontal, asked)
+            .map_err(|problem| of_motion(problem, &motion.name))?;
         still(&strength, &motion.name)?;
         Ok(Shaking {
             name: motion.name.clone(),
             number: number as u32,
-            floor: Arc::new(FloorOfWorld::given(&motion.horizontal, motion.vertical.as_ref())),
+            floor: Arc::new(FloorOfWorld::given(
+                &motion.horizontal,
+                motion.vertical.as_ref(),
+            )),
             at_ground: is_ground.then(|| strength.clone()),
             at_floor: strength,
         })
     };
-    motions.par_iter().enumerate().map(shaking).collect::<Result<_, Problem>>().map_err(Problems::from)
+    motions
+        .par_iter()
+        .enumerate()
+        .map(shaking)
+        .collect::<Result<_, Problem>>()
+        .map_err(Problems::from)
 }
 
 /// The motions of some floors of a study, `[floor][motion]`: its records once each, or worlds.
@@ -168,24 +201,49 @@ pub(super) fn of_study(
     let all = Worlds::new(study, &go_on)?;
     if let Some(level) = levels_ratio.iter().find(|level| !all.has_floor(**level)) {
         let message = format!("the study has no motion for the floor at {level} of the height");
-        return Err(Problem::value(message, "give the study a building, or motions of this floor").into());
+        return Err(Problem::value(
+            message,
+            "give the study a building, or motions of this floor",
+        )
+        .into());
     }
     let count = worlds.unwrap_or_else(|| all.records().unwrap_or(DEFAULT_WORLDS));
     let has_ground = study.ground != Ground::OnFloors;
     let ground = |world: u32| -> Result<Option<Strength>, Problems> {
         go_on()?;
-        let ground = if has_ground { all.ground(world, 0)? } else { None };
-        Ok(ground.map(|ground| Strength::new(&ground.motion.along, asked)).transpose()?)
+        let ground = if has_ground {
+            all.ground(world, 0)?
+        } else {
+            None
+        };
+        Ok(ground
+            .map(|ground| Strength::new(&ground.motion.along, asked))
+            .transpose()?)
     };
-    let grounds = (0..count).into_par_iter().map(ground).collect::<Result<Vec<_>, Problems>>()?;
+    let grounds = (0..count)
+        .into_par_iter()
+        .map(ground)
+        .collect::<Result<Vec<_>, Problems>>()?;
     let floors = all.floors(0..count, levels_ratio, Again::default(), None, &go_on)?;
     let of_floor = |floors: Vec<Arc<FloorOfWorld>>| -> Result<Vec<Shaking>, Problems> {
-        let made = floors.into_par_iter().zip(&grounds).enumerate().map(|(world, (floor, ground))| {
-            let name = all.name(world as u32);
-            let strength = Strength::new(floor.component(true), asked).map_err(|problem| of_motion(problem, &name))?;
-            still(&strength, &name)?;
-            Ok(Shaking { name, number: world as u32, floor, at_floor: strength, at_ground: ground.clone() })
-        });
+        let made =
+            floors
+                .into_par_iter()
+                .zip(&grounds)
+                .enumerate()
+                .map(|(world, (floor, ground))| {
+                    let name = all.name(world as u32);
+                    let strength = Strength::new(floor.component(true), asked)
+                        .map_err(|problem| of_motion(problem, &name))?;
+                    still(&strength, &name)?;
+                    Ok(Shaking {
+                        name,
+                        number: world as u32,
+                        floor,
+                        at_floor: strength,
+                        at_ground: ground.clone(),
+                    })
+                });
         made.collect::<Result<_, Problem>>().map_err(Problems::from)
     };
     floors.into_iter().map(of_floor).collect()
@@ -196,7 +254,10 @@ fn still(strength: &Strength, name: &str) -> Result<(), Problem> {
     if strength.peak_m_s2 > 0.0 && strength.peak_m_s > 0.0 {
         return Ok(());
     }
-    let message = format!("the motion {} does not move: it cannot be scaled", shorten(name));
+    let message = format!(
+        "the motion {} does not move: it cannot be scaled",
+        shorten(name)
+    );
     Err(Problem::value(message, "leave it out"))
 }
 

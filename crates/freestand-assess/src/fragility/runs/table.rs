@@ -32,8 +32,17 @@ pub fn file_name(what: &str, place: usize, measure: Measure) -> String {
     if place == 0 {
         return format!("{what}.csv");
     }
-    let plain: String =
-        measure.name().chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' }).collect();
+    let plain: String = measure
+        .name()
+        .chars()
+        .map(|c| {
+            if c.is_ascii_alphanumeric() || c == '.' {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect();
     format!("{what}_{}.csv", plain.trim_matches('_'))
 }
 
@@ -44,7 +53,10 @@ pub(super) fn outcomes(
     progress: Progress,
 ) -> Result<Table, Problem> {
     let broken = |error: &dyn std::fmt::Display| {
-        Problem::new(ProblemKind::Computation, format!("the outcomes cannot be written: {error}"))
+        Problem::new(
+            ProblemKind::Computation,
+            format!("the outcomes cannot be written: {error}"),
+        )
     };
     let is_weighted = report.method == Method::Incremental && report.scales.is_none();
     let [intensity, uplift] = [measure.name().as_str(), UPLIFT].map(|name| match measure.unit() {
@@ -66,19 +78,40 @@ pub(super) fn outcomes(
         (CAUTION, false),
     ];
     let is_of_stripes = report.method == Method::Stripes && place == 0;
-    let levels = Levels::new(report.scales.as_deref().filter(|_| is_of_stripes).unwrap_or_default());
+    let levels = Levels::new(
+        report
+            .scales
+            .as_deref()
+            .filter(|_| is_of_stripes)
+            .unwrap_or_default(),
+    );
     let mut writer = csv_writer();
-    writer.write_record(columns.map(|(name, _)| name)).map_err(|error| broken(&error))?;
+    writer
+        .write_record(columns.map(|(name, _)| name))
+        .map_err(|error| broken(&error))?;
     for one in &report.objects {
         let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
-        let units: Vec<Option<f64>> =
-            shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
+        let units: Vec<Option<f64>> = shakings
+            .iter()
+            .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+            .collect();
         let weights = weights(one, place, &units);
-        let known = one.motions.iter().flatten().filter(|run| run.found.is_ok()).count() as f64;
+        let known = one
+            .motions
+            .iter()
+            .flatten()
+            .filter(|run| run.found.is_ok())
+            .count() as f64;
         let all: f64 = weights.iter().flatten().sum();
         // Together they count as many as there are runs.
         let factor = if all > 0.0 { known / all } else { 1.0 };
-        let each = one.motions.iter().zip(&one.uplifts_ratio).zip(&weights).zip(shakings).zip(&units);
+        let each = one
+            .motions
+            .iter()
+            .zip(&one.uplifts_ratio)
+            .zip(&weights)
+            .zip(shakings)
+            .zip(&units);
         for ((((runs, uplift), weights), shaking), unit) in each {
             let Some(unit) = unit else { continue };
             go_on(progress)?;
@@ -88,20 +121,38 @@ pub(super) fn outcomes(
                     guarded(&one.id).into_owned(),
                     guarded(&shaking.name).into_owned(),
                     shortest(levels.exact(unit * run.scale_ratio)),
-                    run.run().map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
+                    run.run()
+                        .map_or(UNRESOLVED, |run| run.class.name())
+                        .to_owned(),
                     text(run.run().and_then(|run| run.edge_acceleration_g)),
-                    if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
+                    if is_weighted {
+                        shortest(factor * weight)
+                    } else {
+                        "1".to_owned()
+                    },
                     shortest(run.scale_ratio),
                     text(run.run().and_then(|run| run.rotation_ratio)),
                     text(uplift.map(|uplift| unit * uplift)),
-                    run.found.as_ref().err().map(|why| guarded(why).into_owned()).unwrap_or_default(),
-                    one.nominal.too_mild().map_or("", |why| name_of(TOO_MILD, why)).to_owned(),
+                    run.found
+                        .as_ref()
+                        .err()
+                        .map(|why| guarded(why).into_owned())
+                        .unwrap_or_default(),
+                    one.nominal
+                        .too_mild()
+                        .map_or("", |why| name_of(TOO_MILD, why))
+                        .to_owned(),
                 ];
-                writer.write_record(&record).map_err(|error| broken(&error))?;
+                writer
+                    .write_record(&record)
+                    .map_err(|error| broken(&error))?;
             }
         }
     }
-    Ok(table_of_csv(writer.into_inner().map_err(|error| broken(&error))?, &columns))
+    Ok(table_of_csv(
+        writer.into_inner().map_err(|error| broken(&error))?,
+        &columns,
+    ))
 }
 
 /// How much each run counts by the measure at a place of the request, for each motion with its
@@ -111,10 +162,18 @@ pub(super) fn weights(one: &ObjectRuns, place: usize, units: &[Option<f64>]) -> 
     // Only an adaptive analysis has such intensities.
     let span = one.spans.get(place).copied().flatten();
     let of_motion = |(runs, unit): (&Vec<Followed>, &Option<f64>)| {
-        let Some(((from, to), unit)) = span.zip(*unit) else { return vec![1.0; runs.len()] };
-        let known: Vec<f64> = runs.iter().filter(|run| run.found.is_ok()).map(|run| unit * run.scale_ratio).collect();
+        let Some(((from, to), unit)) = span.zip(*unit) else {
+            return vec![1.0; runs.len()];
+        };
+        let known: Vec<f64> = runs
+            .iter()
+            .filter(|run| run.found.is_ok())
+            .map(|run| unit * run.scale_ratio)
+            .collect();
         let mut weights = level_weights(&known, from, to).into_iter();
-        runs.iter().map(|run| run.run().and_then(|_| weights.next()).unwrap_or(0.0)).collect()
+        runs.iter()
+            .map(|run| run.run().and_then(|_| weights.next()).unwrap_or(0.0))
+            .collect()
     };
     one.motions.iter().zip(units).map(of_motion).collect()
 }

@@ -8,13 +8,20 @@ use super::*;
 
 /// A data row of a workbook whose cell D (the height) is `height`.
 fn with_height(height: &str) -> Vec<u8> {
-    workbook(&(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", height, "600", ""])), "")
+    workbook(
+        &(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", height, "600", ""])),
+        "",
+    )
 }
 
 #[test]
 fn cells_that_are_not_numbers() {
     for (cell, kind, said) in [
-        ("<t=\"e\"><v>#REF!</v></c>", "formula", "is the error of a formula"),
+        (
+            "<t=\"e\"><v>#REF!</v></c>",
+            "formula",
+            "is the error of a formula",
+        ),
         ("<t=\"b\"><v>1</v></c>", "unreadable", "such as \"TRUE\""),
         ("<s=\"1\"><v>45413</v></c>", "unreadable", "is a date"),
         ("<><f>B1*2</f></c>", "formula", "a formula without a value"),
@@ -23,10 +30,16 @@ fn cells_that_are_not_numbers() {
     ] {
         let lines = found(with_height(cell));
         let start = format!("error: {kind}: height [mm]: 1 cell (D2)");
-        assert!(lines.len() == 1 && lines[0].starts_with(&start) && lines[0].contains(said), "{lines:?}");
+        assert!(
+            lines.len() == 1 && lines[0].starts_with(&start) && lines[0].contains(said),
+            "{lines:?}"
+        );
     }
     for (cell, height) in [("1.500,5", 1.5005), ("1 800", 1.8)] {
-        assert_eq!(read(with_height(cell)).unwrap().inventory.items[0].height_m, Some(height));
+        assert_eq!(
+            read(with_height(cell)).unwrap().inventory.items[0].height_m,
+            Some(height)
+        );
     }
 }
 
@@ -34,8 +47,15 @@ fn cells_that_are_not_numbers() {
 fn formulas_give_their_saved_values() {
     let reading = read(with_height("<><f>900*2</f><v>1800</v></c>")).unwrap();
     assert_eq!(reading.inventory.items[0].height_m, Some(1.8));
-    assert_eq!(reading.inventory.warnings, ["1 cell contains a formula, the first in D2: the saved values are read"]);
-    let carried = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600", "<t=\"e\"><v>#N/A</v></c>"]);
+    assert_eq!(
+        reading.inventory.warnings,
+        ["1 cell contains a formula, the first in D2: the saved values are read"]
+    );
+    let carried = row(1, &HEADINGS)
+        + &row(
+            2,
+            &["a", "x", "0.5", "1800", "600", "<t=\"e\"><v>#N/A</v></c>"],
+        );
     let reading = read(workbook(&carried, "")).unwrap();
     assert_eq!(reading.inventory.items[0].carried, ["#N/A"]);
     assert!(reading.inventory.warnings[0].starts_with("row 2: an error such as #REF!"));
@@ -43,21 +63,44 @@ fn formulas_give_their_saved_values() {
 
 #[test]
 fn merged_cells_have_the_value_of_the_first() {
-    let rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"]) + &row(3, &["b", "y", "", "1800", "600"]);
+    let rows = row(1, &HEADINGS)
+        + &row(2, &["a", "x", "0.5", "1800", "600"])
+        + &row(3, &["b", "y", "", "1800", "600"]);
     let merged = "<mergeCells count=\"1\"><mergeCell ref=\"C2:C3\"/></mergeCells>";
-    assert_eq!(read(workbook(&rows, merged)).unwrap().inventory.items[1].level_ratio, Some(0.5));
-    assert_eq!(read(workbook(&rows, "")).unwrap().inventory.items[1].level_ratio, None);
+    assert_eq!(
+        read(workbook(&rows, merged)).unwrap().inventory.items[1].level_ratio,
+        Some(0.5)
+    );
+    assert_eq!(
+        read(workbook(&rows, "")).unwrap().inventory.items[1].level_ratio,
+        None
+    );
     // A mass over two rows may be that of both.
-    let heads = ["id", "item", "level_ratio", "height [mm]", "thickness [mm]", "mass [kg]"];
-    let rows =
-        row(1, &heads) + &row(2, &["a", "x", "0", "1800", "600", "85"]) + &row(3, &["b", "y", "0", "1800", "600"]);
+    let heads = [
+        "id",
+        "item",
+        "level_ratio",
+        "height [mm]",
+        "thickness [mm]",
+        "mass [kg]",
+    ];
+    let rows = row(1, &heads)
+        + &row(2, &["a", "x", "0", "1800", "600", "85"])
+        + &row(3, &["b", "y", "0", "1800", "600"]);
     let merged = "<mergeCells count=\"1\"><mergeCell ref=\"F2:F3\"/></mergeCells>";
     let inventory = read(workbook(&rows, merged)).unwrap().inventory;
-    assert_eq!((inventory.items[1].mass_kg, inventory.findings[0].kind), (None, Kind::Merged));
+    assert_eq!(
+        (inventory.items[1].mass_kg, inventory.findings[0].kind),
+        (None, Kind::Merged)
+    );
     // A merged title costs nothing.
     let title = "<mergeCells count=\"1\"><mergeCell ref=\"A1:XFD1\"/></mergeCells>";
-    let rows = row(1, &["Register"]) + &row(2, &HEADINGS) + &row(3, &["a", "x", "0.5", "1800", "600"]);
-    assert_eq!(read(workbook(&rows, title)).unwrap().inventory.items.len(), 1);
+    let rows =
+        row(1, &["Register"]) + &row(2, &HEADINGS) + &row(3, &["a", "x", "0.5", "1800", "600"]);
+    assert_eq!(
+        read(workbook(&rows, title)).unwrap().inventory.items.len(),
+        1
+    );
 }
 
 #[test]
@@ -76,8 +119,14 @@ fn wide_sheets() {
     let mut headings: Vec<String> = HEADINGS.iter().map(|&text| text.to_owned()).collect();
     headings.extend((headings.len()..16_384).map(|n| format!("x{n}")));
     let texts: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let wide = workbook(&(row(1, &texts) + &row(2, &["a", "x", "0.5", "1800", "600"])), "");
-    for bytes in [wide, (headings.join(",") + "\na,x,0.5,1800,600\n").into_bytes()] {
+    let wide = workbook(
+        &(row(1, &texts) + &row(2, &["a", "x", "0.5", "1800", "600"])),
+        "",
+    );
+    for bytes in [
+        wide,
+        (headings.join(",") + "\na,x,0.5,1800,600\n").into_bytes(),
+    ] {
         let inventory = read(bytes).unwrap().inventory;
         assert_eq!(inventory.carried.len(), 256);
         assert!(
@@ -102,9 +151,18 @@ fn a_cell_of_ten_megabytes() {
         + &row(3, &["b", "y", "0.5", "1800", "600", &long]);
     let inventory = read(workbook(&rows, "")).unwrap().inventory;
     let line = inventory.findings[0].line();
-    assert!(line.starts_with("error: unreadable: item: 1 cell (B2); has 10485760 characters"), "{line}");
-    assert!(inventory.warnings[0].starts_with("row 3: a cell without a value"), "{:?}", inventory.warnings);
-    let said = problems(format!("id,item,level_ratio,height [m],depth [m]\na,{long},0,1,1\n"));
+    assert!(
+        line.starts_with("error: unreadable: item: 1 cell (B2); has 10485760 characters"),
+        "{line}"
+    );
+    assert!(
+        inventory.warnings[0].starts_with("row 3: a cell without a value"),
+        "{:?}",
+        inventory.warnings
+    );
+    let said = problems(format!(
+        "id,item,level_ratio,height [m],depth [m]\na,{long},0,1,1\n"
+    ));
     assert!(said[0].contains("row 2 has 10 MB"), "{said:?}");
 }
 
@@ -123,7 +181,9 @@ fn archive_of_copies(sheet: &[u8], copies: usize) -> Vec<u8> {
     for copy in 0..copies {
         let mut one = zip::ZipArchive::new(Cursor::new(&one)).unwrap();
         let file = one.by_index_raw(0).unwrap();
-        archive.raw_copy_file_rename(file, format!("xl/worksheets/sheet{}.xml", copy + 2)).unwrap();
+        archive
+            .raw_copy_file_rename(file, format!("xl/worksheets/sheet{}.xml", copy + 2))
+            .unwrap();
     }
     archive.finish().unwrap().into_inner()
 }
@@ -148,12 +208,21 @@ fn archives_that_unpack_to_too_much_or_lie() {
     assert!(said[0].contains("unpacks to more than 512 MiB"), "{said:?}");
     // The reader would allocate 24 bytes for each declared text.
     let liar = format!("<sst xmlns=\"{MAIN}\" uniqueCount=\"99999999999\"><si><t>a</t></si></sst>");
-    assert!(problems(parts_with("xl/sharedStrings.xml", liar.into_bytes()))[0].contains("declares 99999999999 texts"));
+    assert!(
+        problems(parts_with("xl/sharedStrings.xml", liar.into_bytes()))[0]
+            .contains("declares 99999999999 texts")
+    );
     let places = sheet("<row r=\"1\"><c r=\"ZZZZZZZZZZ99999999999\"/></row>", "");
-    assert!(problems(parts_with("xl/worksheets/sheet1.xml", places.into_bytes()))[0].contains("which no sheet has"));
+    assert!(
+        problems(parts_with("xl/worksheets/sheet1.xml", places.into_bytes()))[0]
+            .contains("which no sheet has")
+    );
     // A header that declares a wrong size is detected by the checksum and the count.
     let mut lying = workbook(&row(1, &HEADINGS), "");
-    let start = lying.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
+    let start = lying
+        .windows(4)
+        .position(|four| four == b"PK\x01\x02")
+        .unwrap();
     lying[start + 24..start + 28].copy_from_slice(&3u32.to_le_bytes());
     let _ = read(&lying);
     lying[start + 16..start + 20].copy_from_slice(&[1, 2, 3, 4]);
@@ -168,19 +237,33 @@ fn a_sheet_of_too_many_cells_is_refused() {
     let rows: String = (2..253).map(row).collect();
     let book = workbook(&(super::row(1, &HEADINGS) + &rows), "");
     let said = problems(&book);
-    assert!(said[0].contains("the sheet has more than 4000000 cells, too many for an inventory"), "{said:?}");
+    assert!(
+        said[0].contains("the sheet has more than 4000000 cells, too many for an inventory"),
+        "{said:?}"
+    );
 }
 
 #[test]
 fn what_is_no_inventory_at_all() {
-    let book = workbook(&(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"])), "");
+    let book = workbook(
+        &(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"])),
+        "",
+    );
     for cut in [3, 30, book.len() / 2, book.len() - 1] {
         assert!(problems(&book[..cut]).len() == 1, "{cut}");
     }
     let nested = archive_of(&[("objects.xlsx".to_owned(), book)]);
-    assert!(problems(nested)[0].contains("is a zip file that contains objects.xlsx | unpack it first"));
-    let ods = archive_of(&[("mimetype".to_owned(), b"application/vnd.oasis.opendocument.spreadsheet".to_vec())]);
-    assert!(problems(&ods)[0].contains("zip file"), "deflated, its type is not visible");
+    assert!(
+        problems(nested)[0].contains("is a zip file that contains objects.xlsx | unpack it first")
+    );
+    let ods = archive_of(&[(
+        "mimetype".to_owned(),
+        b"application/vnd.oasis.opendocument.spreadsheet".to_vec(),
+    )]);
+    assert!(
+        problems(&ods)[0].contains("zip file"),
+        "deflated, its type is not visible"
+    );
     let stored = [
         b"PK\x03\x04................................mimetypeapplication/vnd.oasis.opendocument.spreadsheet".as_slice(),
         &ods,
@@ -188,17 +271,27 @@ fn what_is_no_inventory_at_all() {
     .concat();
     assert!(problems(stored)[0].contains("OpenDocument"));
     for (bytes, said) in [
-        (b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1".to_vec(), "old workbook (.xls), or one with a password"),
+        (
+            b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1".to_vec(),
+            "old workbook (.xls), or one with a password",
+        ),
         (Vec::new(), "empty"),
         (b"\x7FELF\x02\x01\x01\0\0\0".to_vec(), "not text"),
-        (b"id,level_ratio,height [m],depth [m]\na,0,1\0,1\n".to_vec(), "NUL"),
-        (b"id,level_ratio,height [m],depth [m]\n\"a,0,1,1\nb,0,1,1\n".to_vec(), "a quote is not closed"),
+        (
+            b"id,level_ratio,height [m],depth [m]\na,0,1\0,1\n".to_vec(),
+            "NUL",
+        ),
+        (
+            b"id,level_ratio,height [m],depth [m]\n\"a,0,1,1\nb,0,1,1\n".to_vec(),
+            "a quote is not closed",
+        ),
     ] {
         assert!(problems(&bytes)[0].contains(said), "{:?}", problems(&bytes));
     }
     // Rows in falling order would overwrite earlier ones.
-    let rows =
-        row(3, &HEADINGS) + &row(5, &["a", "x", "0.5", "1800", "600"]) + &row(4, &["b", "x", "0.5", "1800", "600"]);
+    let rows = row(3, &HEADINGS)
+        + &row(5, &["a", "x", "0.5", "1800", "600"])
+        + &row(4, &["b", "x", "0.5", "1800", "600"]);
     assert!(problems(workbook(&rows, ""))[0].contains("row 4 follows row 5"));
 }
 
@@ -213,17 +306,27 @@ fn columns_carried_through_are_bounded() {
         text += &format!("\n{n},0,1,1");
     }
     let inventory = read(text).unwrap().inventory;
-    assert_eq!((inventory.items.len(), inventory.carried.len()), (100_001, 199));
+    assert_eq!(
+        (inventory.items.len(), inventory.carried.len()),
+        (100_001, 199)
+    );
 }
 
 fn check(bytes: Vec<u8>) {
-    match parse_inventory(bytes.clone(), Path::new("objects"), &ReadOptions::new(&Lookup::NONE)) {
+    match parse_inventory(
+        bytes.clone(),
+        Path::new("objects"),
+        &ReadOptions::new(&Lookup::NONE),
+    ) {
         Ok(reading) => {
             assert!(!reading.inventory.items.is_empty());
-            let finite = |value: Option<f64>| value.is_none_or(|value| value.is_finite() && value >= 0.0);
+            let finite =
+                |value: Option<f64>| value.is_none_or(|value| value.is_finite() && value >= 0.0);
             for item in &reading.inventory.items {
                 assert!(
-                    !item.id.is_empty() && item.quantity > 0 && item.carried.len() == reading.inventory.carried.len()
+                    !item.id.is_empty()
+                        && item.quantity > 0
+                        && item.carried.len() == reading.inventory.carried.len()
                 );
                 assert!(
                     finite(item.height_m)
@@ -235,7 +338,10 @@ fn check(bytes: Vec<u8>) {
         }
         Err(error) => {
             for problem in &error.problems {
-                assert!(problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(), "{problem:?}");
+                assert!(
+                    problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(),
+                    "{problem:?}"
+                );
             }
         }
     }

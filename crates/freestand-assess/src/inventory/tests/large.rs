@@ -39,7 +39,12 @@ fn peak_mb() -> Option<u64> {
 fn measured(bytes: &[u8], rows: usize) -> Inventory {
     let started = Instant::now();
     let inventory = read(bytes).unwrap().inventory;
-    println!("{rows} rows, {} MB: {:?}, peak {:?} MB", bytes.len() >> 20, started.elapsed(), peak_mb());
+    println!(
+        "{rows} rows, {} MB: {:?}, peak {:?} MB",
+        bytes.len() >> 20,
+        started.elapsed(),
+        peak_mb()
+    );
     assert_eq!(inventory.items.len(), rows);
     inventory
 }
@@ -51,7 +56,9 @@ fn many_rows() {
     const IN_A_BOOK: usize = 20_000;
     let from_csv = measured(register(ROWS).as_bytes(), ROWS);
     let book = register(IN_A_BOOK).into_bytes();
-    let book = convert_bytes(book, Path::new("objects"), None, Target::Xlsx).unwrap().bytes;
+    let book = convert_bytes(book, Path::new("objects"), None, Target::Xlsx)
+        .unwrap()
+        .bytes;
     println!("converted: peak {:?} MB", peak_mb());
     assert!(measured(&book, IN_A_BOOK).items == from_csv.items[..IN_A_BOOK]);
 }

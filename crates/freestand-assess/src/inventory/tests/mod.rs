@@ -23,19 +23,35 @@ use super::*;
 
 /// Reads the bytes of a file called `objects.csv`.
 fn read(bytes: impl AsRef<[u8]>) -> Result<Reading, Problems> {
-    parse_inventory(bytes.as_ref().to_vec(), Path::new("objects.csv"), &ReadOptions::new(&Lookup::NONE))
+    parse_inventory(
+        bytes.as_ref().to_vec(),
+        Path::new("objects.csv"),
+        &ReadOptions::new(&Lookup::NONE),
+    )
 }
 
 /// The problems of the cells of a list, as the console shows them.
 fn found(bytes: impl AsRef<[u8]>) -> Vec<String> {
-    read(bytes).unwrap().inventory.findings.iter().map(Finding::line).collect()
+    read(bytes)
+        .unwrap()
+        .inventory
+        .findings
+        .iter()
+        .map(Finding::line)
+        .collect()
 }
 
 /// The problems of a file, each with its hint.
 fn problems(bytes: impl AsRef<[u8]>) -> Vec<String> {
     let said = |problem: &Problem| {
-        assert!(problem.path.is_some() && problem.hint.is_some(), "{problem}");
-        format!("{problem} | {}", problem.hint.as_deref().unwrap_or_default())
+        assert!(
+            problem.path.is_some() && problem.hint.is_some(),
+            "{problem}"
+        );
+        format!(
+            "{problem} | {}",
+            problem.hint.as_deref().unwrap_or_default()
+        )
     };
     read(bytes).unwrap_err().problems.iter().map(said).collect()
 }
@@ -65,12 +81,19 @@ fn parts(sheets: &[(&str, &str, &str)]) -> Vec<(String, Vec<u8>)> {
     let mut parts = Vec::new();
     for (n, (name, attributes, xml)) in (1..).zip(sheets) {
         listed += &format!("<sheet name=\"{name}\" sheetId=\"{n}\" r:id=\"rId{n}\" {attributes}/>");
-        related +=
-            &format!("<Relationship Id=\"rId{n}\" Type=\"{RELATIONS}/worksheet\" Target=\"worksheets/sheet{n}.xml\"/>");
-        parts.push((format!("xl/worksheets/sheet{n}.xml"), xml.as_bytes().to_vec()));
+        related += &format!(
+            "<Relationship Id=\"rId{n}\" Type=\"{RELATIONS}/worksheet\" Target=\"worksheets/sheet{n}.xml\"/>"
+        );
+        parts.push((
+            format!("xl/worksheets/sheet{n}.xml"),
+            xml.as_bytes().to_vec(),
+        ));
     }
     let mut add = |name: &str, text: String| parts.push((name.to_owned(), text.into_bytes()));
-    add("[Content_Types].xml", format!("<Types xmlns=\"{package}/content-types\"></Types>"));
+    add(
+        "[Content_Types].xml",
+        format!("<Types xmlns=\"{package}/content-types\"></Types>"),
+    );
     add(
         "_rels/.rels",
         format!(
@@ -80,7 +103,9 @@ fn parts(sheets: &[(&str, &str, &str)]) -> Vec<(String, Vec<u8>)> {
     );
     add(
         "xl/workbook.xml",
-        format!("<workbook xmlns=\"{MAIN}\" xmlns:r=\"{RELATIONS}\"><sheets>{listed}</sheets></workbook>"),
+        format!(
+            "<workbook xmlns=\"{MAIN}\" xmlns:r=\"{RELATIONS}\"><sheets>{listed}</sheets></workbook>"
+        ),
     );
     add(
         "xl/_rels/workbook.xml.rels",
@@ -116,10 +141,20 @@ fn row(number: u32, cells: &[&str]) -> String {
             None => format!("<c r=\"{place}\" t=\"inlineStr\"><is><t>{text}</t></is></c>"),
         }
     };
-    format!("<row r=\"{number}\">{}</row>", cells.iter().enumerate().map(cell).collect::<String>())
+    format!(
+        "<row r=\"{number}\">{}</row>",
+        cells.iter().enumerate().map(cell).collect::<String>()
+    )
 }
 
-const HEADINGS: [&str; 6] = ["id", "item", "level_ratio", "height [mm]", "thickness [mm]", "maker"];
+const HEADINGS: [&str; 6] = [
+    "id",
+    "item",
+    "level_ratio",
+    "height [mm]",
+    "thickness [mm]",
+    "maker",
+];
 
 #[test]
 fn every_column_becomes_its_value() {
@@ -132,17 +167,46 @@ fn every_column_becomes_its_value() {
         0.3-0.5,5%, by the door ,007\n";
     let reading = read(text).unwrap();
     let item = &reading.inventory.items[0];
-    assert_eq!((item.id.as_str(), item.item.as_str(), item.quantity, item.row), ("A1", "cabinet", 2, 2));
-    assert_eq!([&item.priority, &item.location, &item.building], ["first", "east", "A"]);
-    assert_eq!([&item.floor, &item.room, &item.notes], ["3", "3.12", "by the door"]);
+    assert_eq!(
+        (
+            item.id.as_str(),
+            item.item.as_str(),
+            item.quantity,
+            item.row
+        ),
+        ("A1", "cabinet", 2, 2)
+    );
+    assert_eq!(
+        [&item.priority, &item.location, &item.building],
+        ["first", "east", "A"]
+    );
+    assert_eq!(
+        [&item.floor, &item.room, &item.notes],
+        ["3", "3.12", "by the door"]
+    );
     let rated = [Rating::High, Rating::Medium, Rating::Low].map(Some);
-    assert_eq!([item.consequences.life_safety, item.consequences.property, item.consequences.function], rated);
+    assert_eq!(
+        [
+            item.consequences.life_safety,
+            item.consequences.property,
+            item.consequences.function
+        ],
+        rated
+    );
     // Exact: the power of ten is applied to the digits before they become binary.
     assert_eq!(
-        (item.level_ratio, item.height_m, item.thickness_m, item.width_m),
+        (
+            item.level_ratio,
+            item.height_m,
+            item.thickness_m,
+            item.width_m
+        ),
         (Some(0.5), Some(2.3), Some(0.6), Some(0.9))
     );
-    assert_eq!((item.base_thickness_m, item.base_width_m, item.cg_height_m), (Some(0.54), Some(0.85), Some(1.0)));
+    assert_eq!(
+        (item.base_thickness_m, item.base_width_m, item.cg_height_m),
+        (Some(0.54), Some(0.85), Some(1.0))
+    );
     assert_eq!(item.mass_kg, Some(140.0));
     let edge = item.cushion.as_ref().unwrap();
     // Two pads of 2190 N/mm side by side, on 20 MN/m: 1/(1/4.38e6 + 1/2e7) = 3.5931e6 N/m.
@@ -152,29 +216,72 @@ fn every_column_becomes_its_value() {
     // One rounding each: 5 × 9.80665.
     assert_eq!(tolerance.peak_m_s2, Some(5.0 * G0_M_S2));
     assert_eq!(
-        (tolerance.duration_s, tolerance.velocity_change_m_s, tolerance.edge_lift_m),
+        (
+            tolerance.duration_s,
+            tolerance.velocity_change_m_s,
+            tolerance.edge_lift_m
+        ),
         (Some(0.011), Some(0.9), Some(0.05))
     );
-    assert_eq!((tolerance.source.as_str(), tolerance.confidence), ("the inventory", Confidence::Stated));
+    assert_eq!(
+        (tolerance.source.as_str(), tolerance.confidence),
+        ("the inventory", Confidence::Stated)
+    );
     assert_eq!(item.restitution, Restitution::Value(0.9));
-    assert_eq!((item.friction_ratio, item.accepted_ratio), (Some((0.3, 0.5)), Some(0.05)));
-    assert_eq!((&reading.inventory.carried, &item.carried), (&vec!["serial".to_owned()], &vec!["007".to_owned()]));
+    assert_eq!(
+        (item.friction_ratio, item.accepted_ratio),
+        (Some((0.3, 0.5)), Some(0.05))
+    );
+    assert_eq!(
+        (&reading.inventory.carried, &item.carried),
+        (&vec!["serial".to_owned()], &vec!["007".to_owned()])
+    );
     assert_eq!(reading.columns.len(), 31);
-    assert_eq!((reading.columns[13].unit.as_deref(), reading.columns[13].unit_source), (Some("cm"), Some("heading")));
+    assert_eq!(
+        (
+            reading.columns[13].unit.as_deref(),
+            reading.columns[13].unit_source
+        ),
+        (Some("cm"), Some("heading"))
+    );
     assert_eq!(reading.inventory.warnings, Vec::<String>::new());
-    assert_eq!(reading.inventory.sha256, freestand_input::file::sha256_hex(text.as_bytes()));
+    assert_eq!(
+        reading.inventory.sha256,
+        freestand_input::file::sha256_hex(text.as_bytes())
+    );
 }
 
 #[test]
 fn empty_cells_are_missing_and_cost_no_file() {
-    let reading = read("level_ratio,height,thickness,mass,tolerance\n0.5,2.3 m,600 mm,,\n\n0,,60 cm,n/a,\n").unwrap();
-    let [first, second] = reading.inventory.items.as_slice() else { panic!("two rows") };
-    assert_eq!((first.id.as_str(), second.id.as_str(), second.row), ("row-2", "row-4", 4));
-    assert_eq!((first.height_m, first.thickness_m, first.mass_kg), (Some(2.3), Some(0.6), None));
-    assert_eq!((second.height_m, second.level_ratio, second.quantity), (None, Some(0.0), 1));
+    let reading =
+        read("level_ratio,height,thickness,mass,tolerance\n0.5,2.3 m,600 mm,,\n\n0,,60 cm,n/a,\n")
+            .unwrap();
+    let [first, second] = reading.inventory.items.as_slice() else {
+        panic!("two rows")
+    };
+    assert_eq!(
+        (first.id.as_str(), second.id.as_str(), second.row),
+        ("row-2", "row-4", 4)
+    );
+    assert_eq!(
+        (first.height_m, first.thickness_m, first.mass_kg),
+        (Some(2.3), Some(0.6), None)
+    );
+    assert_eq!(
+        (second.height_m, second.level_ratio, second.quantity),
+        (None, Some(0.0), 1)
+    );
     assert!(first.tolerance.is_none() && first.cushion.is_none() && first.friction_ratio.is_none());
     let height = &reading.columns[1];
-    assert_eq!((height.unit.as_deref(), height.unit_source, height.values, height.missing), (None, Some("cell"), 1, 1));
+    assert_eq!(
+        (
+            height.unit.as_deref(),
+            height.unit_source,
+            height.values,
+            height.missing
+        ),
+        (None, Some("cell"), 1, 1)
+    );
     assert_eq!(reading.inventory.findings, []);
 }
 
@@ -186,7 +293,12 @@ fn a_bad_cell_costs_its_value_alone() {
         a,0.5,2.3 m,-600,2400,900,800,x9,1.5,severe,0.5-0.3,1.2,100 %\n\
         b,0.5,2.3 kg,n/a,,,,\"1.500,5\",0,,,,\n";
     let reading = read(text).unwrap();
-    let said: Vec<String> = reading.inventory.findings.iter().map(Finding::line).collect();
+    let said: Vec<String> = reading
+        .inventory
+        .findings
+        .iter()
+        .map(Finding::line)
+        .collect();
     for one in [
         "error: out-of-range: level_ratio: 1 cell (B2), such as \"7\"; the level must be from 0 to 1; hint: give the height",
         "error: out-of-range: depth [mm]: 1 cell (D3), such as \"-600\"",
@@ -201,13 +313,20 @@ fn a_bad_cell_costs_its_value_alone() {
         "error: unit-wrong: height: 1 cell (C4), such as \"2.3 kg\"",
         "doubt: duplicate-id: id: 1 cell (A3), such as \"a\"",
     ] {
-        assert!(said.iter().any(|line| line.starts_with(one)), "{one}\nnot in\n{}", said.join("\n"));
+        assert!(
+            said.iter().any(|line| line.starts_with(one)),
+            "{one}\nnot in\n{}",
+            said.join("\n")
+        );
     }
     assert_eq!(said.len(), 12, "{}", said.join("\n"));
     let items = &reading.inventory.items;
     let ids: Vec<&str> = items.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(ids, ["a", "a #2", "b"]);
-    assert_eq!((items[1].height_m, items[1].width_m, items[1].thickness_m), (Some(2.3), Some(0.8), None));
+    assert_eq!(
+        (items[1].height_m, items[1].width_m, items[1].thickness_m),
+        (Some(2.3), Some(0.8), None)
+    );
     assert_eq!(items[2].mass_kg, Some(1500.5));
     assert_eq!(items[1].doubts, [Kind::DuplicateId]);
 }
@@ -215,18 +334,30 @@ fn a_bad_cell_costs_its_value_alone() {
 #[test]
 fn headings_are_checked_as_a_whole() {
     // Inches and millimetres agree, or the first is used with a doubt.
-    let twice = "id,Height (in),weight [lb],Height (mm),depth [mm]\na,72,150,1829,600\nb,72,150,1500,600\n";
+    let twice =
+        "id,Height (in),weight [lb],Height (mm),depth [mm]\na,72,150,1829,600\nb,72,150,1500,600\n";
     let reading = read(twice).unwrap();
-    let heights: Vec<Option<f64>> = reading.inventory.items.iter().map(|item| item.height_m).collect();
+    let heights: Vec<Option<f64>> = reading
+        .inventory
+        .items
+        .iter()
+        .map(|item| item.height_m)
+        .collect();
     assert_eq!(heights, [Some(1.8288), Some(1.8288)]);
     assert_eq!(
-        [&reading.inventory.items[0].doubts[..], &reading.inventory.items[1].doubts[..]],
+        [
+            &reading.inventory.items[0].doubts[..],
+            &reading.inventory.items[1].doubts[..]
+        ],
         [&[][..], &[Kind::TwoColumns]]
     );
     // A unit that does not fit is said once, whatever the cells.
     let said = found("id,item,height [kg],depth [mm]\na,x,1800,600\nb,x,1.8 m,600\n");
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].starts_with("error: unit-wrong: height [kg]: 1 cell (C2), such as \"1800\""), "{said:?}");
+    assert!(
+        said[0].starts_with("error: unit-wrong: height [kg]: 1 cell (C2), such as \"1800\""),
+        "{said:?}"
+    );
     // Kilograms and pounds are never guessed.
     assert!(
         found("id,height [mm],depth [mm],mass\na,1800,600,85\n")[0]
@@ -234,82 +365,146 @@ fn headings_are_checked_as_a_whole() {
     );
     assert!(problems("a,b\n1,2\n")[0].contains("contain no row of headings"));
     assert!(
-        problems("id,level_ratio,height [mm],thickness [mm]\n\n")[0].contains("there are no rows below the headings")
+        problems("id,level_ratio,height [mm],thickness [mm]\n\n")[0]
+            .contains("there are no rows below the headings")
     );
-    let reading = read("id,level_ratio,height [mm],thickness [mm],tolerence [g]\na,0,1800,600,5\n").unwrap();
-    assert!(
-        reading.inventory.warnings[0]
-            .contains("column E (tolerence [g]) is not read, only carried through: did you mean tolerance?")
-    );
+    let reading =
+        read("id,level_ratio,height [mm],thickness [mm],tolerence [g]\na,0,1800,600,5\n").unwrap();
+    assert!(reading.inventory.warnings[0].contains(
+        "column E (tolerence [g]) is not read, only carried through: did you mean tolerance?"
+    ));
     assert_eq!(reading.inventory.items[0].carried, ["5"]);
 }
 
 /// Height and mass of each object.
 fn height_and_mass(bytes: impl AsRef<[u8]>) -> Vec<(Option<f64>, Option<f64>)> {
-    read(bytes).unwrap().inventory.items.iter().map(|item| (item.height_m, item.mass_kg)).collect()
+    read(bytes)
+        .unwrap()
+        .inventory
+        .items
+        .iter()
+        .map(|item| (item.height_m, item.mass_kg))
+        .collect()
 }
 
 #[test]
 fn a_column_of_units_gives_each_row_its_own() {
-    for heading in ["Unit", "UOM", "Units", "Einheit", "Unité", "Unidad", "Unità", "Birimi", "Unidade", "単位", "单位"]
-    {
+    for heading in [
+        "Unit", "UOM", "Units", "Einheit", "Unité", "Unidad", "Unità", "Birimi", "Unidade", "単位",
+        "单位",
+    ] {
         let text = format!(
             "id,height,depth,mass [kg],{heading}\na,200,60,90,cm\nb,1800,450,80,MM\nc,72,24,70,inches\nd,2 m,60,60,cm\n"
         );
         let heights = [Some(2.0), Some(1.8), Some(1.8288), Some(2.0)];
-        let read: Vec<Option<f64>> = height_and_mass(&text).into_iter().map(|(height, _)| height).collect();
+        let read: Vec<Option<f64>> = height_and_mass(&text)
+            .into_iter()
+            .map(|(height, _)| height)
+            .collect();
         assert_eq!(read, heights, "{heading}");
         assert_eq!(found(&text), Vec::<String>::new(), "{heading}");
     }
     // Sizes in one cell, and a workbook, in which 200 is a number.
     let sizes = "id,Dimensions H x W x D,Unit\na,200 x 90 x 60,cm\nb,1800 x 900 x 450,mm\n";
-    assert_eq!(height_and_mass(sizes), [(Some(2.0), None), (Some(1.8), None)]);
+    assert_eq!(
+        height_and_mass(sizes),
+        [(Some(2.0), None), (Some(1.8), None)]
+    );
     let rows = [
         row(1, &["id", "height", "depth", "Einheit"]),
         row(2, &["a", "<><v>200</v></c>", "<><v>60</v></c>", "cm"]),
         row(3, &["b", "<><v>1800</v></c>", "<><v>450</v></c>", "mm"]),
     ];
-    assert_eq!(height_and_mass(workbook(&rows.concat(), "")), [(Some(2.0), None), (Some(1.8), None)]);
+    assert_eq!(
+        height_and_mass(workbook(&rows.concat(), "")),
+        [(Some(2.0), None), (Some(1.8), None)]
+    );
     // One column for sizes, one for masses; or both in one cell.
     for (headings, rows) in [
-        ("id,height,depth,Unit,weight,Unit", ["a,200,60,cm,90,kg", "b,72,24,in,100,lb"]),
-        ("id,height,Height unit,depth,Unit,weight,Weight unit", ["a,200,cm,600,mm,90,kg", "b,72,in,60,cm,100,lb"]),
-        ("id,height,depth,weight,Unit", ["a,200,60,90,cm / kg", "b,72,24,100,\"in, lb\""]),
+        (
+            "id,height,depth,Unit,weight,Unit",
+            ["a,200,60,cm,90,kg", "b,72,24,in,100,lb"],
+        ),
+        (
+            "id,height,Height unit,depth,Unit,weight,Weight unit",
+            ["a,200,cm,600,mm,90,kg", "b,72,in,60,cm,100,lb"],
+        ),
+        (
+            "id,height,depth,weight,Unit",
+            ["a,200,60,90,cm / kg", "b,72,24,100,\"in, lb\""],
+        ),
     ] {
         let text = format!("{headings}\n{}\n{}\n", rows[0], rows[1]);
         let expected = [(Some(2.0), Some(90.0)), (Some(1.8288), Some(45.359_237))];
         assert_eq!(height_and_mass(&text), expected, "{text}");
         let thickness = |item: &Item| item.thickness_m;
-        let sides: Vec<Option<f64>> = read(&text).unwrap().inventory.items.iter().map(thickness).collect();
-        assert!(sides.iter().flatten().all(|side| (0.6..0.61).contains(side)), "{text}: {sides:?}");
+        let sides: Vec<Option<f64>> = read(&text)
+            .unwrap()
+            .inventory
+            .items
+            .iter()
+            .map(thickness)
+            .collect();
+        assert!(
+            sides
+                .iter()
+                .flatten()
+                .all(|side| (0.6..0.61).contains(side)),
+            "{text}: {sides:?}"
+        );
     }
 }
 
 #[test]
 fn a_column_of_units_that_contradicts_or_is_none() {
     // Two readings: no value.
-    let text = "id,height (mm),depth (mm),Unit\na,200,60,cm\nb,1800,450,mm\nc,2 m,60 cm,cm\nd,1700,400,\n";
+    let text =
+        "id,height (mm),depth (mm),Unit\na,200,60,cm\nb,1800,450,mm\nc,2 m,60 cm,cm\nd,1700,400,\n";
     let said = found(text);
     let first = "error: unit-contradicted: height (mm): 1 cell (B2), such as \"200\"; mm by the heading, cm by the row";
     assert!(said.iter().any(|line| line.starts_with(first)), "{said:?}");
-    assert_eq!(height_and_mass(text), [None, Some(1.8), Some(2.0), Some(1.7)].map(|height| (height, None)));
+    assert_eq!(
+        height_and_mass(text),
+        [None, Some(1.8), Some(2.0), Some(1.7)].map(|height| (height, None))
+    );
     // A mapping file decides.
     let mapping = Mapping::parse("[units]\nheight = \"cm\"\n").unwrap();
-    let options = ReadOptions { mapping: Some(&mapping), ..ReadOptions::new(&Lookup::NONE) };
+    let options = ReadOptions {
+        mapping: Some(&mapping),
+        ..ReadOptions::new(&Lookup::NONE)
+    };
     let reading = parse_inventory(text.into(), Path::new("objects.csv"), &options).unwrap();
     assert_eq!(reading.inventory.items[0].height_m, Some(2.0));
     // What is no unit is said, and a column of other things is carried through.
     let said = found("id,height,depth,Unit\na,200,60,cm\nb,180,45,cubits\n");
-    assert!(said.iter().any(|line| line.starts_with("doubt: not-understood: Unit: 1 cell (D3)")), "{said:?}");
+    assert!(
+        said.iter()
+            .any(|line| line.starts_with("doubt: not-understood: Unit: 1 cell (D3)")),
+        "{said:?}"
+    );
     let merged = "<mergeCells count=\"1\"><mergeCell ref=\"D2:D3\"/></mergeCells>";
-    let rows =
-        [row(1, &["id", "height", "depth", "Unit"]), row(2, &["a", "200", "60", "cm"]), row(3, &["b", "180", "45"])];
+    let rows = [
+        row(1, &["id", "height", "depth", "Unit"]),
+        row(2, &["a", "200", "60", "cm"]),
+        row(3, &["b", "180", "45"]),
+    ];
     let said = found(workbook(&rows.concat(), merged));
-    assert!(said.iter().any(|line| line.starts_with("doubt: merged: Unit")), "{said:?}");
+    assert!(
+        said.iter()
+            .any(|line| line.starts_with("doubt: merged: Unit")),
+        "{said:?}"
+    );
     for cells in [["each", "each"], ["Ward M", "ICU"], ["", ""]] {
-        let text = format!("id,height [mm],depth [mm],Unit\na,2000,600,{}\nb,1800,450,{}\n", cells[0], cells[1]);
+        let text = format!(
+            "id,height [mm],depth [mm],Unit\na,2000,600,{}\nb,1800,450,{}\n",
+            cells[0], cells[1]
+        );
         let reading = read(&text).unwrap().inventory;
-        assert_eq!((reading.carried, reading.findings), (vec!["Unit".to_owned()], vec![]), "{text}");
+        assert_eq!(
+            (reading.carried, reading.findings),
+            (vec!["Unit".to_owned()], vec![]),
+            "{text}"
+        );
     }
 }
 
@@ -323,7 +518,12 @@ fn doubts_are_one_for_each_kind_and_column() {
     }
     text += "s,0.5,600,1000,140,4.38,\np,0.5,1800,600,140,,2190\n,0.5,1800,600,9000,,\nTotal,,,,420,,\n";
     let reading = read(&text).unwrap();
-    let said: Vec<String> = reading.inventory.findings.iter().map(Finding::line).collect();
+    let said: Vec<String> = reading
+        .inventory
+        .findings
+        .iter()
+        .map(Finding::line)
+        .collect();
     for one in [
         "doubt: implausible-size: height [mm]: 40 cells (C4, C5, C6 …), such as \"1.8\"",
         "doubt: implausible-size: thickness [mm]: 40 cells (D4, D5, D6 …), such as \"0.45\"",
@@ -331,22 +531,44 @@ fn doubts_are_one_for_each_kind_and_column() {
         "doubt: pads-missing: pad_stiffness [N/mm]: 1 cell (G45)",
         "doubt: density: mass [kg]: 1 cell (E46), such as \"9000\"",
     ] {
-        assert!(said.iter().any(|line| line.starts_with(one)), "{one}\nnot in\n{}", said.join("\n"));
+        assert!(
+            said.iter().any(|line| line.starts_with(one)),
+            "{one}\nnot in\n{}",
+            said.join("\n")
+        );
     }
     assert_eq!(said.len(), 5, "{}", said.join("\n"));
     let warnings = &reading.inventory.warnings;
-    for one in ["the headings are in row 3; the row above them is not part", "row 46: no id", "row 44: squat"] {
-        assert!(warnings.iter().any(|warning| warning.starts_with(one)), "{one}\nnot in\n{}", warnings.join("\n"));
+    for one in [
+        "the headings are in row 3; the row above them is not part",
+        "row 46: no id",
+        "row 44: squat",
+    ] {
+        assert!(
+            warnings.iter().any(|warning| warning.starts_with(one)),
+            "{one}\nnot in\n{}",
+            warnings.join("\n")
+        );
     }
     assert_eq!(warnings.len(), 3, "{}", warnings.join("\n"));
     assert_eq!((reading.header_row, reading.inventory.items.len()), (3, 43));
-    let left: Vec<(u32, &str)> = reading.left_out.iter().map(|left| (left.row, left.kind.name())).collect();
+    let left: Vec<(u32, &str)> = reading
+        .left_out
+        .iter()
+        .map(|left| (left.row, left.kind.name()))
+        .collect();
     assert_eq!(left, [(47, "total")]);
     // The value is kept, and waits for a person; with `strict` the doubts are errors.
     assert_eq!(reading.inventory.items[0].height_m, Some(0.0018));
-    assert_eq!(reading.inventory.items[0].to_confirm, ["C4=1.8 m", "D4=0.45 m"]);
+    assert_eq!(
+        reading.inventory.items[0].to_confirm,
+        ["C4=1.8 m", "D4=0.45 m"]
+    );
     assert!(!reading.inventory.has_errors());
-    let strict = ReadOptions { is_strict: true, ..ReadOptions::new(&Lookup::NONE) };
+    let strict = ReadOptions {
+        is_strict: true,
+        ..ReadOptions::new(&Lookup::NONE)
+    };
     let reading = parse_inventory(text.into_bytes(), Path::new("a.csv"), &strict).unwrap();
     assert!(reading.inventory.has_errors());
 }
@@ -354,19 +576,28 @@ fn doubts_are_one_for_each_kind_and_column() {
 #[test]
 fn csv_of_other_countries() {
     for (separator, comma) in [(";", ","), ("\t", ","), (";", "."), ("\t", "."), ("|", ",")] {
-        let text = "id,level_ratio,height [m],thickness [mm],friction\r\na,0.5,2.3,600.5,0.3-0.45\r\n";
+        let text =
+            "id,level_ratio,height [m],thickness [mm],friction\r\na,0.5,2.3,600.5,0.3-0.45\r\n";
         let text = text.replace(',', separator).replace('.', comma);
         let item = read(&text).unwrap().inventory.items.remove(0);
-        assert_eq!((item.level_ratio, item.height_m, item.thickness_m), (Some(0.5), Some(2.3), Some(0.6005)), "{text}");
+        assert_eq!(
+            (item.level_ratio, item.height_m, item.thickness_m),
+            (Some(0.5), Some(2.3), Some(0.6005)),
+            "{text}"
+        );
         assert_eq!(item.friction_ratio, Some((0.3, 0.45)), "{text}");
     }
     // A column of both signs: each cell by its own evidence, the rest by plausibility.
-    let mixed = read("id;level_ratio;height [m];thickness [m]\na;0,5;2,3;0,6\nb;0.5;1,234;0.6\n").unwrap();
+    let mixed =
+        read("id;level_ratio;height [m];thickness [m]\na;0,5;2,3;0,6\nb;0.5;1,234;0.6\n").unwrap();
     assert_eq!(mixed.inventory.items[1].height_m, Some(1.234));
     assert_eq!(mixed.columns[1].dialect, Some("mixed"));
     // Where commas separate the cells, a decimal comma moves all that follows.
     let said = found("id,level_ratio,height [m],thickness [m]\na,0,5,2,3,0,6\n");
-    assert!(said[0].contains("the row: 1 row (row 2); has 7 cells for 4 headings"), "{said:?}");
+    assert!(
+        said[0].contains("the row: 1 row (row 2); has 7 cells for 4 headings"),
+        "{said:?}"
+    );
     let latin = b"id;item;level_ratio;height [m];thickness [m]\na;Schr\xE4nke;0,5;2,3;0,6\n";
     let reading = read(latin).unwrap();
     assert_eq!(reading.inventory.items[0].item, "Schränke");
@@ -377,8 +608,21 @@ fn csv_of_other_countries() {
 fn a_factor_of_a_thousand_is_never_read_silently() {
     let mass = |text: &str| {
         let reading = read(text).unwrap();
-        let kinds: Vec<&str> = reading.inventory.findings.iter().map(|finding| finding.kind.name()).collect();
-        (reading.inventory.items.iter().map(|item| item.mass_kg).collect::<Vec<_>>(), kinds)
+        let kinds: Vec<&str> = reading
+            .inventory
+            .findings
+            .iter()
+            .map(|finding| finding.kind.name())
+            .collect();
+        (
+            reading
+                .inventory
+                .items
+                .iter()
+                .map(|item| item.mass_kg)
+                .collect::<Vec<_>>(),
+            kinds,
+        )
     };
     // A cabinet of 1.2 kg does not exist.
     assert_eq!(
@@ -391,9 +635,15 @@ fn a_factor_of_a_thousand_is_never_read_silently() {
         [Some(1200.0), Some(350.0)]
     );
     // Nothing tells: no value.
-    assert_eq!(mass("id,item,height [mm],mass [kg]\na,x,1800,1.200\n"), (vec![None], vec!["number-ambiguous"]));
+    assert_eq!(
+        mass("id,item,height [mm],mass [kg]\na,x,1800,1.200\n"),
+        (vec![None], vec!["number-ambiguous"])
+    );
     // Semicolons do.
-    assert_eq!(mass("id;item;height [mm];mass [kg]\na;x;1800;1.200\n").0, [Some(1200.0)]);
+    assert_eq!(
+        mass("id;item;height [mm];mass [kg]\na;x;1800;1.200\n").0,
+        [Some(1200.0)]
+    );
     // Against plausibility: no value.
     assert_eq!(
         mass("id,item,height [m],depth [m],width [m],mass [kg]\na,x,1.85,0.62,0.95,1.200\n"),
@@ -407,8 +657,23 @@ fn a_factor_of_a_thousand_is_never_read_silently() {
 fn an_implausible_size_does_not_change_the_reading_of_a_mass() {
     let list = "id,height [cm],thickness [cm],mass [kg]\na,180,60,1.200\nb,180,60,\"220,5\"\nc,\"180,5\",60,1.200\n\
                 d,180.5,60,1.200\ne,1.80,60,1.200\n";
-    let masses: Vec<_> = read(list).unwrap().inventory.items.iter().map(|item| item.mass_kg).collect();
-    assert_eq!(masses, [Some(1200.0), Some(220.5), Some(1200.0), Some(1200.0), Some(1200.0)]);
+    let masses: Vec<_> = read(list)
+        .unwrap()
+        .inventory
+        .items
+        .iter()
+        .map(|item| item.mass_kg)
+        .collect();
+    assert_eq!(
+        masses,
+        [
+            Some(1200.0),
+            Some(220.5),
+            Some(1200.0),
+            Some(1200.0),
+            Some(1200.0)
+        ]
+    );
 }
 
 /// A pad of a class and one entry of tolerances.
@@ -424,7 +689,11 @@ fn prior(name: &str) -> Option<CushionPrior> {
         }
         _ => return None,
     }
-    Some(CushionPrior { words, log_sd: 0.5, source: format!("{name}: a class") })
+    Some(CushionPrior {
+        words,
+        log_sd: 0.5,
+        source: format!("{name}: a class"),
+    })
 }
 
 #[test]
@@ -440,11 +709,20 @@ fn entries_of_the_libraries_are_looked_up() {
         })
     };
     let names = [["bench".to_owned()], ["damped".to_owned()]];
-    let lookup = Lookup { tolerance: &stands, cushion: &prior, tolerance_names: &names[0], cushion_names: &names[1] };
+    let lookup = Lookup {
+        tolerance: &stands,
+        cushion: &prior,
+        tolerance_names: &names[0],
+        cushion_names: &names[1],
+    };
     let head = "level_ratio,height [mm],depth [mm],mass [kg],stiffness [N/mm],pads_per_edge,series_stiffness \
          [N/mm],cushion,tolerance [g],tolerance_entry\n";
     let read = |rows: &str| {
-        parse_inventory(format!("{head}{rows}").into_bytes(), Path::new("a.csv"), &ReadOptions::new(&lookup))
+        parse_inventory(
+            format!("{head}{rows}").into_bytes(),
+            Path::new("a.csv"),
+            &ReadOptions::new(&lookup),
+        )
     };
     let reading = read(
         "0,1800,600,140,,2,,pad,,bench\n0,1800,600,140,,,,edge,,\n0,1800,600,140,,,20000,edge,,\n\
@@ -452,43 +730,100 @@ fn entries_of_the_libraries_are_looked_up() {
     )
     .unwrap();
     let items = &reading.inventory.items;
-    let stiffness = |n: usize| items[n].cushion.as_ref().map(|edge| cushion_words(&edge.cushion));
+    let stiffness = |n: usize| {
+        items[n]
+            .cushion
+            .as_ref()
+            .map(|edge| cushion_words(&edge.cushion))
+    };
     assert_eq!(stiffness(0).as_deref(), Some("4380 N/mm"));
     assert_eq!(stiffness(1).as_deref(), Some("4380 N/mm"));
     assert!(stiffness(2).is_some_and(|words| words.starts_with("3593.11")));
     assert!(stiffness(3).is_some_and(|words| words.contains(" with ")));
     assert_eq!((stiffness(4), stiffness(5)), (None, None));
-    assert_eq!((items[0].cushion_log_sd, items[0].cushion_source.as_deref()), (Some(0.5), Some("pad: a class")));
-    assert_eq!(items[0].tolerance.as_ref().map(|t| t.source.as_str()), Some("bench: a class"));
-    assert_eq!((&items[4].doubts[..], &items[5].doubts[..]), (&[Kind::DampingMass][..], &[Kind::PadsMissing][..]));
-    let said =
-        |rows: &str| -> Vec<String> { read(rows).unwrap().inventory.findings.iter().map(Finding::line).collect() };
+    assert_eq!(
+        (items[0].cushion_log_sd, items[0].cushion_source.as_deref()),
+        (Some(0.5), Some("pad: a class"))
+    );
+    assert_eq!(
+        items[0].tolerance.as_ref().map(|t| t.source.as_str()),
+        Some("bench: a class")
+    );
+    assert_eq!(
+        (&items[4].doubts[..], &items[5].doubts[..]),
+        (&[Kind::DampingMass][..], &[Kind::PadsMissing][..])
+    );
+    let said = |rows: &str| -> Vec<String> {
+        read(rows)
+            .unwrap()
+            .inventory
+            .findings
+            .iter()
+            .map(Finding::line)
+            .collect()
+    };
     let expected = [
-        ("0,1800,600,140,,,,dampd,,\n", "is not an entry of the cushion library; hint: did you mean damped?"),
-        ("0,1800,600,140,4380,,,edge,,\n", "cushion` and `stiffness` exclude each other"),
+        (
+            "0,1800,600,140,,,,dampd,,\n",
+            "is not an entry of the cushion library; hint: did you mean damped?",
+        ),
+        (
+            "0,1800,600,140,4380,,,edge,,\n",
+            "cushion` and `stiffness` exclude each other",
+        ),
         ("0,1800,600,,,,,,5,bench\n", "exclude each other"),
         ("0,1800,600,,,,,,,bnch\n", "hint: did you mean bench?"),
     ];
     for (row, words) in expected {
         let lines = said(row);
-        assert!(lines.len() == 1 && lines[0].starts_with("error: unreadable") && lines[0].contains(words), "{lines:?}");
+        assert!(
+            lines.len() == 1
+                && lines[0].starts_with("error: unreadable")
+                && lines[0].contains(words),
+            "{lines:?}"
+        );
     }
 }
 
 #[test]
 fn a_workbook_reads_as_the_same_csv() {
     let rows = row(1, &HEADINGS)
-        + &row(3, &["A1", " cabinet ", "<><v>0.5</v></c>", "<><v>2300</v></c>", "600", "<><v>7</v></c>"]);
-    let reading =
-        parse_inventory(workbook(&rows, ""), Path::new("misnamed.csv"), &ReadOptions::new(&Lookup::NONE)).unwrap();
-    let csv = read("id,item,level_ratio,height [mm],thickness [mm],maker\n\nA1,cabinet,0.5,2300,600,7\n").unwrap();
+        + &row(
+            3,
+            &[
+                "A1",
+                " cabinet ",
+                "<><v>0.5</v></c>",
+                "<><v>2300</v></c>",
+                "600",
+                "<><v>7</v></c>",
+            ],
+        );
+    let reading = parse_inventory(
+        workbook(&rows, ""),
+        Path::new("misnamed.csv"),
+        &ReadOptions::new(&Lookup::NONE),
+    )
+    .unwrap();
+    let csv =
+        read("id,item,level_ratio,height [mm],thickness [mm],maker\n\nA1,cabinet,0.5,2300,600,7\n")
+            .unwrap();
     assert_eq!(reading.inventory.items, csv.inventory.items);
-    assert_eq!((reading.inventory.sheet.as_deref(), reading.inventory.items[0].row), (Some("Objects"), 3));
+    assert_eq!(
+        (
+            reading.inventory.sheet.as_deref(),
+            reading.inventory.items[0].row
+        ),
+        (Some("Objects"), 3)
+    );
 }
 
 #[test]
 fn the_sheet_with_the_headings_is_found() {
-    let objects = sheet(&(row(2, &HEADINGS) + &row(3, &["a", "x", "0.5", "1800", "600"])), "");
+    let objects = sheet(
+        &(row(2, &HEADINGS) + &row(3, &["a", "x", "0.5", "1800", "600"])),
+        "",
+    );
     let other = sheet(&row(1, &["notes", "nothing else"]), "");
     let book = workbook_of(&[
         ("Cover", "", &other),
@@ -507,24 +842,39 @@ fn the_sheet_with_the_headings_is_found() {
         parse_inventory(
             book.clone(),
             Path::new("a.xlsx"),
-            &ReadOptions { sheet: Some(name), ..ReadOptions::new(&Lookup::NONE) },
+            &ReadOptions {
+                sheet: Some(name),
+                ..ReadOptions::new(&Lookup::NONE)
+            },
         )
     };
-    assert_eq!(named("old").unwrap().inventory.sheet.as_deref(), Some("Old"));
+    assert_eq!(
+        named("old").unwrap().inventory.sheet.as_deref(),
+        Some("Old")
+    );
     assert!(
         named("Cover").unwrap_err().problems[0]
             .message
             .starts_with("sheet \"Cover\": the first 100 rows contain no row of headings")
     );
     let missing = named("Objects").unwrap_err();
-    assert!(missing.problems[0].hint.as_deref().is_some_and(|hint| hint.contains("\"New\"")), "{missing}");
+    assert!(
+        missing.problems[0]
+            .hint
+            .as_deref()
+            .is_some_and(|hint| hint.contains("\"New\"")),
+        "{missing}"
+    );
     let hidden = workbook_of(&[("Cover", "", &other), ("Old", "state=\"hidden\"", &objects)]);
     assert!(problems(hidden)[0].contains("only the hidden sheet \"Old\""));
     assert!(
         parse_inventory(
             b"id,height\n".to_vec(),
             Path::new("a.csv"),
-            &ReadOptions { sheet: Some("x"), ..ReadOptions::new(&Lookup::NONE) }
+            &ReadOptions {
+                sheet: Some("x"),
+                ..ReadOptions::new(&Lookup::NONE)
+            }
         )
         .is_err()
     );
@@ -553,17 +903,46 @@ fn what_is_around_an_object() {
             ..plain
         }
     );
-    let upper = Some(UpperBody { height_m: 0.9, thickness_m: 0.3, mass_kg: Some(60.0) });
-    let b =
-        Surroundings { wall_gap_m: Some(0.05), wall_restitution: Some(0.0), casters: Some(Casters::Braked), ..plain };
+    let upper = Some(UpperBody {
+        height_m: 0.9,
+        thickness_m: 0.3,
+        mass_kg: Some(60.0),
+    });
+    let b = Surroundings {
+        wall_gap_m: Some(0.05),
+        wall_restitution: Some(0.0),
+        casters: Some(Casters::Braked),
+        ..plain
+    };
     assert_eq!(of(1), Surroundings { upper, ..b });
-    assert_eq!(of(2), Surroundings { casters: Some(Casters::Braked), ..plain });
+    assert_eq!(
+        of(2),
+        Surroundings {
+            casters: Some(Casters::Braked),
+            ..plain
+        }
+    );
     assert_eq!([of(3), of(4)], [plain; 2]);
-    let mut said: Vec<String> =
-        reading.inventory.findings.iter().map(|one| format!("{} {}", one.kind.name(), one.cells().join(" "))).collect();
+    let mut said: Vec<String> = reading
+        .inventory
+        .findings
+        .iter()
+        .map(|one| format!("{} {}", one.kind.name(), one.cells().join(" ")))
+        .collect();
     said.sort();
-    assert_eq!(said[..4], ["casters H2", "not-understood G5", "out-of-range D5", "out-of-range F4"]);
-    assert_eq!(said[4..], ["unreadable D6", "unreadable I6", "upper-alone J5"]);
+    assert_eq!(
+        said[..4],
+        [
+            "casters H2",
+            "not-understood G5",
+            "out-of-range D5",
+            "out-of-range F4"
+        ]
+    );
+    assert_eq!(
+        said[4..],
+        ["unreadable D6", "unreadable I6", "upper-alone J5"]
+    );
 }
 
 #[test]
@@ -578,14 +957,27 @@ fn round_objects_are_known_by_a_column_a_mark_or_their_name() {
         g,gas cylinder in a box,box,1520,230,230,\n\
         h,Bottle rack,,1500,400,400,\n";
     let inventory = read(list).unwrap().inventory;
-    let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| item.id.as_str()).collect();
+    let round: Vec<&str> = inventory
+        .items
+        .iter()
+        .filter(|item| item.is_round)
+        .map(|item| item.id.as_str())
+        .collect();
     assert_eq!(round, ["a", "b", "c", "d", "f"]);
     for (place, side) in [(1, 0.4), (2, 0.5), (5, 0.4)] {
         let item = &inventory.items[place];
-        assert_eq!((item.thickness_m, item.width_m), (Some(side), Some(side)), "{}", item.id);
+        assert_eq!(
+            (item.thickness_m, item.width_m),
+            (Some(side), Some(side)),
+            "{}",
+            item.id
+        );
     }
     // The name alone is a doubt, and said.
-    let doubted: Vec<(&str, &[u32])> =
-        inventory.findings.iter().map(|finding| (finding.kind.name(), finding.rows.as_slice())).collect();
+    let doubted: Vec<(&str, &[u32])> = inventory
+        .findings
+        .iter()
+        .map(|finding| (finding.kind.name(), finding.rows.as_slice()))
+        .collect();
     assert_eq!(doubted, [("round", [5].as_slice())]);
 }

@@ -5,7 +5,9 @@ use proptest::prelude::*;
 use super::*;
 
 fn convert(bytes: &[u8], target: Target) -> Vec<u8> {
-    convert_bytes(bytes.to_vec(), Path::new("objects"), None, target).unwrap().bytes
+    convert_bytes(bytes.to_vec(), Path::new("objects"), None, target)
+        .unwrap()
+        .bytes
 }
 
 #[test]
@@ -17,12 +19,26 @@ fn text_never_becomes_a_formula() {
     // No formula is in the workbook.
     let mut archive = zip::ZipArchive::new(Cursor::new(&book)).unwrap();
     let mut xml = String::new();
-    std::io::Read::read_to_string(&mut archive.by_name("xl/worksheets/sheet1.xml").unwrap(), &mut xml).unwrap();
+    std::io::Read::read_to_string(
+        &mut archive.by_name("xl/worksheets/sheet1.xml").unwrap(),
+        &mut xml,
+    )
+    .unwrap();
     assert!(!xml.contains("<f>"), "{xml}");
     let items = read(&book).unwrap().inventory.items;
     assert_eq!(items[0].item, "=HYPERLINK(\"x\")");
-    assert_eq!([&items[0].carried[0], &items[1].carried[0], &items[2].carried[0]], ["@cmd", "+1", "'-2"]);
-    assert_eq!(String::from_utf8(convert(&book, Target::Csv)).unwrap(), text);
+    assert_eq!(
+        [
+            &items[0].carried[0],
+            &items[1].carried[0],
+            &items[2].carried[0]
+        ],
+        ["@cmd", "+1", "'-2"]
+    );
+    assert_eq!(
+        String::from_utf8(convert(&book, Target::Csv)).unwrap(),
+        text
+    );
     assert_eq!(read(&text).unwrap().inventory.items, items);
 }
 
@@ -32,14 +48,26 @@ fn the_template_is_an_inventory_and_always_the_same() {
     assert_eq!(book, template_xlsx().unwrap());
     let (from_csv, from_book) = (read(&csv).unwrap(), read(&book).unwrap());
     assert_eq!(from_csv.inventory.items, from_book.inventory.items);
-    assert_eq!(from_csv.columns.len(), COLUMNS.iter().filter(|spec| spec.is_in_template).count());
+    assert_eq!(
+        from_csv.columns.len(),
+        COLUMNS.iter().filter(|spec| spec.is_in_template).count()
+    );
     assert_eq!(from_book.inventory.sheet.as_deref(), Some("Inventory"));
     let findings = &from_csv.inventory.findings;
     // The third example is a gas cylinder.
-    let kinds: Vec<(Kind, &[u32])> = findings.iter().map(|one| (one.kind, one.rows.as_slice())).collect();
-    assert_eq!(kinds, [(Kind::Example, [2, 3, 4].as_slice()), (Kind::Round, &[4])]);
+    let kinds: Vec<(Kind, &[u32])> = findings
+        .iter()
+        .map(|one| (one.kind, one.rows.as_slice()))
+        .collect();
+    assert_eq!(
+        kinds,
+        [(Kind::Example, [2, 3, 4].as_slice()), (Kind::Round, &[4])]
+    );
     let rack = &from_csv.inventory.items[1];
-    assert_eq!((rack.height_m, rack.cg_height_m, rack.accepted_ratio), (Some(2.0), Some(0.85), Some(0.05)));
+    assert_eq!(
+        (rack.height_m, rack.cg_height_m, rack.accepted_ratio),
+        (Some(2.0), Some(0.85), Some(0.05))
+    );
     // Without the examples there is no row; the headings are still found.
     let first_line = csv.iter().position(|&byte| byte == b'\n').unwrap();
     assert!(problems(&csv[..=first_line])[0].contains("there are no rows below the headings"));
@@ -54,9 +82,20 @@ fn units_beside_the_headings_go_into_them() {
         csv,
         "item,height [mm],thickness [cm],level_ratio,mass [kg],price\nrack,\"1800,5\",60,\"0,5\",85,\"12,50\"\n"
     );
-    let (before, after) = (read(text).unwrap().inventory.items, read(&csv).unwrap().inventory.items);
+    let (before, after) = (
+        read(text).unwrap().inventory.items,
+        read(&csv).unwrap().inventory.items,
+    );
     assert_eq!(before[0].height_m, Some(1.8005));
-    let of = |item: &Item| (item.height_m, item.thickness_m, item.level_ratio, item.mass_kg, item.carried.clone());
+    let of = |item: &Item| {
+        (
+            item.height_m,
+            item.thickness_m,
+            item.level_ratio,
+            item.mass_kg,
+            item.carried.clone(),
+        )
+    };
     assert_eq!(of(&before[0]), of(&after[0]));
 }
 
@@ -66,7 +105,9 @@ fn cell() -> impl Strategy<Value = String> {
         "[ -~äß€\\n\\t]{0,12}",
         "['=+@\\-]{1,3}[a-z0-9]{0,3}",
         "_x[0-9A-F]{4}_",
-        any::<f64>().prop_filter("finite", |value| value.is_finite()).prop_map(|value| format!("{value}")),
+        any::<f64>()
+            .prop_filter("finite", |value| value.is_finite())
+            .prop_map(|value| format!("{value}")),
         (-1000i32..1000).prop_map(|value| format!("{}", f64::from(value) / 8.0)),
         "0[0-9]{2}",
     ]

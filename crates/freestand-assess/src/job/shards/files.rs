@@ -31,18 +31,35 @@ impl KeptFiles {
     ///
     /// # Errors
     /// A path that is not one, or a folder of records that cannot be read.
-    pub(super) fn of(study: &Study, others: impl IntoIterator<Item = PathBuf>) -> Result<Self, Problem> {
+    pub(super) fn of(
+        study: &Study,
+        others: impl IntoIterator<Item = PathBuf>,
+    ) -> Result<Self, Problem> {
         let hazard = match &study.ground {
             Ground::Simulated(simulated) => simulated.hazard.as_ref(),
             Ground::Synthetic(_) | Ground::Recorded(_) | Ground::OnFloors => None,
         };
         let restraint = study.assessment.restraint_code.as_ref();
-        let targets = hazard.into_iter().chain(restraint).filter_map(|target| target.file.as_ref());
+        let targets = hazard
+            .into_iter()
+            .chain(restraint)
+            .filter_map(|target| target.file.as_ref());
         let cushion = study.objects.cushion_file.as_ref().map(|(file, _)| file);
         let settings = &study.assessment;
-        let libraries = [&settings.library, &settings.cushion_library].into_iter().flatten().cloned();
-        let of_inputs = targets.chain(cushion).map(|file: &InputFile| file.path.clone());
-        let all = study.source.iter().cloned().chain(motion_paths(study)).chain(of_inputs).chain(libraries);
+        let libraries = [&settings.library, &settings.cushion_library]
+            .into_iter()
+            .flatten()
+            .cloned();
+        let of_inputs = targets
+            .chain(cushion)
+            .map(|file: &InputFile| file.path.clone());
+        let all = study
+            .source
+            .iter()
+            .cloned()
+            .chain(motion_paths(study))
+            .chain(of_inputs)
+            .chain(libraries);
         let mut files = BTreeSet::new();
         for path in all.chain(others).chain(of_suite(study)?) {
             files.insert(absolute(&path)?);
@@ -65,12 +82,17 @@ impl KeptFiles {
     pub(super) fn name(&self, path: &Path) -> Result<String, Problem> {
         let path = absolute(path)?;
         let below = path.strip_prefix(&self.root).ok().and_then(Path::to_str);
-        let below = below.filter(|_| self.files.contains(&path)).ok_or_else(|| {
-            Problem::new(ProblemKind::Io, "cannot be kept in the folder of a plan")
-                .in_file(&path)
-                .hint("give it a name in plain letters")
-        })?;
-        let parts: Vec<&str> = [FOLDER].into_iter().chain(below.split(std::path::MAIN_SEPARATOR)).collect();
+        let below = below
+            .filter(|_| self.files.contains(&path))
+            .ok_or_else(|| {
+                Problem::new(ProblemKind::Io, "cannot be kept in the folder of a plan")
+                    .in_file(&path)
+                    .hint("give it a name in plain letters")
+            })?;
+        let parts: Vec<&str> = [FOLDER]
+            .into_iter()
+            .chain(below.split(std::path::MAIN_SEPARATOR))
+            .collect();
         Ok(parts.join("/"))
     }
 
@@ -78,10 +100,18 @@ impl KeptFiles {
     ///
     /// # Errors
     /// A file that cannot be read, or a disk that is full.
-    pub(super) fn write(&self, folder: &OutputFolder, study: (Option<&Path>, &str)) -> Result<(), Problem> {
+    pub(super) fn write(
+        &self,
+        folder: &OutputFolder,
+        study: (Option<&Path>, &str),
+    ) -> Result<(), Problem> {
         let (source, text) = study;
         let source = source.map(absolute).transpose()?;
-        for path in self.files.iter().filter(|path| source.as_ref() != Some(path)) {
+        for path in self
+            .files
+            .iter()
+            .filter(|path| source.as_ref() != Some(path))
+        {
             folder.write(&self.name(path)?, &load(path)?)?;
         }
         match source {
@@ -101,14 +131,29 @@ impl KeptFiles {
     /// # Errors
     /// A text that is not TOML.
     pub(super) fn relocated(&self, study: &Study) -> Result<String, Problem> {
-        let Some(base) = study.source.as_deref().map(absolute).transpose()? else { return Ok(study.toml.clone()) };
+        let Some(base) = study.source.as_deref().map(absolute).transpose()? else {
+            return Ok(study.toml.clone());
+        };
         let base = base.parent().unwrap_or(&self.root);
-        let mut document: DocumentMut = study.toml.parse().map_err(|error: toml_edit::TomlError| {
-            Problem::new(ProblemKind::Format, format!("the study cannot be kept: {}", error.message()))
-        })?;
-        let mut visitor = Relocate { files: &self.files, base, root: &self.root, is_changed: false };
+        let mut document: DocumentMut =
+            study.toml.parse().map_err(|error: toml_edit::TomlError| {
+                Problem::new(
+                    ProblemKind::Format,
+                    format!("the study cannot be kept: {}", error.message()),
+                )
+            })?;
+        let mut visitor = Relocate {
+            files: &self.files,
+            base,
+            root: &self.root,
+            is_changed: false,
+        };
         visit_document_mut(&mut visitor, &mut document);
-        Ok(if visitor.is_changed { document.to_string() } else { study.toml.clone() })
+        Ok(if visitor.is_changed {
+            document.to_string()
+        } else {
+            study.toml.clone()
+        })
     }
 }
 
@@ -117,8 +162,11 @@ const BUILTIN: &str = "study/built-in.toml";
 
 /// All records of the folder from which the motions were selected.
 fn of_suite(study: &Study) -> Result<Vec<PathBuf>, Problem> {
-    let Some(suite) = study.ground.suite() else { return Ok(Vec::new()) };
-    let failed = |error: std::io::Error| io_problem(&suite.folder, "cannot read the folder", &error);
+    let Some(suite) = study.ground.suite() else {
+        return Ok(Vec::new());
+    };
+    let failed =
+        |error: std::io::Error| io_problem(&suite.folder, "cannot read the folder", &error);
     let mut files = Vec::new();
     for entry in std::fs::read_dir(&suite.folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
@@ -140,14 +188,21 @@ struct Relocate<'r> {
 impl VisitMut for Relocate<'_> {
     fn visit_string_mut(&mut self, node: &mut Formatted<String>) {
         let path = Path::new(node.value());
-        let Some(path) = path.is_absolute().then(|| folded(path)) else { return };
+        let Some(path) = path.is_absolute().then(|| folded(path)) else {
+            return;
+        };
         // A file, or a folder with files.
         if !self.files.iter().any(|file| file.starts_with(&path)) {
             return;
         }
-        let ups = self.base.strip_prefix(self.root).map_or(0, |below| below.components().count());
+        let ups = self
+            .base
+            .strip_prefix(self.root)
+            .map_or(0, |below| below.components().count());
         let below = path.strip_prefix(self.root).unwrap_or(Path::new(""));
-        let relative: PathBuf = std::iter::repeat_n(Path::new(".."), ups).chain([below]).collect();
+        let relative: PathBuf = std::iter::repeat_n(Path::new(".."), ups)
+            .chain([below])
+            .collect();
         if let Some(text) = relative.to_str() {
             let decor = node.decor().clone();
             *node = Formatted::new(text.to_owned());
@@ -159,7 +214,8 @@ impl VisitMut for Relocate<'_> {
 
 /// A path from the root of the file system, without `..`.
 pub(super) fn absolute(path: &Path) -> Result<PathBuf, Problem> {
-    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
+    let path =
+        std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
     Ok(folded(&path))
 }
 
@@ -178,7 +234,11 @@ fn folded(path: &Path) -> PathBuf {
 }
 
 fn common(a: &Path, b: &Path) -> PathBuf {
-    a.components().zip(b.components()).take_while(|(a, b)| a == b).map(|(a, _)| a).collect()
+    a.components()
+        .zip(b.components())
+        .take_while(|(a, b)| a == b)
+        .map(|(a, _)| a)
+        .collect()
 }
 
 #[cfg(test)]
@@ -189,15 +249,26 @@ mod tests {
     #[test]
     fn paths_from_the_root_become_relative() {
         let files = ["/a/b/study.toml", "/a/c/records/x.AT2", "/a/c/list.csv"].map(PathBuf::from);
-        let kept = KeptFiles { root: PathBuf::from("/a"), files: BTreeSet::from(files) };
-        assert_eq!(kept.name(Path::new("/a/b/../c/list.csv")).unwrap(), "study/c/list.csv");
+        let kept = KeptFiles {
+            root: PathBuf::from("/a"),
+            files: BTreeSet::from(files),
+        };
+        assert_eq!(
+            kept.name(Path::new("/a/b/../c/list.csv")).unwrap(),
+            "study/c/list.csv"
+        );
         assert!(kept.name(Path::new("/a/c/other.csv")).is_err());
-        let mut study = freestand_study::resolve::resolve("[building]\nstoreys = 30\n", None, Path::new("")).unwrap();
+        let mut study =
+            freestand_study::resolve::resolve("[building]\nstoreys = 30\n", None, Path::new(""))
+                .unwrap();
         study.source = Some(PathBuf::from("/a/b/study.toml"));
         study.toml =
             "[ground]\nmotions = [\n  \"/a/c/records/x.AT2\", # first\n  \"/z\",\n]\nsuite = \"/a/b/../c/records\"\n"
                 .to_owned();
-        let expected = study.toml.replace("/a/c/records/x.AT2", "../c/records/x.AT2").replace("/a/b/../c", "../c");
+        let expected = study
+            .toml
+            .replace("/a/c/records/x.AT2", "../c/records/x.AT2")
+            .replace("/a/b/../c", "../c");
         assert_eq!(kept.relocated(&study).unwrap(), expected);
         study.toml = "# mine\nname   = 'x'\n".to_owned();
         assert_eq!(kept.relocated(&study).unwrap(), study.toml);
@@ -205,7 +276,10 @@ mod tests {
 
     #[test]
     fn the_lowest_common_folder() {
-        assert_eq!(common(Path::new("/a/b/c"), Path::new("/a/bc")), Path::new("/a"));
+        assert_eq!(
+            common(Path::new("/a/b/c"), Path::new("/a/bc")),
+            Path::new("/a")
+        );
         assert_eq!(common(Path::new("/a"), Path::new("/b")), Path::new("/"));
     }
 }

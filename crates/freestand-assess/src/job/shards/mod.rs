@@ -97,8 +97,14 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     let out = dir.join(OUT);
     let parts = Part::of_shard(index, rows.clone(), plan.part());
     let earlier = finished(&plan, index);
-    if let Some(found) = earlier.as_ref().filter(|found| is_intact(&out, found, &parts)) {
-        return Ok(ShardReport { was_finished: true, ..found.report.clone() });
+    if let Some(found) = earlier
+        .as_ref()
+        .filter(|found| is_intact(&out, found, &parts))
+    {
+        return Ok(ShardReport {
+            was_finished: true,
+            ..found.report.clone()
+        });
     }
     plan.check_original()?;
     let begin = Instant::now();
@@ -107,26 +113,49 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     for (name, hash) in earlier.iter().flat_map(|found| &found.files) {
         if hash_of(&out.join(name)).is_some_and(|found| found != *hash) {
             let path = out.join(name);
-            fs::remove_file(&path).map_err(|error| io_problem(&path, "cannot remove a damaged file", &error))?;
+            fs::remove_file(&path)
+                .map_err(|error| io_problem(&path, "cannot remove a damaged file", &error))?;
         }
     }
     let study = plan.study()?;
     let store = Store::of_shards(&out)?;
     let motions = dir.join(MOTIONS);
-    let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
+    let wants_to_stop = || {
+        progress(Step {
+            stage: None,
+            done: 0,
+            total: 0,
+        })
+        .is_break()
+    };
     let alternative = study.alternative();
     refuse_outcomes(plan.outcomes(), alternative.as_ref())?;
-    let mut assessor = Assessor::new((&study, plan.rows()), (plan.outcomes(), Some(&motions)), &wants_to_stop)
-        .beside(alternative.as_ref());
+    let mut assessor = Assessor::new(
+        (&study, plan.rows()),
+        (plan.outcomes(), Some(&motions)),
+        &wants_to_stop,
+    )
+    .beside(alternative.as_ref());
     let mut failed = 0;
     for part in &parts {
         let done = part.rows.start - rows.start;
-        if progress(Step { stage: Some(Stage::Objects), done, total: rows.len() }).is_break() {
+        if progress(Step {
+            stage: Some(Stage::Objects),
+            done,
+            total: rows.len(),
+        })
+        .is_break()
+        {
             return Err(Problem::stopped().into());
         }
-        let items = items.get(done..part.rows.end - rows.start).unwrap_or_default();
+        let items = items
+            .get(done..part.rows.end - rows.start)
+            .unwrap_or_default();
         let Assessed { found, .. } = assessor.part(&store, part, items, progress)?;
-        failed += found.iter().filter(|one| one.has_failed_histories()).count();
+        failed += found
+            .iter()
+            .filter(|one| one.has_failed_histories())
+            .count();
     }
     let mut files = BTreeMap::new();
     for name in names(&plan, &parts) {
@@ -148,7 +177,11 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
         failed,
         was_finished: false,
     };
-    let done = Finished { plan_sha256: plan.sha256().to_owned(), report, files };
+    let done = Finished {
+        plan_sha256: plan.sha256().to_owned(),
+        report,
+        files,
+    };
     let text = document(SHARD_SCHEMA, &done, &[])?;
     write_file(&out.join(finished_name(index)), text.as_bytes(), &[])?;
     Ok(done.report)
@@ -159,7 +192,12 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
 ///
 /// # Errors
 /// As [`run_shard`] and [`assess_into`](super::assess_into). A stop leaves `target` as it was.
-pub fn merge_shards(dir: &Path, target: &Path, force: bool, progress: Progress) -> Result<Merged, Problems> {
+pub fn merge_shards(
+    dir: &Path,
+    target: &Path,
+    force: bool,
+    progress: Progress,
+) -> Result<Merged, Problems> {
     let plan = Plan::open(dir)?;
     let out = dir.join(OUT);
     let (mut missing, mut parts, mut histories) = (Vec::new(), Vec::new(), 0);
@@ -181,17 +219,36 @@ pub fn merge_shards(dir: &Path, target: &Path, force: bool, progress: Progress) 
     let (path, request) = plan.list()?;
     let inventory = inventory_of(&study, Some(&path), &request)?;
     plan.check_list(&inventory)?;
-    let job = Job { resume: false, force, parquet: true, outcomes: plan.outcomes(), part_rows: None };
+    let job = Job {
+        resume: false,
+        force,
+        parquet: true,
+        outcomes: plan.outcomes(),
+        part_rows: None,
+    };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);
     let folder = staged(&study, &inventory, target, &job)?;
     let motions = dir.join(MOTIONS);
     let store = Store::of_shards(&out)?;
-    let portfolio = assess(&study, &inventory, (store, parts), (job.outcomes, Some(&motions)), (progress, None))?;
+    let portfolio = assess(
+        &study,
+        &inventory,
+        (store, parts),
+        (job.outcomes, Some(&motions)),
+        (progress, None),
+    )?;
     if portfolio.interrupted {
         return Err(Problem::stopped().into());
     }
-    let run = Run { study: &study, inventory: &inventory, head: &head, job: &job, key: &key, motions: Some(&motions) };
+    let run = Run {
+        study: &study,
+        inventory: &inventory,
+        head: &head,
+        job: &job,
+        key: &key,
+        motions: Some(&motions),
+    };
     let mut report = written(&run, (target, folder), portfolio, progress)?;
     // The shards did the work of this assessment.
     report.histories += histories;
@@ -203,7 +260,12 @@ pub fn merge_shards(dir: &Path, target: &Path, force: bool, progress: Progress) 
 fn names<'p>(plan: &Plan, parts: &'p [Part]) -> impl Iterator<Item = String> + 'p {
     let has_outcomes = plan.outcomes();
     parts.iter().flat_map(move |part| {
-        [Some(part.results_name()), has_outcomes.then(|| part.outcomes_name())].into_iter().flatten()
+        [
+            Some(part.results_name()),
+            has_outcomes.then(|| part.outcomes_name()),
+        ]
+        .into_iter()
+        .flatten()
     })
 }
 
@@ -217,7 +279,9 @@ fn finished(plan: &Plan, index: usize) -> Option<Finished> {
     let found: Finished = serde_json::from_slice(&bytes).ok()?;
     (found.plan_sha256 == plan.sha256()
         && found.report.index == index
-        && plan.input_sha256(index).is_ok_and(|hash| hash == found.report.input_sha256))
+        && plan
+            .input_sha256(index)
+            .is_ok_and(|hash| hash == found.report.input_sha256))
     .then_some(found)
 }
 
@@ -225,7 +289,10 @@ fn finished(plan: &Plan, index: usize) -> Option<Finished> {
 fn is_intact(out: &Path, found: &Finished, parts: &[Part]) -> bool {
     let has = |name: &String| found.files.contains_key(name);
     parts.iter().map(Part::results_name).all(|name| has(&name))
-        && found.files.iter().all(|(name, hash)| hash_of(&out.join(name)).as_ref() == Some(hash))
+        && found
+            .files
+            .iter()
+            .all(|(name, hash)| hash_of(&out.join(name)).as_ref() == Some(hash))
 }
 
 fn hash_of(path: &Path) -> Option<String> {
@@ -235,7 +302,8 @@ fn hash_of(path: &Path) -> Option<String> {
 /// The rows of a shard as they were planned.
 fn items(plan: &Plan, index: usize, sha256: &str, rows: usize) -> Result<Vec<Item>, Problem> {
     let path: PathBuf = plan.input(index);
-    let bytes = fs::read(&path).map_err(|error| io_problem(&path, "cannot read the rows of the shard", &error))?;
+    let bytes = fs::read(&path)
+        .map_err(|error| io_problem(&path, "cannot read the rows of the shard", &error))?;
     let is_same = sha256_hex(&bytes) == sha256;
     let items = items_from_lines(&bytes).filter(|items| is_same && items.len() == rows);
     items.ok_or_else(|| plan.changed(&path))

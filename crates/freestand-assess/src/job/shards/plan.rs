@@ -146,9 +146,15 @@ pub(super) struct Plan {
 /// A number of shards that is out of range, a folder with another plan, with results, or with files that
 /// freestand did not write, or a file of the study that cannot be copied.
 pub fn plan_shards(request: &PlanRequest, dir: &Path, force: bool) -> Result<PlanReport, Problems> {
-    let PlanRequest { study, inventory, shards, .. } = *request;
+    let PlanRequest {
+        study,
+        inventory,
+        shards,
+        ..
+    } = *request;
     if !(1..=MAX_SHARDS).contains(&shards) {
-        let message = format!("`shards` must be a whole number from 1 to {MAX_SHARDS}, not {shards}");
+        let message =
+            format!("`shards` must be a whole number from 1 to {MAX_SHARDS}, not {shards}");
         let hint = "take shards of some minutes of work: about 200 objects or more";
         return Err(Problem::value(message, hint).of(&["shards"]).into());
     }
@@ -168,17 +174,27 @@ pub fn plan_shards(request: &PlanRequest, dir: &Path, force: bool) -> Result<Pla
     };
     let key = plan_key(request);
     // What was killed while it was written is written again.
-    if let Some(found) = fs::read(dir.join(PLAN)).ok().and_then(|bytes| parsed(&bytes)) {
+    if let Some(found) = fs::read(dir.join(PLAN))
+        .ok()
+        .and_then(|bytes| parsed(&bytes))
+    {
         if found.key == key {
-            return Ok(PlanReport { was_planned: true, ..report });
+            return Ok(PlanReport {
+                was_planned: true,
+                ..report
+            });
         }
         let another = Problem::new(ProblemKind::Io, "the folder has another plan");
         return Err(another.in_file(dir).hint(ANOTHER_FOLDER).into());
     }
     for name in [OUT, MOTIONS] {
         if dir.join(name).exists() {
-            let message = format!("the folder has results of shards ({name}), but no complete plan");
-            return Err(Problem::new(ProblemKind::Io, message).in_file(dir).hint(ANOTHER_FOLDER).into());
+            let message =
+                format!("the folder has results of shards ({name}), but no complete plan");
+            return Err(Problem::new(ProblemKind::Io, message)
+                .in_file(dir)
+                .hint(ANOTHER_FOLDER)
+                .into());
         }
     }
     write(request, key, dir, force)?;
@@ -187,15 +203,40 @@ pub fn plan_shards(request: &PlanRequest, dir: &Path, force: bool) -> Result<Pla
 
 /// Everything that the outputs depend on.
 fn plan_key(request: &PlanRequest) -> String {
-    let PlanRequest { study, seed, inventory, shards, outcomes, list: _ } = *request;
+    let PlanRequest {
+        study,
+        seed,
+        inventory,
+        shards,
+        outcomes,
+        list: _,
+    } = *request;
     let of_results = resume_key(study, inventory, part_size(study, inventory));
     let toml = sha256_hex(study.toml.as_bytes());
-    sha256_hex(format!("{of_results} {toml} {seed:?} {shards} {outcomes} {}", study.assessment.pages).as_bytes())
+    sha256_hex(
+        format!(
+            "{of_results} {toml} {seed:?} {shards} {outcomes} {}",
+            study.assessment.pages
+        )
+        .as_bytes(),
+    )
 }
 
 fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<(), Problems> {
-    let PlanRequest { study, seed, inventory, list, shards, outcomes } = *request;
-    let kept = KeptFiles::of(study, [inventory.path.clone()].into_iter().chain(list.cells.columns.clone()))?;
+    let PlanRequest {
+        study,
+        seed,
+        inventory,
+        list,
+        shards,
+        outcomes,
+    } = *request;
+    let kept = KeptFiles::of(
+        study,
+        [inventory.path.clone()]
+            .into_iter()
+            .chain(list.cells.columns.clone()),
+    )?;
     let inputs: Vec<PathBuf> = kept.files().cloned().collect();
     let folder = OutputFolder::stage(dir, force, &inputs)?.of_command(PLAN_SCHEMA)?;
     let text = kept.relocated(study)?;
@@ -215,20 +256,29 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
     let file = kept.name(&inventory.path)?;
     if sha256_hex(&load(&folder.path_of(&file)?)?) != inventory.sha256 {
         let message = "was changed while the plan was made";
-        return Err(Problem::new(ProblemKind::Io, message).in_file(&inventory.path).hint("plan again").into());
+        return Err(Problem::new(ProblemKind::Io, message)
+            .in_file(&inventory.path)
+            .hint("plan again")
+            .into());
     }
     // Now the copies are read as a shard will read them: they have to give the same study.
     let staged = folder.path_of(PLAN)?;
     let again = planned.load(staged.parent().unwrap_or(dir))?;
     let part = part_size(study, inventory);
-    let as_written = Study { toml: study.toml.clone(), ..again.clone() };
+    let as_written = Study {
+        toml: study.toml.clone(),
+        ..again.clone()
+    };
     if resume_key(&as_written, inventory, part) != resume_key(study, inventory, part) {
         let message = "the files of the study cannot be copied so that they give the same study";
         let hint = "put the study and the files that it names into one folder, with relative paths";
         return Err(Problem::new(ProblemKind::Io, message).hint(hint).into());
     }
     for shard in 0..shards {
-        let items = inventory.items.get(rows_of(shard, shards, inventory.items.len())).unwrap_or_default();
+        let items = inventory
+            .items
+            .get(rows_of(shard, shards, inventory.items.len()))
+            .unwrap_or_default();
         folder.write(&input_name(shard), &lines_of_items(items)?)?;
     }
     let plan = PlanFile {
@@ -251,7 +301,11 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
             assess_anchored: list.assess_anchored,
             edits: list.cells.edits.iter().map(Edit::to_string).collect(),
         },
-        files: folder.names()?.into_iter().chain([PLAN.to_owned()]).collect(),
+        files: folder
+            .names()?
+            .into_iter()
+            .chain([PLAN.to_owned()])
+            .collect(),
         files_sha256: BTreeMap::new(),
     };
     folder.write(PLAN, document(PLAN_SCHEMA, &plan, &[])?.as_bytes())?;
@@ -286,7 +340,9 @@ fn rows_of(shard: usize, shards: usize, rows: usize) -> Range<usize> {
 
 fn parsed(bytes: &[u8]) -> Option<PlanFile> {
     let value: serde_json::Value = serde_json::from_slice(bytes).ok()?;
-    let is_plan = value.get("schema").is_some_and(|schema| schema == PLAN_SCHEMA);
+    let is_plan = value
+        .get("schema")
+        .is_some_and(|schema| schema == PLAN_SCHEMA);
     let plan: PlanFile = serde_json::from_value(value).ok().filter(|_| is_plan)?;
     (1..=MAX_SHARDS).contains(&plan.shards).then_some(plan)
 }
@@ -294,16 +350,24 @@ fn parsed(bytes: &[u8]) -> Option<PlanFile> {
 impl PlannedStudy {
     /// The study from the folder of a plan.
     fn load(&self, dir: &Path) -> Result<Study, Problems> {
-        let overrides = Overrides { seed: self.seed, ..Overrides::default() };
+        let overrides = Overrides {
+            seed: self.seed,
+            ..Overrides::default()
+        };
         let path = dir.join(&self.file);
         let mut study = if self.is_builtin {
-            let text = fs::read_to_string(&path).map_err(|error| io_problem(&path, "cannot read the study", &error))?;
-            Study { is_builtin: true, ..resolve_with(&text, None, Path::new(""), &overrides)? }
+            let text = fs::read_to_string(&path)
+                .map_err(|error| io_problem(&path, "cannot read the study", &error))?;
+            Study {
+                is_builtin: true,
+                ..resolve_with(&text, None, Path::new(""), &overrides)?
+            }
         } else {
             load_study(&path, &overrides)?
         };
         // The copies hold the built-in study where nobody stated anything.
-        (study.place_is_assumed, study.building_is_assumed) = (self.place_is_assumed, self.building_is_assumed);
+        (study.place_is_assumed, study.building_is_assumed) =
+            (self.place_is_assumed, self.building_is_assumed);
         let settings = &mut study.assessment;
         settings.seed = self.seed.unwrap_or(settings.seed);
         settings.pages = self.pages;
@@ -326,17 +390,29 @@ impl Plan {
         };
         let path = dir.join(PLAN);
         if !path.is_file() {
-            return Err(no_plan("is not the folder of a plan: there is no plan.json"));
+            return Err(no_plan(
+                "is not the folder of a plan: there is no plan.json",
+            ));
         }
         let bytes = load(&path)?;
-        let file = parsed(&bytes).ok_or_else(|| no_plan("plan.json is not a plan of freestand, or is damaged"))?;
+        let file = parsed(&bytes)
+            .ok_or_else(|| no_plan("plan.json is not a plan of freestand, or is damaged"))?;
         let ours = env!("CARGO_PKG_VERSION");
         if file.version != ours {
-            let message = format!("was planned by freestand {}, and this is {ours}", file.version);
+            let message = format!(
+                "was planned by freestand {}, and this is {ours}",
+                file.version
+            );
             let hint = "use the version of the plan, or plan again into another folder";
-            return Err(Problem::new(ProblemKind::Value, message).in_file(dir).hint(hint));
+            return Err(Problem::new(ProblemKind::Value, message)
+                .in_file(dir)
+                .hint(hint));
         }
-        Ok(Self { dir: dir.to_path_buf(), file, sha256: sha256_hex(&bytes) })
+        Ok(Self {
+            dir: dir.to_path_buf(),
+            file,
+            sha256: sha256_hex(&bytes),
+        })
     }
 
     /// Number of shards.
@@ -382,7 +458,8 @@ impl Plan {
 
     pub(super) fn input_sha256(&self, shard: usize) -> Result<String, Problem> {
         let hash = self.file.files_sha256.get(&input_name(shard));
-        hash.cloned().ok_or_else(|| self.changed(&self.dir.join(PLAN)))
+        hash.cloned()
+            .ok_or_else(|| self.changed(&self.dir.join(PLAN)))
     }
 
     /// The study, read from its copies.
@@ -397,14 +474,28 @@ impl Plan {
             (found.as_ref() != Some(hash)).then_some(path)
         };
         let changed = self.file.files_sha256.iter().find_map(is_changed);
-        Err(self.changed(&changed.unwrap_or_else(|| self.dir.clone())).into())
+        Err(self
+            .changed(&changed.unwrap_or_else(|| self.dir.clone()))
+            .into())
     }
 
     /// The copy of the inventory, and how it is read.
     pub(super) fn list(&self) -> Result<(PathBuf, ListRequest), Problem> {
-        let PlannedList { file, sheet, columns, storeys, is_strict, assess_anchored, edits, sha256: _, original: _ } =
-            &self.file.inventory;
-        let edits = edits.iter().map(|edit| Edit::parse(edit)).collect::<Result<_, _>>()?;
+        let PlannedList {
+            file,
+            sheet,
+            columns,
+            storeys,
+            is_strict,
+            assess_anchored,
+            edits,
+            sha256: _,
+            original: _,
+        } = &self.file.inventory;
+        let edits = edits
+            .iter()
+            .map(|edit| Edit::parse(edit))
+            .collect::<Result<_, _>>()?;
         let request = ListRequest {
             cells: CellsRequest {
                 sheet: sheet.clone(),
@@ -420,23 +511,35 @@ impl Plan {
 
     /// Refuses a copy of the inventory that was changed.
     pub(super) fn check_list(&self, inventory: &Inventory) -> Result<(), Problem> {
-        let is_same = inventory.sha256 == self.file.inventory.sha256 && inventory.items.len() == self.file.rows;
-        if is_same { Ok(()) } else { Err(self.changed(&inventory.path)) }
+        let is_same = inventory.sha256 == self.file.inventory.sha256
+            && inventory.items.len() == self.file.rows;
+        if is_same {
+            Ok(())
+        } else {
+            Err(self.changed(&inventory.path))
+        }
     }
 
     /// Refuses results for an inventory that was changed after the plan. One that is no longer there, or
     /// cannot be seen from this machine, is not compared.
     pub(super) fn check_original(&self) -> Result<(), Problem> {
-        let PlannedList { original, sha256, file, .. } = &self.file.inventory;
+        let PlannedList {
+            original,
+            sha256,
+            file,
+            ..
+        } = &self.file.inventory;
         match fs::read(original) {
             Ok(bytes) if sha256_hex(&bytes) != *sha256 => {
                 let hint = format!(
                     "plan again into another folder, or put the list as it was planned back: it is in {}",
                     self.dir.join(file).display()
                 );
-                Err(Problem::new(ProblemKind::Io, "was changed after the shards were planned")
-                    .in_file(original)
-                    .hint(hint))
+                Err(
+                    Problem::new(ProblemKind::Io, "was changed after the shards were planned")
+                        .in_file(original)
+                        .hint(hint),
+                )
             }
             _ => Ok(()),
         }
@@ -444,9 +547,12 @@ impl Plan {
 
     /// The problem of a file of the plan that is not as it was written.
     pub(super) fn changed(&self, path: &Path) -> Problem {
-        Problem::new(ProblemKind::Io, "is not as it was planned: it was changed, or is damaged")
-            .in_file(path)
-            .hint("plan again into another folder")
+        Problem::new(
+            ProblemKind::Io,
+            "is not as it was planned: it was changed, or is damaged",
+        )
+        .in_file(path)
+        .hint("plan again into another folder")
     }
 }
 
@@ -458,7 +564,9 @@ mod tests {
     #[test]
     fn shards_divide_the_rows() {
         for (rows, shards) in [(30, 1), (30, 7), (30, 64), (1, 3), (1_000_000, 99_999)] {
-            let ranges: Vec<Range<usize>> = (0..shards).map(|shard| rows_of(shard, shards, rows)).collect();
+            let ranges: Vec<Range<usize>> = (0..shards)
+                .map(|shard| rows_of(shard, shards, rows))
+                .collect();
             assert_eq!((ranges[0].start, ranges[shards - 1].end), (0, rows));
             assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
             let most = ranges.iter().map(ExactSizeIterator::len).max().unwrap();

@@ -146,18 +146,33 @@ pub(super) struct FloorKey {
 /// The floor of an object. A floor with a name is one floor, whatever levels its rows give.
 pub(super) fn floor_key(item: &Item) -> FloorKey {
     let level_ratio = item.level_ratio.filter(|level| level.is_finite());
-    let level = if item.floor.is_empty() { level_ratio.map(f64::to_bits) } else { None };
-    FloorKey { building: item.building.clone(), floor: item.floor.clone(), level }
+    let level = if item.floor.is_empty() {
+        level_ratio.map(f64::to_bits)
+    } else {
+        None
+    };
+    FloorKey {
+        building: item.building.clone(),
+        floor: item.floor.clone(),
+        level,
+    }
 }
 
 /// The name of a floor, with its building or without.
 pub(super) fn floor_words(key: &FloorKey, with_building: bool) -> String {
     let floor = match (key.floor.as_str(), key.level) {
         ("", None) => "level not given".to_owned(),
-        ("", Some(bits)) => format!("level {}", freestand_input::words::number(f64::from_bits(bits), 3)),
+        ("", Some(bits)) => format!(
+            "level {}",
+            freestand_input::words::number(f64::from_bits(bits), 3)
+        ),
         (floor, _) => floor.to_owned(),
     };
-    if key.building.is_empty() || !with_building { floor } else { format!("{}, {floor}", key.building) }
+    if key.building.is_empty() || !with_building {
+        floor
+    } else {
+        format!("{}, {floor}", key.building)
+    }
 }
 
 /// Tasks in the work list of the report; worklist.csv has all.
@@ -166,7 +181,10 @@ const MAX_TASKS: usize = 1_000;
 impl Overview {
     /// The counts before the first of `total` rows; the list takes the `most_urgent` objects.
     pub(super) fn new(total: usize, most_urgent: usize) -> Self {
-        let consequence = |name| ConsequenceCounts { name, ratings: [Counts::default(); 4] };
+        let consequence = |name| ConsequenceCounts {
+            name,
+            ratings: [Counts::default(); 4],
+        };
         Self {
             total,
             assessed: 0,
@@ -188,7 +206,9 @@ impl Overview {
 
     /// Counts one row; rows without an assessment do not count.
     pub(super) fn add(&mut self, line: &Line) {
-        let Some((rank, found)) = line.found else { return };
+        let Some((rank, found)) = line.found else {
+            return;
+        };
         let (item, decision) = (line.item, found.decision);
         self.assessed += 1;
         self.counts.add(decision, item.quantity);
@@ -198,8 +218,13 @@ impl Overview {
         self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
         self.only_falling += usize::from(found.is_left_for_falling_alone());
         self.without_response += usize::from(found.response.is_none());
-        self.with_failed_motions += usize::from(found.response.is_some() && found.has_failed_histories());
-        let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
+        self.with_failed_motions +=
+            usize::from(found.response.is_some() && found.has_failed_histories());
+        let rated = [
+            item.consequences.life_safety,
+            item.consequences.property,
+            item.consequences.function,
+        ];
         for (consequence, rating) in self.consequences.iter_mut().zip(rated) {
             consequence.ratings[rating_index(rating)].add(decision, item.quantity);
         }
@@ -229,7 +254,11 @@ impl Overview {
     pub(super) fn floors(&self) -> Vec<&FloorCounts> {
         let mut floors: Vec<(&FloorKey, &FloorCounts)> = self.floors.iter().collect();
         sort_floors(&mut floors, |(key, floor)| (floor.level_ratio, *key));
-        floors.into_iter().map(|(_, floor)| floor).chain(&self.others).collect()
+        floors
+            .into_iter()
+            .map(|(_, floor)| floor)
+            .chain(&self.others)
+            .collect()
     }
 
     /// A sentence for the outputs of an interrupted run; `None` for a complete one.
@@ -315,7 +344,8 @@ pub(super) fn place(item: &Item) -> String {
         }
     }
     if parts.is_empty() {
-        item.level_ratio.map_or_else(String::new, |_| floor_words(&floor_key(item), true))
+        item.level_ratio
+            .map_or_else(String::new, |_| floor_words(&floor_key(item), true))
     } else {
         parts.join(", ")
     }

@@ -27,10 +27,22 @@ pub(super) struct ParquetTable {
 
 impl ParquetTable {
     /// Begins the file.
-    pub(super) fn begin(folder: &OutputFolder, head: &Head, inventory: &Inventory) -> Result<Self, Problem> {
+    pub(super) fn begin(
+        folder: &OutputFolder,
+        head: &Head,
+        inventory: &Inventory,
+    ) -> Result<Self, Problem> {
         let path = folder.path_of(PARQUET_NAME)?;
-        let file = File::create_new(&path).map_err(|error| io_problem(&path, "cannot write the file", &error))?;
-        Ok(Self { file: ParquetFile::begin(file, "freestand.objects/1", &columns(inventory), facts(head))? })
+        let file = File::create_new(&path)
+            .map_err(|error| io_problem(&path, "cannot write the file", &error))?;
+        Ok(Self {
+            file: ParquetFile::begin(
+                file,
+                "freestand.objects/1",
+                &columns(inventory),
+                facts(head),
+            )?,
+        })
     }
 
     /// One object.
@@ -41,15 +53,24 @@ impl ParquetTable {
                 Cell::Missing => ParquetValue::Missing,
                 _ => ParquetValue::Flag(cell == Cell::Overturned),
             };
-            [Some(value(cell)), (column.kind == Kind::Ranked).then_some(overturned)].into_iter().flatten()
+            [
+                Some(value(cell)),
+                (column.kind == Kind::Ranked).then_some(overturned),
+            ]
+            .into_iter()
+            .flatten()
         };
         let own = COLUMNS.iter().flat_map(of_column);
-        self.file.row(own.chain(carried_cells(inventory, line.item).map(value)))
+        self.file
+            .row(own.chain(carried_cells(inventory, line.item).map(value)))
     }
 
     /// Ends the file, with whether the result is partial.
     pub(super) fn finish(mut self, overview: &Overview) -> Result<(), Problem> {
-        self.file.note("freestand.partial", overview.partial().unwrap_or_else(|| "no".to_owned()));
+        self.file.note(
+            "freestand.partial",
+            overview.partial().unwrap_or_else(|| "no".to_owned()),
+        );
         self.file.finish().map(drop)
     }
 }
@@ -75,23 +96,44 @@ fn columns(inventory: &Inventory) -> Vec<ParquetColumn> {
             Kind::Flag => ColumnType::Flag,
         };
         let described = Some((column.unit.to_owned(), column.meaning.to_owned()));
-        columns.push(ParquetColumn { name: column.name.to_owned(), holds, described });
+        columns.push(ParquetColumn {
+            name: column.name.to_owned(),
+            holds,
+            described,
+        });
         if column.kind == Kind::Ranked {
-            columns.push(ParquetColumn { name: overturned_name(column), holds: ColumnType::Flag, described: None });
+            columns.push(ParquetColumn {
+                name: overturned_name(column),
+                holds: ColumnType::Flag,
+                described: None,
+            });
         }
     }
     let carried = carried_names(&inventory.carried).into_iter();
-    columns.extend(carried.map(|name| ParquetColumn { name, holds: ColumnType::Text, described: None }));
+    columns.extend(carried.map(|name| ParquetColumn {
+        name,
+        holds: ColumnType::Text,
+        described: None,
+    }));
     columns
 }
 
 /// Metadata for a reader who has only this file.
 fn facts(head: &Head) -> [(String, String); 2] {
-    let facts: Map<String, serde_json::Value> =
-        head.facts.iter().map(|(name, value)| (name.clone(), value.as_str().into())).collect();
+    let facts: Map<String, serde_json::Value> = head
+        .facts
+        .iter()
+        .map(|(name, value)| (name.clone(), value.as_str().into()))
+        .collect();
     [
-        ("freestand.facts".to_owned(), serde_json::Value::Object(facts).to_string()),
-        ("freestand.assumptions".to_owned(), json!(head.assumptions).to_string()),
+        (
+            "freestand.facts".to_owned(),
+            serde_json::Value::Object(facts).to_string(),
+        ),
+        (
+            "freestand.assumptions".to_owned(),
+            json!(head.assumptions).to_string(),
+        ),
     ]
 }
 

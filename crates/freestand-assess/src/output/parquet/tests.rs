@@ -6,7 +6,12 @@ use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, writ
 
 use super::*;
 
-const ALONE: Wanted = Wanted { parquet: true, workbook: false, report: false, pages: 0 };
+const ALONE: Wanted = Wanted {
+    parquet: true,
+    workbook: false,
+    report: false,
+    pages: 0,
+};
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {
     let (folder, names) = written(inventory, assessed, ALONE);
@@ -21,11 +26,18 @@ fn reader(bytes: Vec<u8>) -> SerializedFileReader<impl parquet::file::reader::Ch
 }
 
 fn rows(bytes: Vec<u8>) -> Vec<Row> {
-    reader(bytes).get_row_iter(None).unwrap().map(Result::unwrap).collect()
+    reader(bytes)
+        .get_row_iter(None)
+        .unwrap()
+        .map(Result::unwrap)
+        .collect()
 }
 
 fn at<'r>(row: &'r Row, name: &str) -> &'r Field {
-    row.get_column_iter().find(|(header, _)| *header == name).unwrap().1
+    row.get_column_iter()
+        .find(|(header, _)| *header == name)
+        .unwrap()
+        .1
 }
 
 #[test]
@@ -34,17 +46,32 @@ fn columns_keep_their_types() {
     assert_eq!(rows.len(), 5);
     assert_eq!(*at(&rows[0], "id"), Field::Str("O-0000".into()));
     assert_eq!(*at(&rows[0], "rank"), Field::Long(4));
-    assert_eq!(*at(&rows[0], "edge_acceleration_g_median"), Field::Double(4.2));
-    assert_eq!(*at(&rows[0], "edge_acceleration_g_median_overturned"), Field::Bool(false));
+    assert_eq!(
+        *at(&rows[0], "edge_acceleration_g_median"),
+        Field::Double(4.2)
+    );
+    assert_eq!(
+        *at(&rows[0], "edge_acceleration_g_median_overturned"),
+        Field::Bool(false)
+    );
     assert_eq!(*at(&rows[0], "edge_acceleration_g_p84"), Field::Null);
-    assert_eq!(*at(&rows[0], "edge_acceleration_g_p84_overturned"), Field::Bool(true));
+    assert_eq!(
+        *at(&rows[0], "edge_acceleration_g_p84_overturned"),
+        Field::Bool(true)
+    );
     assert_eq!(*at(&rows[0], "tolerance_decides"), Field::Bool(true));
     assert_eq!(*at(&rows[0], "width_m"), Field::Null);
     assert_eq!(*at(&rows[1], "width_m"), Field::Double(0.8));
     assert_eq!(*at(&rows[2], "demand_capacity_ratio"), Field::Null);
-    assert_eq!(*at(&rows[2], "demand_capacity_ratio_overturned"), Field::Null);
+    assert_eq!(
+        *at(&rows[2], "demand_capacity_ratio_overturned"),
+        Field::Null
+    );
     // Not assessed, but present.
-    assert_eq!((at(&rows[4], "decision"), at(&rows[4], "rank")), (&Field::Null, &Field::Null));
+    assert_eq!(
+        (at(&rows[4], "decision"), at(&rows[4], "rank")),
+        (&Field::Null, &Field::Null)
+    );
     assert_eq!(*at(&rows[4], "Asset"), Field::Str("A4".into()));
     assert_eq!(*at(&rows[4], "rank (inventory)"), Field::Str("-12".into()));
 }
@@ -61,8 +88,18 @@ fn texts_stay_as_they_are() {
 fn the_file_says_what_its_reader_must_know() {
     let value = |assessed: usize, key: &str| {
         let reader = reader(bytes(&inventory((0..3).map(item).collect()), assessed));
-        let values = reader.metadata().file_metadata().key_value_metadata().unwrap().clone();
-        values.into_iter().find(|value| value.key == key).unwrap().value.unwrap()
+        let values = reader
+            .metadata()
+            .file_metadata()
+            .key_value_metadata()
+            .unwrap()
+            .clone();
+        values
+            .into_iter()
+            .find(|value| value.key == key)
+            .unwrap()
+            .value
+            .unwrap()
     };
     assert_eq!(value(3, "freestand.partial"), "no");
     assert!(value(2, "freestand.partial").starts_with("PARTIAL: 2 of 3"));
@@ -82,5 +119,11 @@ fn the_same_rows_give_the_same_bytes_in_groups() {
         item.item = "x".repeat(8 << 20);
     }
     let reader = reader(bytes(&inventory(items), 0));
-    assert_eq!((reader.metadata().num_row_groups(), reader.metadata().file_metadata().num_rows()), (2, 10));
+    assert_eq!(
+        (
+            reader.metadata().num_row_groups(),
+            reader.metadata().file_metadata().num_rows()
+        ),
+        (2, 10)
+    );
 }

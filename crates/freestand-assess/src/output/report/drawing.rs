@@ -14,8 +14,9 @@ const BAR_PX: (f64, f64) = (180.0, 15.0);
 /// Counts by decision, side by side; each part shows the sign of its decision where there is room.
 pub(super) fn stacked_bar(counts: &Counts, largest: usize) -> String {
     let (width, height) = BAR_PX;
-    let mut svg =
-        format!("<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\">");
+    let mut svg = format!(
+        "<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\">"
+    );
     let mut x = 0.0;
     for decision in Decision::ALL {
         let part = width * counts.of(decision) as f64 / largest.max(1) as f64;
@@ -63,20 +64,37 @@ const TOP_PX: f64 = 8.0;
 
 /// The sides of the object in its planes of rocking, to one scale; empty without its geometry.
 pub(super) fn sketch(item: &Item) -> String {
-    let (Some(height_m), Some(thickness_m)) = (item.height_m, item.thickness_m) else { return String::new() };
-    let mut sides = vec![("thickness", thickness_m, item.base_thickness_m.unwrap_or(thickness_m))];
-    sides.extend(item.width_m.map(|width_m| ("width", width_m, item.base_width_m.unwrap_or(width_m))));
+    let (Some(height_m), Some(thickness_m)) = (item.height_m, item.thickness_m) else {
+        return String::new();
+    };
+    let mut sides = vec![(
+        "thickness",
+        thickness_m,
+        item.base_thickness_m.unwrap_or(thickness_m),
+    )];
+    sides.extend(
+        item.width_m
+            .map(|width_m| ("width", width_m, item.base_width_m.unwrap_or(width_m))),
+    );
     let total_m: f64 = sides.iter().map(|(_, side_m, _)| side_m).sum();
     let scale = (SKETCH_PX / height_m).min(SKETCH_WIDTH_PX / total_m);
     if !(scale > 0.0 && scale.is_finite()) {
         return String::new();
     }
     let (h, cg_m) = (height_m * scale, item.cg_height_m.unwrap_or(0.5 * height_m));
-    let rooms: Vec<f64> = sides.iter().map(|(_, side_m, _)| (side_m * scale + 16.0).max(SIDE_PX)).collect();
+    let rooms: Vec<f64> = sides
+        .iter()
+        .map(|(_, side_m, _)| (side_m * scale + 16.0).max(SIDE_PX))
+        .collect();
     let (width, height) = (LEFT_PX + rooms.iter().sum::<f64>(), TOP_PX + h + 42.0);
     let mut title = format!("Height {}, centre of gravity at {}", mm(height_m), mm(cg_m));
     for (side, side_m, base_m) in &sides {
-        let _ = write!(title, "; {side} {}, edges {} apart", mm(*side_m), mm(*base_m));
+        let _ = write!(
+            title,
+            "; {side} {}, edges {} apart",
+            mm(*side_m),
+            mm(*base_m)
+        );
     }
     let mut svg = format!(
         "<svg viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
@@ -88,7 +106,11 @@ pub(super) fn sketch(item: &Item) -> String {
     );
     let mut left = LEFT_PX;
     for ((side, side_m, base_m), room) in sides.iter().zip(&rooms) {
-        svg.push_str(&view(side, [h, side_m * scale, base_m * scale, cg_m * scale], left + 0.5 * room));
+        svg.push_str(&view(
+            side,
+            [h, side_m * scale, base_m * scale, cg_m * scale],
+            left + 0.5 * room,
+        ));
         let measure = |text: &str, y: f64| {
             format!(
                 "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
@@ -152,7 +174,10 @@ mod tests {
         (item.base_thickness_m, item.cg_height_m) = (None, None);
         let svg = sketch(&item);
         assert!(svg.contains("width=\"27.5\" height=\"110.0\""), "{svg}");
-        assert!(svg.contains("thickness 500 mm") && !svg.contains("edges 500 mm<"), "{svg}");
+        assert!(
+            svg.contains("thickness 500 mm") && !svg.contains("edges 500 mm<"),
+            "{svg}"
+        );
         item.height_m = None;
         assert_eq!(sketch(&item), "");
         (item.height_m, item.thickness_m) = (Some(1e300), Some(f64::MIN_POSITIVE));
@@ -162,11 +187,18 @@ mod tests {
     /// 3 of 10 and 7 of 10 fill the bar of 180 px.
     #[test]
     fn a_bar_has_the_lengths_of_its_counts() {
-        let counts = Counts { objects: [3, 0, 0, 0, 7], pieces: [0; 5] };
+        let counts = Counts {
+            objects: [3, 0, 0, 0, 7],
+            pieces: [0; 5],
+        };
         let svg = stacked_bar(&counts, 10);
         assert!(
-            svg.contains("x=\"0.0\" y=\"0.5\" width=\"54.0\"") && svg.contains("x=\"54.0\" y=\"0.5\" width=\"126.0\"")
+            svg.contains("x=\"0.0\" y=\"0.5\" width=\"54.0\"")
+                && svg.contains("x=\"54.0\" y=\"0.5\" width=\"126.0\"")
         );
-        assert_eq!(stacked_bar(&Counts::default(), 0).matches("<rect").count(), 0);
+        assert_eq!(
+            stacked_bar(&Counts::default(), 0).matches("<rect").count(),
+            0
+        );
     }
 }

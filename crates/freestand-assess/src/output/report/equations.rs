@@ -35,7 +35,10 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
         number(chain.edge_acceleration_impact_velocity_g, 4)
     ));
     if let Some(ratio) = chain.demand_capacity_ratio {
-        lines.push(format!("Demand/capacity in this world: {}.", number(ratio, 4)));
+        lines.push(format!(
+            "Demand/capacity in this world: {}.",
+            number(ratio, 4)
+        ));
     }
     html.push_str("<div class=\"eqs\">\n");
     for line in lines {
@@ -52,10 +55,20 @@ fn millimetres(length_m: f64) -> String {
 
 /// R, R_D and m_eff.
 fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
-    let [h, t, b, r] = [chain.height_m, chain.thickness_m, chain.base_m, chain.half_diagonal_m].map(millimetres);
+    let [h, t, b, r] = [
+        chain.height_m,
+        chain.thickness_m,
+        chain.base_m,
+        chain.half_diagonal_m,
+    ]
+    .map(millimetres);
     let m = number(chain.mass_kg, 4);
-    let (r_d, m_eff) = (number(chain.landing_ratio, 4), number(chain.effective_mass_kg, 4));
-    let halted = "The landing is halted (no rocking after it): Eq. (8), with R_D = 0 in the shock.".to_owned();
+    let (r_d, m_eff) = (
+        number(chain.landing_ratio, 4),
+        number(chain.effective_mass_kg, 4),
+    );
+    let halted = "The landing is halted (no rocking after it): Eq. (8), with R_D = 0 in the shock."
+        .to_owned();
     if chain.is_uniform {
         let x = number((chain.base_m / chain.half_diagonal_m).powi(2), 4);
         let mass = if chain.is_halted {
@@ -72,14 +85,21 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
         return lines;
     }
     let cg_m = item.cg_height_m.unwrap_or(0.5 * chain.height_m);
-    let inertia =
-        (chain.height_m.powi(2) + chain.thickness_m.powi(2)) / 12.0 + cg_m * cg_m + 0.25 * chain.base_m * chain.base_m;
+    let inertia = (chain.height_m.powi(2) + chain.thickness_m.powi(2)) / 12.0
+        + cg_m * cg_m
+        + 0.25 * chain.base_m * chain.base_m;
     let (z, i0) = (millimetres(cg_m), number(1e6 * inertia, 4));
-    let mass = if chain.is_halted { "m I₀′/B²" } else { "m I₀′ (1 − R_D²)/B²" };
+    let mass = if chain.is_halted {
+        "m I₀′/B²"
+    } else {
+        "m I₀′ (1 − R_D²)/B²"
+    };
     let mut lines = vec![
         format!("R = √((B/2)² + z²) = √(({b}/2)² + {z}²) = {r} mm"),
         format!("I₀′ = I₀/m = (h² + t²)/12 + R² = {i0} mm²"),
-        format!("R_D = 1 − B²/(2 I₀′) = {r_d} (Eq. (6) for a block that is not uniform or has inset feet)"),
+        format!(
+            "R_D = 1 − B²/(2 I₀′) = {r_d} (Eq. (6) for a block that is not uniform or has inset feet)"
+        ),
         format!("m_eff = {mass} = {m_eff} kg"),
     ];
     lines.extend(chain.is_halted.then_some(halted));
@@ -89,7 +109,10 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
 /// a, a_edge, Δv and T on a spring.
 fn spring(chain: &Chain, stiffness_n_m: f64) -> Vec<String> {
     let k = format!("{} N/mm", number(1e-3 * stiffness_n_m, 4));
-    let (a, edge) = (number(chain.drop_acceleration_g, 4), number(chain.edge_acceleration_g, 4));
+    let (a, edge) = (
+        number(chain.drop_acceleration_g, 4),
+        number(chain.edge_acceleration_g, 4),
+    );
     let drop = format!(
         "(7)  a = √(2 k g Δh/m) = √(2 × {k} × {} m/s² × {} mm/{} kg) = {a} g",
         number(G0_M_S2, 6),
@@ -105,6 +128,9 @@ fn spring(chain: &Chain, stiffness_n_m: f64) -> Vec<String> {
         drop,
         shock,
         format!("Δv = 2 v = {} m/s", number(chain.velocity_change_m_s, 4)),
-        format!("T = π √(m_eff/k) = {} ms", number(1e3 * chain.pulse_duration_s, 4)),
+        format!(
+            "T = π √(m_eff/k) = {} ms",
+            number(1e3 * chain.pulse_duration_s, 4)
+        ),
     ]
 }

@@ -29,7 +29,10 @@ pub(super) struct Report {
 impl Report {
     /// Without a page yet; at most `max_pages` objects get one.
     pub(super) fn new(max_pages: usize) -> Self {
-        Self { max_pages, pages: BTreeMap::new() }
+        Self {
+            max_pages,
+            pages: BTreeMap::new(),
+        }
     }
 
     /// Writes the page of an object, if it is urgent enough to have one.
@@ -37,15 +40,23 @@ impl Report {
         if let Some((rank, found)) = line.found
             && rank <= self.max_pages
         {
-            self.pages.insert(rank, page::page(inventory, line.item, rank, found));
+            self.pages
+                .insert(rank, page::page(inventory, line.item, rank, found));
         }
     }
 
     /// Writes the file.
-    pub(super) fn write(self, folder: &OutputFolder, head: &Head, overview: &Overview) -> Result<(), Problem> {
+    pub(super) fn write(
+        self,
+        folder: &OutputFolder,
+        head: &Head,
+        overview: &Overview,
+    ) -> Result<(), Problem> {
         let mut file = folder.begin(REPORT_NAME)?;
-        let subtitle =
-            format!("Assessment of an inventory under an earthquake · freestand {}", env!("CARGO_PKG_VERSION"));
+        let subtitle = format!(
+            "Assessment of an inventory under an earthquake · freestand {}",
+            env!("CARGO_PKG_VERSION")
+        );
         file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
         file.write(summary::summary(head, overview, self.max_pages).as_bytes())?;
         for page in self.pages.values() {
@@ -84,7 +95,11 @@ fn cut(text: &str, longest: usize) -> String {
     // Characters that change the direction of writing would change it for our own words after them
     // too.
     let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
+    if text.contains(turns) {
+        format!("<bdi>{shown}</bdi>")
+    } else {
+        shown
+    }
 }
 
 /// The anchor of an object's page.

@@ -21,19 +21,39 @@ use super::{anchor, name, words};
 pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String {
     let mut html = String::new();
     if let Some(no_study) = &head.no_study {
-        let _ = writeln!(html, "<div class=\"warn study\">{}</div>", paragraph(no_study));
+        let _ = writeln!(
+            html,
+            "<div class=\"warn study\">{}</div>",
+            paragraph(no_study)
+        );
     }
     if let Some(partial) = overview.partial() {
-        let _ = writeln!(html, "<div class=\"warn partial\"><h2>Partial result</h2>{}</div>", paragraph(&partial));
+        let _ = writeln!(
+            html,
+            "<div class=\"warn partial\"><h2>Partial result</h2>{}</div>",
+            paragraph(&partial)
+        );
     }
     html.push_str(&one_page(head, overview, pages));
-    let facts: Vec<(&str, String)> = head.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    let facts: Vec<(&str, String)> = head
+        .facts
+        .iter()
+        .map(|(name, value)| (name.as_str(), value.clone()))
+        .collect();
     let work = floors(overview, head.is_elastic) + &work_list(overview, pages);
     let sections = [
         ("first", "The most urgent objects", first(overview, pages)),
         ("floors", "Work list by floor and room", work),
-        ("consequences", "Verdicts by consequence", consequences(overview)),
-        ("warnings", "Problems and warnings", warnings(head, overview)),
+        (
+            "consequences",
+            "Verdicts by consequence",
+            consequences(overview),
+        ),
+        (
+            "warnings",
+            "Problems and warnings",
+            warnings(head, overview),
+        ),
         ("facts", "Inputs", properties("", &facts)),
         ("assumptions", "Assumptions", list(&head.assumptions)),
         ("reading", "How to read this report", list(&HOW_TO_READ)),
@@ -57,7 +77,11 @@ const TEN: usize = 10;
 fn one_page(head: &Head, overview: &Overview, pages: usize) -> String {
     let mut html = String::from("<section id=\"one-page\">\n");
     html.push_str(&tiles(overview));
-    let place: Vec<(&str, String)> = head.place.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    let place: Vec<(&str, String)> = head
+        .place
+        .iter()
+        .map(|(name, value)| (name.as_str(), value.clone()))
+        .collect();
     html.push_str(&properties("", &place));
     html.push_str(&heading("The first ten"));
     html.push_str(&ten(overview, pages));
@@ -99,7 +123,11 @@ fn cards_choice(head: &Head, pages: usize) -> String {
     if pages == 0 {
         return String::new();
     }
-    let checked = if head.cards { " checked=\"checked\"" } else { "" };
+    let checked = if head.cards {
+        " checked=\"checked\""
+    } else {
+        ""
+    };
     format!(
         "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects \
          too</label></p>\n"
@@ -120,12 +148,20 @@ fn tiles(overview: &Overview) -> String {
             sign(decision),
             label(decision),
             counted(usize::try_from(pieces).unwrap_or(usize::MAX), "piece"),
-            if objects == 1 { "1 row".to_owned() } else { format!("{objects} rows") },
+            if objects == 1 {
+                "1 row".to_owned()
+            } else {
+                format!("{objects} rows")
+            },
             advice(decision),
         );
     }
     html.push_str("</div>\n");
-    let mut said = format!("Assessed: {} of {}.", overview.assessed, counted(overview.total, "object"));
+    let mut said = format!(
+        "Assessed: {} of {}.",
+        overview.assessed,
+        counted(overview.total, "object")
+    );
     if overview.only_falling > 0 {
         let _ = write!(
             said,
@@ -143,8 +179,16 @@ fn tiles(overview: &Overview) -> String {
 fn object_name(one: (usize, &str, &str, u32), pages: usize) -> String {
     let (rank, id, item, quantity) = one;
     let id = name(id);
-    let link = if rank <= pages { format!("<a href=\"#{}\">{id}</a>", anchor(rank)) } else { id };
-    let many = if quantity == 1 { String::new() } else { format!(" × {quantity}") };
+    let link = if rank <= pages {
+        format!("<a href=\"#{}\">{id}</a>", anchor(rank))
+    } else {
+        id
+    };
+    let many = if quantity == 1 {
+        String::new()
+    } else {
+        format!(" × {quantity}")
+    };
     format!("{link} {}{many}", name(item))
 }
 
@@ -217,7 +261,11 @@ fn first(overview: &Overview, pages: usize) -> String {
     let mut html = String::new();
     let mut note = match overview.assessed {
         all if all == overview.urgent.len() => format!("All {} by rank.", counted(all, "object")),
-        all => format!("The {} most urgent of {}, by rank.", overview.urgent.len(), counted(all, "object")),
+        all => format!(
+            "The {} most urgent of {}, by rank.",
+            overview.urgent.len(),
+            counted(all, "object")
+        ),
     };
     if pages < overview.assessed {
         let _ = write!(note, " Objects up to rank {pages} have a card below.");
@@ -252,8 +300,12 @@ fn first(overview: &Overview, pages: usize) -> String {
 }
 
 fn first_row(one: &Urgent, pages: usize) -> String {
-    let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
-    let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
+    let ratio = one
+        .demand_capacity
+        .map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
+    let shock = one
+        .shock_g
+        .map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
     format!(
         "<tr>{}<th scope=\"row\">{} <small>{}</small></th>{}{}{}{}{}{}{}</tr>\n",
         number_cell("Rank", &one.rank.to_string()),
@@ -272,14 +324,22 @@ fn first_row(one: &Urgent, pages: usize) -> String {
 /// What has to be done, floor by floor and room by room.
 fn work_list(overview: &Overview, pages: usize) -> String {
     if overview.tasks.is_empty() {
-        return if overview.assessed == 0 { String::new() } else { paragraph("Nothing has to be done.") };
+        return if overview.assessed == 0 {
+            String::new()
+        } else {
+            paragraph("Nothing has to be done.")
+        };
     }
     let mut note = format!(
         "What has to be done, from the top floor down, room by room: {}. The same list is in worklist.csv.",
         counted(overview.to_do, "object")
     );
     if overview.tasks.len() < overview.to_do {
-        let _ = write!(note, " Here are the {} most urgent; worklist.csv has all.", overview.tasks.len());
+        let _ = write!(
+            note,
+            " Here are the {} most urgent; worklist.csv has all.",
+            overview.tasks.len()
+        );
     }
     let mut html = heading("What has to be done") + &paragraph(&note);
     html.push_str(&cards(
@@ -301,14 +361,23 @@ fn work_list(overview: &Overview, pages: usize) -> String {
         levels.entry(&task.floor).or_insert(task.level_ratio);
     }
     tasks.sort_by(|a, b| a.room.cmp(&b.room).then(a.rank.cmp(&b.rank)));
-    sort_floors(&mut tasks, |task| (levels.get(&task.floor).copied().flatten(), &task.floor));
+    sort_floors(&mut tasks, |task| {
+        (levels.get(&task.floor).copied().flatten(), &task.floor)
+    });
     let mut last: Option<&FloorKey> = None;
     for task in tasks {
         if last != Some(&task.floor) {
-            html.push_str(if last.is_some() { "</tbody>\n<tbody>\n" } else { "<tbody>\n" });
+            html.push_str(if last.is_some() {
+                "</tbody>\n<tbody>\n"
+            } else {
+                "<tbody>\n"
+            });
             let floor = floor_words(&task.floor, overview.has_buildings());
-            let _ =
-                writeln!(html, "<tr class=\"floor\"><th scope=\"rowgroup\" colspan=\"7\">{}</th></tr>", name(&floor));
+            let _ = writeln!(
+                html,
+                "<tr class=\"floor\"><th scope=\"rowgroup\" colspan=\"7\">{}</th></tr>",
+                name(&floor)
+            );
             last = Some(&task.floor);
         }
         html.push_str(&work_row(task, pages));
@@ -328,7 +397,11 @@ fn work_row(task: &Task, pages: usize) -> String {
         labelled("Room", "", &name(&task.room)),
         object_name((task.rank, &task.id, &task.item, task.quantity), pages),
         labelled("Action", "", &badge(task.action)),
-        labelled("How and why", "", &format!("{} <small>{}</small>", words(&task.how), words(&task.why))),
+        labelled(
+            "How and why",
+            "",
+            &format!("{} <small>{}</small>", words(&task.how), words(&task.why))
+        ),
         number_cell("Force", &force_words(task.force_n)),
         number_cell("Tension along one edge", &tension),
         labelled("Done", "", "☐"),
@@ -337,7 +410,12 @@ fn work_row(task: &Task, pages: usize) -> String {
 
 /// Sign and word of a decision on its colour.
 pub(super) fn badge(decision: Decision) -> String {
-    format!("<span class=\"badge {}\">{} {}</span>", decision.name(), sign(decision), label(decision))
+    format!(
+        "<span class=\"badge {}\">{} {}</span>",
+        decision.name(),
+        sign(decision),
+        label(decision)
+    )
 }
 
 fn decision_headings(mut first: Vec<Cell>) -> Vec<Cell> {
@@ -350,8 +428,10 @@ fn decision_headings(mut first: Vec<Cell>) -> Vec<Cell> {
 
 /// The counts of a row of a table, with a bar; the largest row fills it.
 fn decision_cells(counts: &Counts, largest: usize) -> Vec<Cell> {
-    let mut cells: Vec<Cell> =
-        Decision::ALL.into_iter().map(|decision| figure(counts.of(decision).to_string())).collect();
+    let mut cells: Vec<Cell> = Decision::ALL
+        .into_iter()
+        .map(|decision| figure(counts.of(decision).to_string()))
+        .collect();
     cells.push(markup(stacked_bar(counts, largest), "bar"));
     cells
 }
@@ -364,16 +444,26 @@ fn floors(overview: &Overview, is_elastic: bool) -> String {
     if floors.is_empty() {
         return paragraph("No object was assessed.");
     }
-    let largest = floors.iter().map(|floor| floor.counts.total()).max().unwrap_or(0);
+    let largest = floors
+        .iter()
+        .map(|floor| floor.counts.total())
+        .max()
+        .unwrap_or(0);
     let headings = decision_headings(vec![text("Floor"), figure("Level"), figure("Median PFA")]);
     let rows: Vec<Vec<Cell>> = floors
         .iter()
         .map(|floor| {
-            let level = floor.level_ratio.map_or_else(|| "–".to_owned(), |level| fixed(level, 2));
+            let level = floor
+                .level_ratio
+                .map_or_else(|| "–".to_owned(), |level| fixed(level, 2));
             let pfa = floor.pfa_g_median.map_or_else(
                 || "–".to_owned(),
                 |pfa_g| {
-                    let elastic = if is_elastic && pfa_g > DAMAGED_FROM_G { " (elastic building)" } else { "" };
+                    let elastic = if is_elastic && pfa_g > DAMAGED_FROM_G {
+                        " (elastic building)"
+                    } else {
+                        ""
+                    };
                     format!("{} g{elastic}", number(pfa_g, 3))
                 },
             );
@@ -387,7 +477,12 @@ fn floors(overview: &Overview, is_elastic: bool) -> String {
         "Number of objects by floor, from the top down, and by verdict. Median PFA: the median of the peak floor \
          accelerations of all worlds.",
     ));
-    if floors.iter().any(|floor| is_elastic && floor.pfa_g_median.is_some_and(|pfa_g| pfa_g > DAMAGED_FROM_G)) {
+    if floors.iter().any(|floor| {
+        is_elastic
+            && floor
+                .pfa_g_median
+                .is_some_and(|pfa_g| pfa_g > DAMAGED_FROM_G)
+    }) {
         html.push_str(&paragraph(
             "Elastic building: in the calculation the building does not yield. One that yields mostly shakes its floors \
              less.",
@@ -397,13 +492,25 @@ fn floors(overview: &Overview, is_elastic: bool) -> String {
 }
 
 fn consequences(overview: &Overview) -> String {
-    let all = overview.consequences.iter().flat_map(|consequence| &consequence.ratings);
+    let all = overview
+        .consequences
+        .iter()
+        .flat_map(|consequence| &consequence.ratings);
     let largest = all.map(Counts::total).max().unwrap_or(0);
     let headings = decision_headings(vec![text("Consequence"), text("Rating"), figure("Objects")]);
     let mut rows: Vec<Vec<Cell>> = Vec::new();
     for consequence in &overview.consequences {
-        for (counts, rating) in consequence.ratings.iter().zip(RATINGS).filter(|(counts, _)| counts.total() > 0) {
-            let mut cells = vec![text(consequence.name), text(rating), figure(counts.total().to_string())];
+        for (counts, rating) in consequence
+            .ratings
+            .iter()
+            .zip(RATINGS)
+            .filter(|(counts, _)| counts.total() > 0)
+        {
+            let mut cells = vec![
+                text(consequence.name),
+                text(rating),
+                figure(counts.total().to_string()),
+            ];
             cells.extend(decision_cells(counts, largest));
             rows.push(cells);
         }
@@ -412,7 +519,9 @@ fn consequences(overview: &Overview) -> String {
         return paragraph("No object was assessed.");
     }
     let mut html = table("", &[headings], &rows);
-    html.push_str(&paragraph("The three consequences of FEMA E-74, as rated in the inventory."));
+    html.push_str(&paragraph(
+        "The three consequences of FEMA E-74, as rated in the inventory.",
+    ));
     html
 }
 
@@ -423,10 +532,22 @@ fn warnings(head: &Head, overview: &Overview) -> String {
             warnings.push(format!("{what}: {}. {why}", counted(objects, "object")));
         }
     };
-    count(overview.without_response, "Without a response", "Geometry or level is missing, or every history failed.");
-    count(overview.without_tolerance, "Without a tolerance", "Only falling was assessed.");
+    count(
+        overview.without_response,
+        "Without a response",
+        "Geometry or level is missing, or every history failed.",
+    );
+    count(
+        overview.without_tolerance,
+        "Without a tolerance",
+        "Only falling was assessed.",
+    );
     let left_out = "The failed histories are left out of every number.";
-    count(overview.with_failed_motions, "With histories that failed", left_out);
+    count(
+        overview.with_failed_motions,
+        "With histories that failed",
+        left_out,
+    );
     if head.warnings.is_empty() && head.problems.is_empty() && warnings.is_empty() {
         return paragraph("None.");
     }

@@ -6,7 +6,12 @@ use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, writ
 
 use super::*;
 
-const ALONE: Wanted = Wanted { parquet: false, workbook: false, report: true, pages: 200 };
+const ALONE: Wanted = Wanted {
+    parquet: false,
+    workbook: false,
+    report: true,
+    pages: 200,
+};
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {
     let (folder, names) = written(inventory, assessed, Wanted { pages, ..ALONE });
@@ -16,13 +21,20 @@ fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {
 
 /// The document as XML: a browser would forgive mistakes.
 fn parse(html: &str) -> roxmltree::Document<'_> {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
     roxmltree::Document::parse_with_options(html, options).unwrap()
 }
 
 fn pages(document: &roxmltree::Document) -> Vec<String> {
-    let sections = document.descendants().filter(|node| node.attribute("class") == Some("object"));
-    sections.filter_map(|node| node.attribute("id").map(str::to_owned)).collect()
+    let sections = document
+        .descendants()
+        .filter(|node| node.attribute("class") == Some("object"));
+    sections
+        .filter_map(|node| node.attribute("id").map(str::to_owned))
+        .collect()
 }
 
 #[test]
@@ -31,16 +43,34 @@ fn every_object_has_its_page_in_the_order_of_the_list() {
     let document = parse(&html);
     assert_eq!(pages(&document), (1..=12).map(anchor).collect::<Vec<_>>());
     // Every link leads somewhere, and nothing is loaded.
-    let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    let ids: Vec<&str> = document
+        .descendants()
+        .filter_map(|node| node.attribute("id"))
+        .collect();
     for node in document.descendants() {
         if let Some(target) = node.attribute("href") {
-            assert!(target.strip_prefix('#').is_some_and(|id| ids.contains(&id)), "{target}");
+            assert!(
+                target.strip_prefix('#').is_some_and(|id| ids.contains(&id)),
+                "{target}"
+            );
         }
-        assert!(node.attribute("src").is_none() && !node.has_tag_name("script") && !node.has_tag_name("link"));
+        assert!(
+            node.attribute("src").is_none()
+                && !node.has_tag_name("script")
+                && !node.has_tag_name("link")
+        );
     }
     assert!(!html.contains("url(") && !html.contains("@import"));
-    for words in ["▲ RESTRAIN", "◆ SOFTEN", "? NO VERDICT", "● LEAVE", "Eq", "AS 1170.4-2007, 8.2", "Level 4", "seed 1"]
-    {
+    for words in [
+        "▲ RESTRAIN",
+        "◆ SOFTEN",
+        "? NO VERDICT",
+        "● LEAVE",
+        "Eq",
+        "AS 1170.4-2007, 8.2",
+        "Level 4",
+        "seed 1",
+    ] {
         assert!(html.contains(words), "{words}");
     }
 }
@@ -62,7 +92,12 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
     let made = |head: &Head| summary::summary(head, &overview, 200);
     let html = made(&head);
     let labels = ["Date", "Prepared by", "Revision", "Signature"];
-    assert!(labels.iter().all(|label| html.contains(&format!("<div><b></b><span>{label}</span></div>"))), "{html}");
+    assert!(
+        labels
+            .iter()
+            .all(|label| html.contains(&format!("<div><b></b><span>{label}</span></div>"))),
+        "{html}"
+    );
     assert!(html.contains("98 % confidence"));
     head.title.preparer = Some("A. <Person>".to_owned());
     assert!(made(&head).contains("<b>A. &lt;Person&gt;</b><span>Prepared by</span>"));
@@ -71,12 +106,21 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
         let mut overview = Overview::new(3, 50);
         for one in &inventory.items {
             let found = crate::output::fixture::assessment(one, 0);
-            overview.add(&Line { item: one, found: Some((1, &found)) });
+            overview.add(&Line {
+                item: one,
+                found: Some((1, &found)),
+            });
         }
-        let head = Head { cards, ..crate::output::fixture::head(3) };
+        let head = Head {
+            cards,
+            ..crate::output::fixture::head(3)
+        };
         summary::summary(&head, &overview, 200)
     };
-    assert!(listed(true).contains("id=\"print-cards\" checked") && listed(false).contains("id=\"print-cards\"/>"));
+    assert!(
+        listed(true).contains("id=\"print-cards\" checked")
+            && listed(false).contains("id=\"print-cards\"/>")
+    );
     assert!(CSS.contains("main:not(:has(#print-cards:checked)) .object { display: none; }"));
 }
 
@@ -85,7 +129,9 @@ fn only_the_most_urgent_have_pages() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
     assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
-    assert!(html.contains("Objects up to rank 5 have a card below.") && html.contains("objects.csv"));
+    assert!(
+        html.contains("Objects up to rank 5 have a card below.") && html.contains("objects.csv")
+    );
     assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
 }
 
@@ -95,24 +141,54 @@ fn only_the_most_urgent_have_pages() {
 fn the_first_sheet_and_the_work_list_are_there() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
-    let section = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id)).unwrap();
-    let text = |node: roxmltree::Node| -> String { node.descendants().filter_map(|node| node.text()).collect() };
-    let main = document.descendants().find(|node| node.has_tag_name("main")).unwrap();
-    assert!(text(main).trim_start().starts_with("Nobody stated the place and the building: this is a 30-storey tower"));
+    let section = |id: &str| {
+        document
+            .descendants()
+            .find(|node| node.attribute("id") == Some(id))
+            .unwrap()
+    };
+    let text = |node: roxmltree::Node| -> String {
+        node.descendants().filter_map(|node| node.text()).collect()
+    };
+    let main = document
+        .descendants()
+        .find(|node| node.has_tag_name("main"))
+        .unwrap();
+    assert!(
+        text(main)
+            .trim_start()
+            .starts_with("Nobody stated the place and the building: this is a 30-storey tower")
+    );
     let sheet = text(section("one-page"));
-    for said in ["Main, 30 storeys, 90 m high", "ward.xlsx, sheet Objects, 24 objects", "Assessed: 12 of 12 objects."] {
+    for said in [
+        "Main, 30 storeys, 90 m high",
+        "ward.xlsx, sheet Objects, 24 objects",
+        "Assessed: 12 of 12 objects.",
+    ] {
         assert!(sheet.contains(said), "{said}: {sheet}");
     }
     let rows = |id: &str, class: &str| -> Vec<String> {
-        let tables = section(id).descendants().filter(|node| node.attribute("class") == Some(class));
-        let bodies = tables.flat_map(|table| table.children().filter(|node| node.has_tag_name("tbody")));
-        bodies.flat_map(|body| body.children().filter(|row| row.has_tag_name("tr")).map(text)).collect()
+        let tables = section(id)
+            .descendants()
+            .filter(|node| node.attribute("class") == Some(class));
+        let bodies =
+            tables.flat_map(|table| table.children().filter(|node| node.has_tag_name("tbody")));
+        bodies
+            .flat_map(|body| {
+                body.children()
+                    .filter(|row| row.has_tag_name("tr"))
+                    .map(text)
+            })
+            .collect()
     };
     assert_eq!(rows("one-page", "cards ten").len(), 10);
     let work = rows("floors", "cards work");
     // Of 12 objects three may be left; the five floors have a row each.
     assert_eq!(work.len(), 9 + 5);
-    assert!(work[0].contains("Level 4") && work.iter().all(|row| !row.contains("LEAVE")), "{work:#?}");
+    assert!(
+        work[0].contains("Level 4") && work.iter().all(|row| !row.contains("LEAVE")),
+        "{work:#?}"
+    );
     assert!(text(section("first")).contains(crate::rank::RULE));
 }
 
@@ -123,13 +199,29 @@ fn the_first_sheet_and_the_work_list_are_there() {
 fn an_object_prints_on_half_a_sheet() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 200);
     let document = parse(&html);
-    let is_folded = |node: &roxmltree::Node| node.ancestors().any(|one| one.has_tag_name("details"));
-    for object in document.descendants().filter(|node| node.attribute("class") == Some("object")) {
-        let texts = object.descendants().filter(|node| node.is_text() && !is_folded(node));
-        let printed: usize = texts.filter_map(|node| node.text()).map(|text| text.trim().chars().count()).sum();
+    let is_folded =
+        |node: &roxmltree::Node| node.ancestors().any(|one| one.has_tag_name("details"));
+    for object in document
+        .descendants()
+        .filter(|node| node.attribute("class") == Some("object"))
+    {
+        let texts = object
+            .descendants()
+            .filter(|node| node.is_text() && !is_folded(node));
+        let printed: usize = texts
+            .filter_map(|node| node.text())
+            .map(|text| text.trim().chars().count())
+            .sum();
         assert!((300..2_000).contains(&printed), "{printed}");
-        let folded: String = object.descendants().filter(is_folded).filter_map(|node| node.text()).collect();
-        assert!(folded.contains("How it was calculated") && folded.contains("R_D"), "{folded}");
+        let folded: String = object
+            .descendants()
+            .filter(is_folded)
+            .filter_map(|node| node.text())
+            .collect();
+        assert!(
+            folded.contains("How it was calculated") && folded.contains("R_D"),
+            "{folded}"
+        );
     }
 }
 
@@ -137,15 +229,29 @@ fn an_object_prints_on_half_a_sheet() {
 fn hostile_texts_stay_texts() {
     let html = html(&inventory(hostile_items()), 8, 200);
     let document = parse(&html);
-    let texts: String = document.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
+    let texts: String = document
+        .descendants()
+        .filter(|node| node.is_text())
+        .filter_map(|node| node.text())
+        .collect();
     for text in HOSTILE {
-        let shown: String =
-            text.chars().filter(|c| *c == '\n' || *c == '\t' || !c.is_control() && *c != '\u{fffe}').collect();
+        let shown: String = text
+            .chars()
+            .filter(|c| *c == '\n' || *c == '\t' || !c.is_control() && *c != '\u{fffe}')
+            .collect();
         assert!(texts.contains(&shown), "{shown}");
     }
-    assert!(document.descendants().all(|node| !["script", "img"].contains(&node.tag_name().name())));
+    assert!(
+        document
+            .descendants()
+            .all(|node| !["script", "img"].contains(&node.tag_name().name()))
+    );
     // Fifty thousand characters of one name do not fill the report.
-    assert!(html.contains("(truncated)") && html.len() < 200_000, "{}", html.len());
+    assert!(
+        html.contains("(truncated)") && html.len() < 200_000,
+        "{}",
+        html.len()
+    );
 }
 
 #[test]
@@ -168,7 +274,9 @@ fn nothing_is_a_report_too() {
 fn without_a_verdict_every_page_says_why() {
     let items = hostile_items().split_off(7);
     let html = html(&inventory(items), 1, 200);
-    assert!(html.contains("? NO VERDICT") && html.contains("Height, thickness and level are missing."));
+    assert!(
+        html.contains("? NO VERDICT") && html.contains("Height, thickness and level are missing.")
+    );
     parse(&html);
 }
 

@@ -27,7 +27,10 @@ impl<'a> Line<'a> {
     /// The line of a row.
     #[cfg(test)]
     pub(crate) fn of(row: &'a Row<'a>) -> Self {
-        Self { item: row.item, found: Some((row.rank, &row.found)) }
+        Self {
+            item: row.item,
+            found: Some((row.rank, &row.found)),
+        }
     }
 
     /// Its assessment.
@@ -75,17 +78,24 @@ pub(super) enum Cell<'a> {
 impl<'a> Cell<'a> {
     /// A text; an empty one is missing.
     pub(super) fn text(text: &'a str) -> Self {
-        if text.is_empty() { Self::Missing } else { Self::Text(Cow::Borrowed(text)) }
+        if text.is_empty() {
+            Self::Missing
+        } else {
+            Self::Text(Cow::Borrowed(text))
+        }
     }
 
     /// A text made for the cell.
     pub(super) fn owned(text: Option<String>) -> Self {
-        text.filter(|text| !text.is_empty()).map_or(Self::Missing, |text| Self::Text(Cow::Owned(text)))
+        text.filter(|text| !text.is_empty())
+            .map_or(Self::Missing, |text| Self::Text(Cow::Owned(text)))
     }
 
     /// A number; one that is not finite is missing.
     pub(super) fn number(value: Option<f64>) -> Self {
-        value.filter(|value| value.is_finite()).map_or(Self::Missing, Self::Number)
+        value
+            .filter(|value| value.is_finite())
+            .map_or(Self::Missing, Self::Number)
     }
 
     /// A whole number.
@@ -125,7 +135,9 @@ pub(super) const ROW: &str = "row";
 /// earlier header is renamed, because an inventory may be the `objects.csv` of an earlier run.
 pub(super) fn carried_names(carried: &[String]) -> Vec<String> {
     // Spreadsheets and databases treat `Rank` and `rank` as one name.
-    let ours = COLUMNS.iter().flat_map(|column| [column.name.to_owned(), overturned_name(column)]);
+    let ours = COLUMNS
+        .iter()
+        .flat_map(|column| [column.name.to_owned(), overturned_name(column)]);
     let mut taken: HashSet<String> = ours.map(|name| name.to_lowercase()).collect();
     // The JSON rows have the number of the row besides the columns.
     taken.insert(ROW.to_owned());
@@ -134,12 +146,20 @@ pub(super) fn carried_names(carried: &[String]) -> Vec<String> {
     let mut names = Vec::with_capacity(carried.len());
     for (i, header) in carried.iter().enumerate() {
         let header = header.trim();
-        let base = if header.is_empty() { format!("column {}", i + 1) } else { header.to_owned() };
+        let base = if header.is_empty() {
+            format!("column {}", i + 1)
+        } else {
+            header.to_owned()
+        };
         let count = met.entry(base.to_lowercase()).or_default();
         let mut name = base.clone();
         while !taken.insert(name.to_lowercase()) {
             *count += 1;
-            name = if *count == 1 { format!("{base} (inventory)") } else { format!("{base} (inventory {count})") };
+            name = if *count == 1 {
+                format!("{base} (inventory)")
+            } else {
+                format!("{base} (inventory {count})")
+            };
         }
         names.push(name);
     }
@@ -147,8 +167,15 @@ pub(super) fn carried_names(carried: &[String]) -> Vec<String> {
 }
 
 /// The cells that are carried through: one for each header, however many the row has.
-pub(super) fn carried_cells<'a>(inventory: &Inventory, item: &'a Item) -> impl Iterator<Item = Cell<'a>> {
-    (0..inventory.carried.len()).map(|i| item.carried.get(i).map_or(Cell::Missing, |text| Cell::text(text)))
+pub(super) fn carried_cells<'a>(
+    inventory: &Inventory,
+    item: &'a Item,
+) -> impl Iterator<Item = Cell<'a>> {
+    (0..inventory.carried.len()).map(|i| {
+        item.carried
+            .get(i)
+            .map_or(Cell::Missing, |text| Cell::text(text))
+    })
 }
 
 /// The name of the Boolean column that is `true` where a ranked number is `overturned`.

@@ -99,7 +99,10 @@ impl Places {
             full.split([' ', ',']).next() == Some(name)
         };
         let index = PARTS.iter().position(is_it);
-        index.and_then(|index| self.first.get(index)).copied().unwrap_or_default()
+        index
+            .and_then(|index| self.first.get(index))
+            .copied()
+            .unwrap_or_default()
     }
 }
 
@@ -113,7 +116,12 @@ impl Audit {
         let mut sheet = sheet(workbook, is_large, "Audit")?;
         let places = Places::new();
         let listed = inventory.items.len().min(MAX_OBJECTS);
-        put_text(&mut sheet, (0, 0), "Audit: Eqs. (5)–(8) for each object, at the world that decides", &styles.title)?;
+        put_text(
+            &mut sheet,
+            (0, 0),
+            "Audit: Eqs. (5)–(8) for each object, at the world that decides",
+            &styles.title,
+        )?;
         let words = [
             "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the \
              assessment and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
@@ -142,15 +150,26 @@ impl Audit {
         let largest = format!("MAX(MAX({ranges}),-MIN({ranges}))");
         put_formula(&mut sheet, (4, 1), &largest, Some(0.0), &styles.difference)?;
         if inventory.items.len() > MAX_OBJECTS {
-            let text = format!("This sheet has only the {} most urgent objects.", number(MAX_OBJECTS as f64, 9));
+            let text = format!(
+                "This sheet has only the {} most urgent objects.",
+                number(MAX_OBJECTS as f64, 9)
+            );
             put_text(&mut sheet, (5, 0), &text, &styles.warning)?;
         }
         headers(&mut sheet, &places, styles)?;
-        Ok(Self { sheet, row: HEADER_ROW + 1, without: 0, beyond: 0, places })
+        Ok(Self {
+            sheet,
+            row: HEADER_ROW + 1,
+            without: 0,
+            beyond: 0,
+            places,
+        })
     }
 
     pub(super) fn row(&mut self, styles: &Styles, line: &Line) -> Result<(), XlsxError> {
-        let Some((rank, found)) = line.found else { return Ok(()) };
+        let Some((rank, found)) = line.found else {
+            return Ok(());
+        };
         let Some(chain) = &found.chain else {
             self.without += 1;
             return Ok(());
@@ -160,7 +179,12 @@ impl Audit {
             return Ok(());
         }
         let governing = found.capacity.as_ref().map(|capacity| capacity.governing);
-        let mut writer = Writer { sheet: &mut self.sheet, places: &self.places, styles, row: self.row };
+        let mut writer = Writer {
+            sheet: &mut self.sheet,
+            places: &self.places,
+            styles,
+            row: self.row,
+        };
         writer.names(rank, line.item, chain)?;
         writer.inputs(line.item, chain)?;
         writer.geometry(line.item, chain)?;
@@ -173,13 +197,29 @@ impl Audit {
     pub(super) fn finish(mut self, styles: &Styles) -> Result<Worksheet, XlsxError> {
         let last = self.row.saturating_sub(1).max(HEADER_ROW + 1);
         let notes = [
-            (self.without, "without a landing: no uplift, overturned in the world that decides, or data missing"),
-            (self.beyond, "not among the most urgent: only in the sheet Objects"),
+            (
+                self.without,
+                "without a landing: no uplift, overturned in the world that decides, or data missing",
+            ),
+            (
+                self.beyond,
+                "not among the most urgent: only in the sheet Objects",
+            ),
         ];
-        for ((count, note), row) in notes.into_iter().filter(|(count, _)| *count > 0).zip(last + 2..) {
-            put_text(&mut self.sheet, (row, 0), &format!("Further objects, {note}: {count}"), &styles.text)?;
+        for ((count, note), row) in notes
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .zip(last + 2..)
+        {
+            put_text(
+                &mut self.sheet,
+                (row, 0),
+                &format!("Further objects, {note}: {count}"),
+                &styles.text,
+            )?;
         }
-        self.sheet.autofilter(HEADER_ROW, 0, last, self.places.columns - 1)?;
+        self.sheet
+            .autofilter(HEADER_ROW, 0, last, self.places.columns - 1)?;
         Ok(self.sheet)
     }
 }
@@ -197,8 +237,18 @@ fn headers(sheet: &mut Worksheet, places: &Places, styles: &Styles) -> Result<()
         }
         if let Check(name) = part {
             let short = name.split(' ').next().unwrap_or(name);
-            put_text(sheet, (HEADER_ROW, first + 1), &format!("{short}: value of the assessment"), &styles.header)?;
-            put_text(sheet, (HEADER_ROW, first + 2), &format!("{short}: difference"), &styles.header)?;
+            put_text(
+                sheet,
+                (HEADER_ROW, first + 1),
+                &format!("{short}: value of the assessment"),
+                &styles.header,
+            )?;
+            put_text(
+                sheet,
+                (HEADER_ROW, first + 2),
+                &format!("{short}: difference"),
+                &styles.header,
+            )?;
         }
     }
     Ok(())
@@ -245,12 +295,25 @@ struct Writer<'w> {
 
 impl Writer<'_> {
     fn names(&mut self, rank: usize, item: &Item, chain: &Chain) -> Result<(), XlsxError> {
-        put_number(self.sheet, (self.row, 0), Some(rank as f64), &self.styles.count)?;
+        put_number(
+            self.sheet,
+            (self.row, 0),
+            Some(rank as f64),
+            &self.styles.count,
+        )?;
         let form = Form::of(chain).words(chain.is_halted);
-        for (name, text) in
-            [("id", item.id.as_str()), ("motion", &chain.motion), ("axis", chain.axis.name()), ("form", form)]
-        {
-            put_text(self.sheet, (self.row, self.places.of(name)), text, &self.styles.text)?;
+        for (name, text) in [
+            ("id", item.id.as_str()),
+            ("motion", &chain.motion),
+            ("axis", chain.axis.name()),
+            ("form", form),
+        ] {
+            put_text(
+                self.sheet,
+                (self.row, self.places.of(name)),
+                text,
+                &self.styles.text,
+            )?;
         }
         Ok(())
     }
@@ -266,13 +329,30 @@ impl Writer<'_> {
             ("k", chain.stiffness_n_m),
             ("Δh", Some(chain.cg_rise_m)),
             ("uplift_m", Some(chain.uplift_m)),
-            ("edge_acceleration_impact_velocity_g", Some(chain.edge_acceleration_impact_velocity_g)),
-            ("tolerance_g", tolerance.and_then(|tolerance| Some(tolerance.peak_m_s2? / G0_M_S2))),
-            ("tolerance_velocity_change_m_s", tolerance.and_then(|tolerance| tolerance.velocity_change_m_s)),
-            ("tolerance_edge_lift_m", tolerance.and_then(|tolerance| tolerance.edge_lift_m)),
+            (
+                "edge_acceleration_impact_velocity_g",
+                Some(chain.edge_acceleration_impact_velocity_g),
+            ),
+            (
+                "tolerance_g",
+                tolerance.and_then(|tolerance| Some(tolerance.peak_m_s2? / G0_M_S2)),
+            ),
+            (
+                "tolerance_velocity_change_m_s",
+                tolerance.and_then(|tolerance| tolerance.velocity_change_m_s),
+            ),
+            (
+                "tolerance_edge_lift_m",
+                tolerance.and_then(|tolerance| tolerance.edge_lift_m),
+            ),
         ];
         for (name, value) in inputs {
-            put_number(self.sheet, (self.row, self.places.of(name)), value, &self.styles.input)?;
+            put_number(
+                self.sheet,
+                (self.row, self.places.of(name)),
+                value,
+                &self.styles.input,
+            )?;
         }
         Ok(())
     }
@@ -292,9 +372,17 @@ impl Writer<'_> {
         };
         let v_value = chain.base_m * (2.0 * G0_M_S2 * chain.cg_rise_m / i0_value).sqrt();
         let (radius_formula, i0_formula, r_d_formula) = if is_printed {
-            (format!("SQRT({h}^2+{t}^2)/2"), format!("4/3*{r}^2"), format!("1-3/8*{x}"))
+            (
+                format!("SQRT({h}^2+{t}^2)/2"),
+                format!("4/3*{r}^2"),
+                format!("1-3/8*{x}"),
+            )
         } else {
-            (format!("SQRT(({b}/2)^2+{z}^2)"), format!("({h}^2+{t}^2)/12+{r}^2"), format!("1-{b}^2/(2*{i0})"))
+            (
+                format!("SQRT(({b}/2)^2+{z}^2)"),
+                format!("({h}^2+{t}^2)/12+{r}^2"),
+                format!("1-{b}^2/(2*{i0})"),
+            )
         };
         let m_eff = match (is_printed, chain.is_halted) {
             (true, false) => format!("{m}*(1-0.1875*{x})"),
@@ -334,29 +422,48 @@ impl Writer<'_> {
         self.check("a", &drop, Some(chain.drop_acceleration_g))?;
         self.check("a_edge", &edge, Some(chain.edge_acceleration_g))?;
         self.check("Δv", &format!("2*{v}"), Some(chain.velocity_change_m_s))?;
-        self.check("T", &format!("PI()*SQRT({m_eff}/{k})"), Some(chain.pulse_duration_s))
+        self.check(
+            "T",
+            &format!("PI()*SQRT({m_eff}/{k})"),
+            Some(chain.pulse_duration_s),
+        )
     }
 
     /// Demand/capacity by the governing criterion, where there is a formula for it.
-    fn capacity(&mut self, item: &Item, chain: &Chain, governing: Option<Criterion>) -> Result<(), XlsxError> {
+    fn capacity(
+        &mut self,
+        item: &Item,
+        chain: &Chain,
+        governing: Option<Criterion>,
+    ) -> Result<(), XlsxError> {
         let [edge, change, larger] = ["a_edge", "Δv", "larger"].map(|name| self.at(name));
-        let [impact, lift] = ["edge_acceleration_impact_velocity_g", "uplift_m"].map(|name| self.at(name));
+        let [impact, lift] =
+            ["edge_acceleration_impact_velocity_g", "uplift_m"].map(|name| self.at(name));
         let peak = self.at("tolerance_g");
-        let [limit, survived] = ["tolerance_velocity_change_m_s", "tolerance_edge_lift_m"].map(|name| self.at(name));
-        let shock_g = chain.edge_acceleration_g.max(chain.edge_acceleration_impact_velocity_g);
-        let Some(ratio) = chain.demand_capacity_ratio else { return Ok(()) };
+        let [limit, survived] =
+            ["tolerance_velocity_change_m_s", "tolerance_edge_lift_m"].map(|name| self.at(name));
+        let shock_g = chain
+            .edge_acceleration_g
+            .max(chain.edge_acceleration_impact_velocity_g);
+        let Some(ratio) = chain.demand_capacity_ratio else {
+            return Ok(());
+        };
         if Form::of(chain) == Form::Law {
             return self.value("demand_capacity_ratio", ratio);
         }
         self.step("larger", &format!("MAX({edge},{impact})"), shock_g)?;
         let tolerance = item.tolerance.as_ref();
-        let has = |value: fn(&crate::library::Tolerance) -> Option<f64>| tolerance.and_then(value).is_some();
+        let has = |value: fn(&crate::library::Tolerance) -> Option<f64>| {
+            tolerance.and_then(value).is_some()
+        };
         // On a spring the velocity change is proportional to the shock.
         let changed = format!("{change}*{larger}/{edge}/{limit}");
         let (has_peak, has_change) = (has(|t| t.peak_m_s2), has(|t| t.velocity_change_m_s));
         let formula = match governing {
             Some(Criterion::Peak) if has_peak => format!("{larger}/{peak}"),
-            Some(Criterion::DamageBoundary) if has_peak && has_change => format!("MIN({larger}/{peak},{changed})"),
+            Some(Criterion::DamageBoundary) if has_peak && has_change => {
+                format!("MIN({larger}/{peak},{changed})")
+            }
             Some(Criterion::VelocityChange) if has_change => changed,
             Some(Criterion::EdgeLift) if has(|t| t.edge_lift_m) => format!("{lift}/{survived}"),
             _ => return self.value("demand_capacity_ratio", ratio),
@@ -376,20 +483,44 @@ impl Writer<'_> {
     /// A formula, the value of the assessment, and their difference.
     fn check(&mut self, name: &str, formula: &str, value: Option<f64>) -> Result<(), XlsxError> {
         let (row, column) = (self.row, self.places.of(name));
-        put_formula(self.sheet, (row, column), formula, value, &self.styles.formula)?;
+        put_formula(
+            self.sheet,
+            (row, column),
+            formula,
+            value,
+            &self.styles.formula,
+        )?;
         put_number(self.sheet, (row, column + 1), value, &self.styles.value)?;
-        let [computed, ours] = [column, column + 1].map(|column| format!("{}{}", letters(column), row + 1));
+        let [computed, ours] =
+            [column, column + 1].map(|column| format!("{}{}", letters(column), row + 1));
         let difference = format!("IF({ours}=0,{computed}-{ours},{computed}/{ours}-1)");
-        put_formula(self.sheet, (row, column + 2), &difference, value.map(|_| 0.0), &self.styles.difference)
+        put_formula(
+            self.sheet,
+            (row, column + 2),
+            &difference,
+            value.map(|_| 0.0),
+            &self.styles.difference,
+        )
     }
 
     /// A value without a formula.
     fn value(&mut self, name: &str, value: f64) -> Result<(), XlsxError> {
-        put_number(self.sheet, (self.row, self.places.of(name) + 1), Some(value), &self.styles.value)
+        put_number(
+            self.sheet,
+            (self.row, self.places.of(name) + 1),
+            Some(value),
+            &self.styles.value,
+        )
     }
 
     fn step(&mut self, name: &str, formula: &str, value: f64) -> Result<(), XlsxError> {
-        put_formula(self.sheet, (self.row, self.places.of(name)), formula, Some(value), &self.styles.formula)
+        put_formula(
+            self.sheet,
+            (self.row, self.places.of(name)),
+            formula,
+            Some(value),
+            &self.styles.formula,
+        )
     }
 }
 
@@ -414,7 +545,10 @@ mod tests {
 
     #[test]
     fn columns_have_their_names() {
-        assert_eq!([0, 25, 26, 701, 702].map(letters), ["A", "Z", "AA", "ZZ", "AAA"]);
+        assert_eq!(
+            [0, 25, 26, 701, 702].map(letters),
+            ["A", "Z", "AA", "ZZ", "AAA"]
+        );
         let places = Places::new();
         // No two parts share a column, and every short name finds its part.
         let found: Vec<ColNum> = PARTS

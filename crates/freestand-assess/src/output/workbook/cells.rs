@@ -1,6 +1,8 @@
 //! Formats, and cells written with a definite type.
 
-use rust_xlsxwriter::{ColNum, Format, FormatAlign, FormatBorder, Formula, RowNum, Worksheet, XlsxError};
+use rust_xlsxwriter::{
+    ColNum, Format, FormatAlign, FormatBorder, Formula, RowNum, Worksheet, XlsxError,
+};
 
 use crate::output::csv::OVERTURNED;
 use crate::output::table::Cell;
@@ -32,12 +34,22 @@ pub(super) struct Styles {
 impl Styles {
     pub(super) fn new() -> Self {
         let top = Format::new().set_align(FormatAlign::Top);
-        let header = top.clone().set_bold().set_text_wrap().set_border_bottom(FormatBorder::Medium);
+        let header = top
+            .clone()
+            .set_bold()
+            .set_text_wrap()
+            .set_border_bottom(FormatBorder::Medium);
         let number = top.clone().set_num_format("0.0###");
         Self {
             title: Format::new().set_bold().set_font_size(16),
-            heading: Format::new().set_bold().set_font_size(12).set_border_bottom(FormatBorder::Thin),
-            header_of_numbers: header.clone().set_background_color(0x00E8_EDF2).set_align(FormatAlign::Right),
+            heading: Format::new()
+                .set_bold()
+                .set_font_size(12)
+                .set_border_bottom(FormatBorder::Thin),
+            header_of_numbers: header
+                .clone()
+                .set_background_color(0x00E8_EDF2)
+                .set_align(FormatAlign::Right),
             header: header.set_background_color(0x00E8_EDF2),
             wrapped: top.clone().set_text_wrap(),
             text: top.clone(),
@@ -47,7 +59,10 @@ impl Styles {
             formula: number.clone().set_background_color(0x00EE_F5EA),
             value: number.clone(),
             difference: top.clone().set_num_format("0.0E+00"),
-            warning: top.set_bold().set_border(FormatBorder::Medium).set_background_color(0x00FF_F2CC),
+            warning: top
+                .set_bold()
+                .set_border(FormatBorder::Medium)
+                .set_background_color(0x00FF_F2CC),
             number,
         }
     }
@@ -104,13 +119,22 @@ pub(super) fn put(
     match cell {
         Cell::Text(text) => put_text(sheet, place, text, &styles.text),
         Cell::Number(value) => {
-            let format = if is_share { &styles.percent } else { &styles.number };
+            let format = if is_share {
+                &styles.percent
+            } else {
+                &styles.number
+            };
             put_number(sheet, place, Some(*value), format)
         }
         // A count beyond 2^53 loses its last digits, as every number of a spreadsheet does.
         Cell::Count(value) => put_number(sheet, place, Some(*value as f64), &styles.count),
         Cell::Overturned => put_text(sheet, place, OVERTURNED, &styles.text),
-        Cell::Flag(value) => put_text(sheet, place, if *value { "yes" } else { "no" }, &styles.text),
+        Cell::Flag(value) => put_text(
+            sheet,
+            place,
+            if *value { "yes" } else { "no" },
+            &styles.text,
+        ),
         Cell::Missing => Ok(()),
     }
 }
@@ -139,7 +163,10 @@ mod tests {
         assert_eq!(fitting("=A1\u{fffe}"), "=A1");
         let long = fitting(&"🪨".repeat(20_000));
         assert!(long.ends_with(CUT) && long.encode_utf16().count() < 32_767);
-        assert_eq!(long.encode_utf16().count(), MAX_TEXT_UNITS + CUT.encode_utf16().count());
+        assert_eq!(
+            long.encode_utf16().count(),
+            MAX_TEXT_UNITS + CUT.encode_utf16().count()
+        );
         // 20,000 characters of three bytes each are 20,000 units.
         assert_eq!(fitting(&"–".repeat(20_000)).len(), 60_000);
     }

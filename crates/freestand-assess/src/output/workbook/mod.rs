@@ -62,18 +62,34 @@ impl Book {
             }
             // With the date of a clock, two runs of the same study would give different files.
             let date = ExcelDateTime::from_ymd(2000, 1, 1)?;
-            workbook.set_properties(&DocProperties::new().set_title("Assessment").set_creation_datetime(&date));
+            workbook.set_properties(
+                &DocProperties::new()
+                    .set_title("Assessment")
+                    .set_creation_datetime(&date),
+            );
             let styles = Styles::new();
             let objects = Objects::begin(&mut workbook, is_large, &styles, inventory)?;
             let audit = Audit::begin(&mut workbook, is_large, &styles, inventory)?;
-            Ok(Self { workbook, styles, objects, audit, is_large })
+            Ok(Self {
+                workbook,
+                styles,
+                objects,
+                audit,
+                is_large,
+            })
         })
     }
 
     /// One object.
     pub(super) fn row(&mut self, inventory: &Inventory, line: &Line) -> Result<(), Problem> {
         guarded(|| {
-            let Self { workbook, styles, objects, audit, is_large } = self;
+            let Self {
+                workbook,
+                styles,
+                objects,
+                audit,
+                is_large,
+            } = self;
             objects.row(workbook, *is_large, styles, inventory, line)?;
             audit.row(styles, line)
         })
@@ -90,13 +106,15 @@ impl Book {
         let path = folder.path_of(WORKBOOK_NAME)?;
         guarded(move || {
             let styles = &self.styles;
-            self.workbook.push_worksheet(summary::summary(head, overview, styles)?);
+            self.workbook
+                .push_worksheet(summary::summary(head, overview, styles)?);
             for sheet in self.objects.finish()? {
                 self.workbook.push_worksheet(sheet);
             }
             self.workbook.push_worksheet(self.audit.finish(styles)?);
             self.workbook.push_worksheet(summary::columns(styles)?);
-            self.workbook.push_worksheet(summary::sources(sources, styles)?);
+            self.workbook
+                .push_worksheet(summary::sources(sources, styles)?);
             let file = File::create_new(path)?;
             self.workbook.save_to_writer(BufWriter::new(file))
         })
@@ -105,7 +123,11 @@ impl Book {
 
 /// A sheet, in a temporary file for a large workbook: rows then come in order.
 fn sheet(workbook: &mut Workbook, is_large: bool, name: &str) -> Result<Worksheet, XlsxError> {
-    let mut sheet = if is_large { workbook.new_worksheet_with_constant_memory()? } else { Worksheet::new() };
+    let mut sheet = if is_large {
+        workbook.new_worksheet_with_constant_memory()?
+    } else {
+        Worksheet::new()
+    };
     sheet.set_name(name)?;
     Ok(sheet)
 }
@@ -113,12 +135,16 @@ fn sheet(workbook: &mut Workbook, is_large: bool, name: &str) -> Result<Workshee
 /// The library panics where a temporary file cannot be written, mostly because the disk is full:
 /// that becomes a problem.
 fn guarded<T>(work: impl FnOnce() -> Result<T, XlsxError>) -> Result<T, Problem> {
-    let failed = |message: String| Problem::new(ProblemKind::Io, format!("cannot write {WORKBOOK_NAME}: {message}"));
+    let failed = |message: String| {
+        Problem::new(
+            ProblemKind::Io,
+            format!("cannot write {WORKBOOK_NAME}: {message}"),
+        )
+    };
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(result) => result.map_err(|error| failed(error.to_string())),
-        Err(_) => {
-            Err(failed("its temporary files cannot be written".to_owned()).hint("check whether the disk is full"))
-        }
+        Err(_) => Err(failed("its temporary files cannot be written".to_owned())
+            .hint("check whether the disk is full")),
     }
 }
 

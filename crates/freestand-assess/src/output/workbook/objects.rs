@@ -1,8 +1,8 @@
 //! The sheets of objects: every column of `objects.csv`.
 
 use rust_xlsxwriter::{
-    ColNum, ConditionalFormatCell, ConditionalFormatCellRule, ConditionalFormatText, ConditionalFormatTextRule, Format,
-    RowNum, Workbook, Worksheet, XlsxError,
+    ColNum, ConditionalFormatCell, ConditionalFormatCellRule, ConditionalFormatText,
+    ConditionalFormatTextRule, Format, RowNum, Workbook, Worksheet, XlsxError,
 };
 
 use crate::inventory::Inventory;
@@ -31,7 +31,11 @@ impl Objects {
     ) -> Result<Self, XlsxError> {
         // A sheet has 16,384 columns; carried ones beyond them are in the CSV alone.
         let columns = (COLUMNS.len() + inventory.carried.len()).min(16_384);
-        let mut objects = Self { sheets: Vec::new(), row: 0, columns: columns as ColNum };
+        let mut objects = Self {
+            sheets: Vec::new(),
+            row: 0,
+            columns: columns as ColNum,
+        };
         objects.next_sheet(workbook, is_large, styles, inventory)?;
         Ok(objects)
     }
@@ -48,11 +52,20 @@ impl Objects {
             self.next_sheet(workbook, is_large, styles, inventory)?;
         }
         let (row, columns) = (self.row, self.columns);
-        let Some(sheet) = self.sheets.last_mut() else { return Ok(()) };
+        let Some(sheet) = self.sheets.last_mut() else {
+            return Ok(());
+        };
         for (column, at) in COLUMNS.iter().zip(0..) {
-            put(sheet, (row, at), &(column.cell)(line), styles, column.kind == Kind::Share)?;
+            put(
+                sheet,
+                (row, at),
+                &(column.cell)(line),
+                styles,
+                column.kind == Kind::Share,
+            )?;
         }
-        for (cell, at) in carried_cells(inventory, line.item).zip(COLUMNS.len() as ColNum..columns) {
+        for (cell, at) in carried_cells(inventory, line.item).zip(COLUMNS.len() as ColNum..columns)
+        {
             put(sheet, (row, at), &cell, styles, false)?;
         }
         self.row += 1;
@@ -88,7 +101,10 @@ impl Objects {
             sheet.set_column_width(at, width(column))?;
             put_text(&mut sheet, (0, at), column.name, &styles.header)?;
         }
-        for (name, at) in carried_names(&inventory.carried).iter().zip(COLUMNS.len() as ColNum..self.columns) {
+        for (name, at) in carried_names(&inventory.carried)
+            .iter()
+            .zip(COLUMNS.len() as ColNum..self.columns)
+        {
             sheet.set_column_width(at, 16)?;
             put_text(&mut sheet, (0, at), name, &styles.header)?;
         }
@@ -103,7 +119,8 @@ fn width(column: &Column) -> f64 {
         (_, "why" | "remarks" | "notes") => 60.0,
         (
             _,
-            "item" | "location" | "tolerance" | "tolerance_source" | "cushion" | "restraint_source" | "anchor_source",
+            "item" | "location" | "tolerance" | "tolerance_source" | "cushion" | "restraint_source"
+            | "anchor_source",
         ) => 26.0,
         (Kind::Text | Kind::Decision, _) => 15.0,
         (Kind::Count, _) => 9.0,
@@ -117,20 +134,28 @@ fn colour(sheet: &mut Worksheet, last_row: RowNum) -> Result<(), XlsxError> {
         if column.kind == Kind::Decision {
             for decision in Decision::ALL {
                 let rule = ConditionalFormatCellRule::EqualTo(decision.name());
-                let format = Format::new().set_bold().set_background_color(colours(decision).fill);
-                let rule = ConditionalFormatCell::new().set_rule(rule).set_format(format);
+                let format = Format::new()
+                    .set_bold()
+                    .set_background_color(colours(decision).fill);
+                let rule = ConditionalFormatCell::new()
+                    .set_rule(rule)
+                    .set_format(format);
                 sheet.add_conditional_format(1, at, last_row, at, &rule)?;
             }
         }
         if column.kind == Kind::Ranked {
             let rule = ConditionalFormatTextRule::Contains(OVERTURNED.to_owned());
             let format = Format::new().set_bold().set_italic();
-            let rule = ConditionalFormatText::new().set_rule(rule).set_format(format);
+            let rule = ConditionalFormatText::new()
+                .set_rule(rule)
+                .set_format(format);
             sheet.add_conditional_format(1, at, last_row, at, &rule)?;
         }
         if column.name.starts_with("demand_capacity_ratio") {
             let rule = ConditionalFormatCellRule::GreaterThan(1.0);
-            let rule = ConditionalFormatCell::new().set_rule(rule).set_format(Format::new().set_bold());
+            let rule = ConditionalFormatCell::new()
+                .set_rule(rule)
+                .set_format(Format::new().set_bold());
             sheet.add_conditional_format(1, at, last_row, at, &rule)?;
         }
     }

@@ -21,7 +21,11 @@ const WIDTHS: [f64; 8] = [34.0, 22.0, 30.0, 16.0, 16.0, 26.0, 16.0, 70.0];
 const LINE_POINTS: f64 = 15.0;
 
 /// The first sheet.
-pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Result<Worksheet, XlsxError> {
+pub(super) fn summary(
+    head: &Head,
+    overview: &Overview,
+    styles: &Styles,
+) -> Result<Worksheet, XlsxError> {
     let mut sheet = Worksheet::new();
     sheet.set_name("Summary")?;
     sheet.set_landscape();
@@ -29,8 +33,16 @@ pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Resu
     for (column, width) in (0..).zip(WIDTHS) {
         sheet.set_column_width(column, width)?;
     }
-    let mut page = Page { sheet, styles, row: 0 };
-    page.text(0, "Assessment: which objects must be restrained", &styles.title)?;
+    let mut page = Page {
+        sheet,
+        styles,
+        row: 0,
+    };
+    page.text(
+        0,
+        "Assessment: which objects must be restrained",
+        &styles.title,
+    )?;
     page.row += 1;
     if let Some(no_study) = &head.no_study {
         page.text(0, no_study, &styles.warning)?;
@@ -58,7 +70,12 @@ pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
     let mut sheet = Worksheet::new();
     sheet.set_name("Columns")?;
     sheet.set_freeze_panes(1, 0)?;
-    for (column, (width, name)) in (0..).zip([(40.0, "name"), (10.0, "unit"), (14.0, "kind"), (90.0, "meaning")]) {
+    for (column, (width, name)) in (0..).zip([
+        (40.0, "name"),
+        (10.0, "unit"),
+        (14.0, "kind"),
+        (90.0, "meaning"),
+    ]) {
         sheet.set_column_width(column, width)?;
         put_text(&mut sheet, (0, column), name, &styles.header)?;
     }
@@ -70,7 +87,10 @@ pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
             Kind::Ranked => "number or overturned",
             Kind::Flag => "yes or no",
         };
-        for (text, at) in [column.name, column.unit, kind, column.meaning].into_iter().zip(0..) {
+        for (text, at) in [column.name, column.unit, kind, column.meaning]
+            .into_iter()
+            .zip(0..)
+        {
             put_text(&mut sheet, (row, at), text, &styles.text)?;
         }
     }
@@ -85,7 +105,12 @@ pub(super) fn sources(sources: &Sources, styles: &Styles) -> Result<Worksheet, X
     let mut sheet = Worksheet::new();
     sheet.set_name("Sources")?;
     sheet.set_freeze_panes(1, 0)?;
-    for (column, (width, name)) in (0..).zip([(18.0, "of"), (90.0, "source"), (28.0, "trust"), (10.0, "objects")]) {
+    for (column, (width, name)) in (0..).zip([
+        (18.0, "of"),
+        (90.0, "source"),
+        (28.0, "trust"),
+        (10.0, "objects"),
+    ]) {
         sheet.set_column_width(column, width)?;
         put_text(&mut sheet, (0, column), name, &styles.header)?;
     }
@@ -100,7 +125,10 @@ pub(super) fn sources(sources: &Sources, styles: &Styles) -> Result<Worksheet, X
 
 /// The headers of a table with a count for each decision.
 fn with_decisions(first: [&'static str; 3]) -> Vec<&'static str> {
-    first.into_iter().chain(Decision::ALL.map(Decision::name)).collect()
+    first
+        .into_iter()
+        .chain(Decision::ALL.map(Decision::name))
+        .collect()
 }
 
 /// A sheet that is written from the top down.
@@ -120,7 +148,8 @@ impl Page<'_> {
     fn sentence(&mut self, text: &str) -> Result<(), XlsxError> {
         let last = WIDTHS.len() as ColNum - 1;
         let fitting = super::cells::fitting(text);
-        self.sheet.merge_range(self.row, 0, self.row, last, &fitting, &self.styles.wrapped)?;
+        self.sheet
+            .merge_range(self.row, 0, self.row, last, &fitting, &self.styles.wrapped)?;
         self.heighten(&fitting, WIDTHS.iter().sum())?;
         self.row += 1;
         Ok(())
@@ -129,7 +158,9 @@ impl Page<'_> {
     /// Makes the row high enough for a text that is wrapped within `width` characters.
     fn heighten(&mut self, text: &str, width: f64) -> Result<(), XlsxError> {
         // Letters differ in width: a tenth is left free.
-        let lines = (text.chars().count() as f64 / (0.9 * width)).ceil().clamp(1.0, 20.0);
+        let lines = (text.chars().count() as f64 / (0.9 * width))
+            .ceil()
+            .clamp(1.0, 20.0);
         self.sheet.set_row_height(self.row, LINE_POINTS * lines)?;
         Ok(())
     }
@@ -146,7 +177,11 @@ impl Page<'_> {
         self.sheet.set_row_height(self.row, 31)?;
         for (name, column) in names.iter().zip(0..) {
             let is_number = numbers.contains(&column);
-            let format = if is_number { &self.styles.header_of_numbers } else { &self.styles.header };
+            let format = if is_number {
+                &self.styles.header_of_numbers
+            } else {
+                &self.styles.header
+            };
             self.text(column, name, format)?;
         }
         self.row += 1;
@@ -154,15 +189,37 @@ impl Page<'_> {
     }
 
     fn number(&mut self, column: ColNum, value: f64) -> Result<(), XlsxError> {
-        put_number(&mut self.sheet, (self.row, column), Some(value), &self.styles.count)
+        put_number(
+            &mut self.sheet,
+            (self.row, column),
+            Some(value),
+            &self.styles.count,
+        )
     }
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Verdicts")?;
-        self.header(&["verdict", "objects", "pieces", "share of the objects", "action"], 1..4)?;
+        self.header(
+            &[
+                "verdict",
+                "objects",
+                "pieces",
+                "share of the objects",
+                "action",
+            ],
+            1..4,
+        )?;
         for decision in Decision::ALL {
-            let format = self.styles.text.clone().set_background_color(colours(decision).fill);
-            self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
+            let format = self
+                .styles
+                .text
+                .clone()
+                .set_background_color(colours(decision).fill);
+            self.text(
+                0,
+                &format!("{} {}", sign(decision), label(decision)),
+                &format,
+            )?;
             let objects = overview.counts.of(decision) as f64;
             self.number(1, objects)?;
             self.number(2, overview.counts.pieces[decision as usize] as f64)?;
@@ -194,8 +251,18 @@ impl Page<'_> {
         self.header(&header, 1..header.len() as ColNum)?;
         for floor in overview.floors() {
             self.text(0, &floor.name, &self.styles.text)?;
-            put_number(&mut self.sheet, (self.row, 1), floor.level_ratio, &self.styles.number)?;
-            put_number(&mut self.sheet, (self.row, 2), floor.pfa_g_median, &self.styles.number)?;
+            put_number(
+                &mut self.sheet,
+                (self.row, 1),
+                floor.level_ratio,
+                &self.styles.number,
+            )?;
+            put_number(
+                &mut self.sheet,
+                (self.row, 2),
+                floor.pfa_g_median,
+                &self.styles.number,
+            )?;
             self.by_decision(3, &floor.counts)?;
         }
         Ok(())
@@ -233,15 +300,35 @@ impl Page<'_> {
             0..0,
         )?;
         for one in overview.urgent.values() {
-            let format = self.styles.text.clone().set_background_color(colours(one.decision).fill);
-            self.text(0, &format!("{}. {} {}", one.rank, one.id, one.item), &self.styles.text)?;
-            self.text(1, &format!("{} {}", sign(one.decision), label(one.decision)), &format)?;
+            let format = self
+                .styles
+                .text
+                .clone()
+                .set_background_color(colours(one.decision).fill);
+            self.text(
+                0,
+                &format!("{}. {} {}", one.rank, one.id, one.item),
+                &self.styles.text,
+            )?;
+            self.text(
+                1,
+                &format!("{} {}", sign(one.decision), label(one.decision)),
+                &format,
+            )?;
             self.text(2, &one.place, &self.styles.text)?;
-            let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
+            let ratio = one
+                .demand_capacity
+                .map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
             self.text(3, &ratio, &self.styles.text)?;
-            self.text(4, one.governing.map_or("–", Criterion::name), &self.styles.text)?;
+            self.text(
+                4,
+                one.governing.map_or("–", Criterion::name),
+                &self.styles.text,
+            )?;
             self.text(5, &one.chance, &self.styles.text)?;
-            let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
+            let shock = one
+                .shock_g
+                .map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
             self.text(6, &shock, &self.styles.text)?;
             self.text(7, &one.why, &self.styles.wrapped)?;
             self.heighten(&one.why, WIDTHS[7])?;

@@ -52,7 +52,11 @@ pub(crate) struct CurveArgs {
     limit: Option<Given>,
 }
 
-pub(crate) fn run(args: &CurveArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &CurveArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let drop_height_m = values.read(&args.drop_height);
     let thickness_m = values.read(&args.thickness);
@@ -62,9 +66,20 @@ pub(crate) fn run(args: &CurveArgs, global: &GlobalArgs, printer: &Printer) -> R
     let limit_m_s2 = values.read(&args.limit);
     values.finish()?;
     let static_stress_pa = stated_pa.or(mass.zip(area).map(|(mass, area)| mass * G0_M_S2 / area));
-    let request = CurveRequest { drop_height_m, thickness_m, static_stress_pa, limit_m_s2 };
+    let request = CurveRequest {
+        drop_height_m,
+        thickness_m,
+        static_stress_pa,
+        limit_m_s2,
+    };
     let files = Files::begin(global, std::slice::from_ref(&args.file))?;
     let report = cushion_curve(&args.file, &request)?;
-    files.print(printer, "freestand.cushion-curve/1", &report.facts, &report.warnings, || lines(&report.facts))?;
+    files.print(
+        printer,
+        "freestand.cushion-curve/1",
+        &report.facts,
+        &report.warnings,
+        || lines(&report.facts),
+    )?;
     Ok(Done::OK)
 }

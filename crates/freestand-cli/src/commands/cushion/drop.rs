@@ -103,9 +103,19 @@ pub(crate) struct DropArgs {
 
 const SCHEMA: &str = "freestand.cushion-drop/1";
 
-pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &DropArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let request = request(args, global)?;
-    let files = Files::with_tables(global, &args.files, &args.tables, SCHEMA, Some(global.seed()))?;
+    let files = Files::with_tables(
+        global,
+        &args.files,
+        &args.tables,
+        SCHEMA,
+        Some(global.seed()),
+    )?;
     let report = drop_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
         if !test.test.points.is_empty() {
@@ -115,17 +125,32 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(toml) = cushion_toml(&report.pooled) {
         files.write("cushion.toml", || toml)?;
     }
-    if files.wanted() && report.tests.iter().any(|test| test.test.identified.is_some()) {
+    if files.wanted()
+        && report
+            .tests
+            .iter()
+            .any(|test| test.test.identified.is_some())
+    {
         for figure in drop_figures(&report)? {
             files.drawn(&figure.name, &figure)?;
         }
     }
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        session.beside(&Beside { loops: report.tests.iter().map(|test| Loop::of(&test.test)).collect() });
+        session.beside(&Beside {
+            loops: report
+                .tests
+                .iter()
+                .map(|test| Loop::of(&test.test))
+                .collect(),
+        });
     }
-    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
+        text(&report)
+    })?;
     printer.failed(&report.failed);
-    Ok(Done { criterion_met: report.all_gave() })
+    Ok(Done {
+        criterion_met: report.all_gave(),
+    })
 }
 
 /// What goes beside the document of who wants to draw the loops.
@@ -143,8 +168,15 @@ struct Loop {
 
 impl Loop {
     fn of(test: &DropTest) -> Self {
-        let (compression_m, force_n) = test.points.iter().map(|point| (point.compression_m, point.force_n)).unzip();
-        Self { compression_m, force_n }
+        let (compression_m, force_n) = test
+            .points
+            .iter()
+            .map(|point| (point.compression_m, point.force_n))
+            .unzip();
+        Self {
+            compression_m,
+            force_n,
+        }
     }
 }
 
@@ -162,7 +194,9 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         mass_kg: values.read(&args.mass),
         height_m: values.read(&args.height),
         impact_velocity_m_s: values.read(&args.impact_velocity),
-        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
+        velocity_error_ratio: values
+            .read(&args.velocity_error)
+            .unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
         gravity_m_s2: values.read(&args.gravity).unwrap_or(G0_M_S2),
         filter_corner_hz: values.read(&args.corner),
         law: args.law,
@@ -184,7 +218,10 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
         ratio if ratio <= 0.5 => Ok(ratio),
         _ => {
             let hint = "leave --height and --impact-velocity out: the velocity is then found from the pulse";
-            Err(Problem::value(format!("at most 50 % is accepted, not \"{text}\""), hint))
+            Err(Problem::value(
+                format!("at most 50 % is accepted, not \"{text}\""),
+                hint,
+            ))
         }
     }
 }
@@ -210,12 +247,19 @@ const COLUMNS: [Column; 14] = [
 /// Where no file has several drops, their number says nothing.
 fn columns(report: &DropsReport) -> Vec<Column> {
     let is_shown = report.tests.iter().any(|test| test.drop > 1);
-    COLUMNS.into_iter().filter(|(key, ..)| is_shown || *key != "drop").collect()
+    COLUMNS
+        .into_iter()
+        .filter(|(key, ..)| is_shown || *key != "drop")
+        .collect()
 }
 
 fn text(report: &DropsReport) -> String {
     let tests: Vec<Facts> = report.tests.iter().map(DropReport::facts).collect();
-    let mut out = if let [one] = tests.as_slice() { lines(one) } else { facts_table(&tests, &columns(report)) };
+    let mut out = if let [one] = tests.as_slice() {
+        lines(one)
+    } else {
+        facts_table(&tests, &columns(report))
+    };
     if report.pooled.pad.is_some() {
         out += &format!("\n{}", lines(&report.pooled.facts()));
     }

@@ -60,26 +60,70 @@ pub(crate) struct SearchArgs {
 
 const LAYOUT: Layout<CushionEntry> = Layout {
     schema: "freestand.cushion-library/1",
-    headings: ["id", "stiffness range", "mean", "confidence", "item", "source"],
+    headings: [
+        "id",
+        "stiffness range",
+        "mean",
+        "confidence",
+        "item",
+        "source",
+    ],
     cells: |entry| {
         let confidence = entry.confidence.name().to_owned();
-        [entry.id.clone(), entry.range_words(), mean(entry), confidence, entry.item.clone(), entry.source_words()]
+        [
+            entry.id.clone(),
+            entry.range_words(),
+            mean(entry),
+            confidence,
+            entry.item.clone(),
+            entry.source_words(),
+        ]
     },
     remark: "estimates, not measurements",
     fields,
     notice: |_| "",
 };
 
-pub(crate) fn list(args: &ListArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    print(CushionLibrary::builtin(), &args.library, Wanted::All, &LAYOUT, (global, printer))
+pub(crate) fn list(
+    args: &ListArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    print(
+        CushionLibrary::builtin(),
+        &args.library,
+        Wanted::All,
+        &LAYOUT,
+        (global, printer),
+    )
 }
 
-pub(crate) fn show(args: &ShowArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    print(CushionLibrary::builtin(), &args.library, Wanted::WithId(&args.id), &LAYOUT, (global, printer))
+pub(crate) fn show(
+    args: &ShowArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    print(
+        CushionLibrary::builtin(),
+        &args.library,
+        Wanted::WithId(&args.id),
+        &LAYOUT,
+        (global, printer),
+    )
 }
 
-pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    print(CushionLibrary::builtin(), &args.library, Wanted::WithWords(&args.words), &LAYOUT, (global, printer))
+pub(crate) fn search(
+    args: &SearchArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    print(
+        CushionLibrary::builtin(),
+        &args.library,
+        Wanted::WithWords(&args.words),
+        &LAYOUT,
+        (global, printer),
+    )
 }
 
 /// The mean stiffness: three digits are enough for so wide a range.
@@ -94,15 +138,40 @@ fn fields(entry: &CushionEntry) -> Fields {
         ("item", text(&entry.item)),
         ("stiffness range", Some(entry.range_words())),
         ("geometric mean", Some(mean(entry))),
-        ("scatter of ln k", Some(format!("{} (the range is taken as 16 to 84 %)", number(entry.log_sd, 3)))),
-        ("thickness", entry.thickness_m.map(|t| format_si(t, Dimension::Length))),
-        ("pads per edge", Some(format!("{} unless the inventory gives another number", entry.pads_per_edge))),
+        (
+            "scatter of ln k",
+            Some(format!(
+                "{} (the range is taken as 16 to 84 %)",
+                number(entry.log_sd, 3)
+            )),
+        ),
+        (
+            "thickness",
+            entry.thickness_m.map(|t| format_si(t, Dimension::Length)),
+        ),
+        (
+            "pads per edge",
+            Some(format!(
+                "{} unless the inventory gives another number",
+                entry.pads_per_edge
+            )),
+        ),
         ("source", text(&entry.source)),
         ("edition", text(&entry.edition)),
         ("clause", text(&entry.clause)),
         ("page", text(&entry.page)),
-        ("confidence", Some(format!("{}: {}", entry.confidence.name(), entry.confidence.description()))),
-        ("use", text("an estimate, not a measurement: a drop test is better")),
+        (
+            "confidence",
+            Some(format!(
+                "{}: {}",
+                entry.confidence.name(),
+                entry.confidence.description()
+            )),
+        ),
+        (
+            "use",
+            text("an estimate, not a measurement: a drop test is better"),
+        ),
         ("note", text(&entry.note)),
         ("origin", text(&entry.origin)),
     ]

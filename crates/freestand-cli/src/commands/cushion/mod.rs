@@ -40,7 +40,11 @@ enum CushionCommand {
     Search(library::SearchArgs),
 }
 
-pub(crate) fn run(args: &CushionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &CushionArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     match &args.command {
         CushionCommand::Drop(args) => drop::run(args, global, printer),
         CushionCommand::Static(args) => static_curve::run(args, global, printer),

@@ -51,35 +51,59 @@ struct Report {
     rows: Vec<Facts<'static>>,
 }
 
-pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RecoveryArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let usual = RecoveryRequest::worked_example()?;
-    let biases_g = values.read(&args.bias).map(|biases| biases.iter().map(|bias| bias / G0_M_S2).collect());
+    let biases_g = values
+        .read(&args.bias)
+        .map(|biases| biases.iter().map(|bias| bias / G0_M_S2).collect());
     let request = RecoveryRequest {
-        samples_per_contact: values.read(&args.samples_per_contact).unwrap_or(usual.samples_per_contact),
+        samples_per_contact: values
+            .read(&args.samples_per_contact)
+            .unwrap_or(usual.samples_per_contact),
         noise_ratios: values.read(&args.noise).unwrap_or(usual.noise_ratios),
         biases_g: biases_g.unwrap_or(usual.biases_g),
-        zero_shift_ratios: values.read(&args.zero_shift).unwrap_or(usual.zero_shift_ratios),
+        zero_shift_ratios: values
+            .read(&args.zero_shift)
+            .unwrap_or(usual.zero_shift_ratios),
         drops: args.drops.map_or(usual.drops, |drops| drops as usize),
         seed: global.seed(),
         ..usual
     };
     values.finish()?;
-    let in_range = request.samples_per_contact.iter().all(|n| (2.0..=10_000.0).contains(n));
-    if !in_range || request.noise_ratios.iter().any(|n| !(0.0..=1.0).contains(n)) {
+    let in_range = request
+        .samples_per_contact
+        .iter()
+        .all(|n| (2.0..=10_000.0).contains(n));
+    if !in_range
+        || request
+            .noise_ratios
+            .iter()
+            .any(|n| !(0.0..=1.0).contains(n))
+    {
         return Err(Failure::usage(
             "2 to 10000 samples per contact and a noise of 0 to 100 % are expected",
             "write \"25, 50, 200\" and \"0.5 %, 2 %\"",
         ));
     }
-    let cells = request.cushions.len() * request.samples_per_contact.len() * request.noise_ratios.len();
+    let cells =
+        request.cushions.len() * request.samples_per_contact.len() * request.noise_ratios.len();
     let bar = printer.progress_bar(false);
     bar.set_length((cells * request.biases_g.len() * request.zero_shift_ratios.len()) as u64);
     bar.set_message("cells");
     let rows = recovery(&request, &|done| bar.set_position(done as u64));
     bar.finish_and_clear();
-    let report = Report { seed: request.seed, rows };
-    printer.result("freestand.cushion-recovery/1", &report, &[], || facts_table(&report.rows, &COLUMNS))?;
+    let report = Report {
+        seed: request.seed,
+        rows,
+    };
+    printer.result("freestand.cushion-recovery/1", &report, &[], || {
+        facts_table(&report.rows, &COLUMNS)
+    })?;
     Ok(Done::OK)
 }
 

@@ -105,10 +105,17 @@ enum Plan {
     Static(VirtualStaticOptions),
 }
 
-pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &SimulateArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let (cushion, plan, notes) = plan(args, global)?;
     if global.out.is_none() && args.count > 1 {
-        return Err(Failure::usage("several tests need a folder", "give --out DIR"));
+        return Err(Failure::usage(
+            "several tests need a folder",
+            "give --out DIR",
+        ));
     }
     let inputs = args.cushion.inputs();
     let files = Files::begin(global, &inputs)?;
@@ -121,7 +128,11 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         }
         tests.push(one);
     }
-    let report = Report { law: cushion.law().name(), seed: global.seed(), tests };
+    let report = Report {
+        law: cushion.law().name(),
+        seed: global.seed(),
+        tests,
+    };
     let is_file = !files.wanted() && !printer.json();
     files.finish(SCHEMA, &report, &notes)?;
     if is_file {
@@ -130,18 +141,29 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         printer.warn(&notes);
         return Ok(Done::OK);
     }
-    printer.result(SCHEMA, &report, &notes, || facts_table(&report.tests, &COLUMNS))?;
+    printer.result(SCHEMA, &report, &notes, || {
+        facts_table(&report.tests, &COLUMNS)
+    })?;
     Ok(Done::OK)
 }
 
 /// The file of a test, and its entry in the document.
-fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Facts<'static>), Failure> {
+fn simulated(
+    cushion: &Cushion,
+    plan: &Plan,
+    index: u64,
+    files: &Files,
+) -> Result<(String, Facts<'static>), Failure> {
     let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
             let (text, drop) = drop_file(cushion, &VirtualDropOptions { index, ..*options })?;
             ("drop", text, Some(drop))
         }
-        Plan::Static(options) => ("static", static_file(cushion, &VirtualStaticOptions { index, ..*options }), None),
+        Plan::Static(options) => (
+            "static",
+            static_file(cushion, &VirtualStaticOptions { index, ..*options }),
+            None,
+        ),
     };
     let name = format!("{kind}-{:03}", index + 1);
     let path = files.write(&format!("{name}.csv"), || &text)?;
@@ -169,7 +191,9 @@ impl SimulateArgs {
             (self.bounces > 0, "bounces"),
             (self.gravity.is_some(), "gravity"),
         ];
-        flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag))
+        flags
+            .into_iter()
+            .filter_map(|(is_given, flag)| is_given.then_some(flag))
     }
 }
 
@@ -181,7 +205,10 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     let assumed = assume_damping(&mut words);
     let Some(edge) = args.cushion.resolved(&words, mass, &mut values) else {
         values.finish()?;
-        return Err(Failure::usage("the cushion is missing", "give --stiffness, such as \"2190 N/mm\""));
+        return Err(Failure::usage(
+            "the cushion is missing",
+            "give --stiffness, such as \"2190 N/mm\"",
+        ));
     };
     let (cushion, notes) = (edge.cushion, [edge.notes, assumed].concat());
     if args.is_static {
@@ -189,7 +216,9 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         let usual = VirtualStaticOptions::default();
         let options = VirtualStaticOptions {
             max_force_n: values.read(&args.load).unwrap_or(usual.max_force_n),
-            hysteresis_ratio: values.read(&args.hysteresis).unwrap_or(usual.hysteresis_ratio),
+            hysteresis_ratio: values
+                .read(&args.hysteresis)
+                .unwrap_or(usual.hysteresis_ratio),
             toe_m: values.read(&args.slack).unwrap_or(usual.toe_m),
             machine_stiffness_n_m: values.read(&args.machine_compliance),
             noise_ratio: noise.unwrap_or(usual.noise_ratio),
@@ -199,7 +228,10 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         values.finish()?;
         return Ok((cushion, Plan::Static(options), notes));
     }
-    refuse_idle(args.hysteresis.is_some().then_some("hysteresis"), "it is that of --static tests")?;
+    refuse_idle(
+        args.hysteresis.is_some().then_some("hysteresis"),
+        "it is that of --static tests",
+    )?;
     let gravity = values.read(&args.gravity);
     let rate = values.read(&args.sample_rate);
     let bias = values.read(&args.bias);
@@ -208,11 +240,17 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     let pre_trigger = values.read(&args.pre_trigger);
     values.finish()?;
     let (Some(mass_kg), Some(height_m)) = (mass, height) else {
-        return Err(Failure::usage("a drop needs a mass and a height", "give --mass and --height, or --static"));
+        return Err(Failure::usage(
+            "a drop needs a mass and a height",
+            "give --mass and --height, or --static",
+        ));
     };
     if height_m > HIGHEST_M {
         let hint = "check the unit: the height of a drop test is millimeters to meters";
-        return Err(Failure::usage(format!("--height: a drop of {height_m} m is more than {HIGHEST_M} m"), hint));
+        return Err(Failure::usage(
+            format!("--height: a drop of {height_m} m is more than {HIGHEST_M} m"),
+            hint,
+        ));
     }
     let usual = VirtualDropOptions::from_height(&cushion, mass_kg, height_m);
     let options = VirtualDropOptions {

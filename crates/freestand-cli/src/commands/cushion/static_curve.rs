@@ -66,14 +66,26 @@ pub(crate) struct StaticArgs {
 }
 
 const TOES: Choices<Toe> = &[
-    (Toe::Slack, "cut", "The displacement before the pad is touched is cut off"),
-    (Toe::Tangent, "tangent", "All before the tangent at the working load meets zero force is cut off (ASTM D695)"),
+    (
+        Toe::Slack,
+        "cut",
+        "The displacement before the pad is touched is cut off",
+    ),
+    (
+        Toe::Tangent,
+        "tangent",
+        "All before the tangent at the working load meets zero force is cut off (ASTM D695)",
+    ),
     (Toe::Keep, "keep", "The toe is kept"),
 ];
 
 const SCHEMA: &str = "freestand.cushion-static/1";
 
-pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &StaticArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let request = StaticRequest {
         files: args.files.clone(),
@@ -83,19 +95,29 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
         inverted: args.invert,
         impactor: args.impactor.clone(),
         boundary: args.boundary.clone(),
-        sensitivities: args.sensitivity.iter().filter_map(|one| values.read(&Some(one.clone()))).collect(),
+        sensitivities: args
+            .sensitivity
+            .iter()
+            .filter_map(|one| values.read(&Some(one.clone())))
+            .collect(),
         dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;
     let files = Files::with_tables(global, &args.files, &args.tables, SCHEMA, None)?;
     let report = static_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
-        files.table(&format!("curve-{:03}", i + 1), || Ok(curve_table(&test.test)))?;
+        files.table(&format!("curve-{:03}", i + 1), || {
+            Ok(curve_table(&test.test))
+        })?;
     }
     files.figure("static", || static_figure(&report))?;
-    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
+        text(&report)
+    })?;
     printer.failed(&report.failed);
-    Ok(Done { criterion_met: report.failed.is_empty() })
+    Ok(Done {
+        criterion_met: report.failed.is_empty(),
+    })
 }
 
 const COLUMNS: [Column; 10] = [

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_assess::inventory::{
-    CheckReport, HeadingReport, Inventory, Item, Kind, Mapping, ReadOptions, Reading, SHOWN, SenseReport, check_report,
-    console_lines, inspect_headings, inspect_inventory, mapping_of_headings, marked_copy, senses,
+    CheckReport, HeadingReport, Inventory, Item, Kind, Mapping, ReadOptions, Reading, SHOWN,
+    SenseReport, check_report, console_lines, inspect_headings, inspect_inventory,
+    mapping_of_headings, marked_copy, senses,
 };
 use freestand_assess::job::floors_of;
 use freestand_assess::library::Libraries;
@@ -77,20 +78,35 @@ pub(crate) struct CheckArgs {
     cushion_library: Option<PathBuf>,
 }
 
-pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let inputs: Vec<PathBuf> =
-        [Some(&args.file), args.how.columns.as_ref(), args.study.as_ref()].into_iter().flatten().cloned().collect();
+pub(crate) fn run(
+    args: &CheckArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    let inputs: Vec<PathBuf> = [
+        Some(&args.file),
+        args.how.columns.as_ref(),
+        args.study.as_ref(),
+    ]
+    .into_iter()
+    .flatten()
+    .cloned()
+    .collect();
     let files = Files::begin(global, &inputs)?;
     if args.headings {
         return headings(args, files, printer, &inputs);
     }
-    let libraries = Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
+    let libraries =
+        Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
     let mapping = args.how.columns.as_deref().map(Mapping::load).transpose()?;
     let edits = args.how.edits()?;
     let storeys = args.storeys.map(usize::from);
     let floors = match &args.study {
         Some(path) => floors_of(&load(path, &Overrides::default())?, storeys),
-        None => freestand_assess::inventory::Floors { storeys, ..Default::default() },
+        None => freestand_assess::inventory::Floors {
+            storeys,
+            ..Default::default()
+        },
     };
     let (reading, copy) = libraries.looked_up(|lookup| -> Result<_, Problems> {
         let options = ReadOptions {
@@ -102,9 +118,17 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
             wants_cells: args.cells,
             lookup,
         };
-        let reading = inspect_inventory(&args.file, &options).or_else(|problems| unread(args, &inputs, problems))?;
-        let copy =
-            if files.wanted() { Some(marked_copy(&args.file, &options, &reading.inventory.findings)?) } else { None };
+        let reading = inspect_inventory(&args.file, &options)
+            .or_else(|problems| unread(args, &inputs, problems))?;
+        let copy = if files.wanted() {
+            Some(marked_copy(
+                &args.file,
+                &options,
+                &reading.inventory.findings,
+            )?)
+        } else {
+            None
+        };
         Ok((reading, copy))
     })?;
     if let Some(path) = &args.write_columns {
@@ -120,7 +144,9 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
     files.print(printer, SCHEMA, &report, &inventory.warnings, || {
         text(&report, inventory, args.units.unwrap_or(reading.units))
     })?;
-    Ok(Done { criterion_met: !inventory.has_errors() })
+    Ok(Done {
+        criterion_met: !inventory.has_errors(),
+    })
 }
 
 /// The headings alone.
@@ -131,29 +157,49 @@ struct HeadingsReport {
     senses: Vec<SenseReport>,
 }
 
-fn headings(args: &CheckArgs, files: Files, printer: &Printer, inputs: &[PathBuf]) -> Result<Done, Failure> {
+fn headings(
+    args: &CheckArgs,
+    files: Files,
+    printer: &Printer,
+    inputs: &[PathBuf],
+) -> Result<Done, Failure> {
     let headings = inspect_headings(&args.file, args.how.sheet.as_deref())?;
     if let Some(path) = &args.write_columns {
         write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
     }
-    let report = HeadingsReport { path: path_text(&args.file), headings, senses: senses() };
+    let report = HeadingsReport {
+        path: path_text(&args.file),
+        headings,
+        senses: senses(),
+    };
     let lines: Vec<Vec<String>> = report
         .headings
         .iter()
         .map(|one| {
             let name = one.name.unwrap_or("-").to_owned();
-            vec![one.column.clone(), one.heading.clone(), name, one.samples.join(" | ")]
+            vec![
+                one.column.clone(),
+                one.heading.clone(),
+                name,
+                one.samples.join(" | "),
+            ]
         })
         .collect();
-    files.print(printer, SCHEMA, &report, &[], || table(&["column", "heading", "meaning", "examples"], &lines))?;
+    files.print(printer, SCHEMA, &report, &[], || {
+        table(&["column", "heading", "meaning", "examples"], &lines)
+    })?;
     Ok(Done::OK)
 }
 
 /// A list that cannot be read, because too few of its headings are known: its mapping file is written all
 /// the same, to be completed.
 fn unread(args: &CheckArgs, inputs: &[PathBuf], problems: Problems) -> Result<Reading, Problems> {
-    let (Some(path), None) = (&args.write_columns, &args.how.columns) else { return Err(problems) };
-    let Ok(headings) = inspect_headings(&args.file, args.how.sheet.as_deref()) else { return Err(problems) };
+    let (Some(path), None) = (&args.write_columns, &args.how.columns) else {
+        return Err(problems);
+    };
+    let Ok(headings) = inspect_headings(&args.file, args.how.sheet.as_deref()) else {
+        return Err(problems);
+    };
     write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
     let unknown = headings.iter().filter(|one| one.name.is_none()).count();
     let hint = format!(
@@ -161,7 +207,11 @@ fn unread(args: &CheckArgs, inputs: &[PathBuf], problems: Problems) -> Result<Re
         path.display(),
         counted(unknown, "heading")
     );
-    Err(problems.problems.into_iter().map(|problem| problem.hint(hint.clone())).collect())
+    Err(problems
+        .problems
+        .into_iter()
+        .map(|problem| problem.hint(hint.clone()))
+        .collect())
 }
 
 fn text(report: &CheckReport, inventory: &Inventory, units: UnitSystem) -> String {
@@ -170,7 +220,14 @@ fn text(report: &CheckReport, inventory: &Inventory, units: UnitSystem) -> Strin
     let mut facts = vec![
         ("file", report.path.clone()),
         ("headings", format!("row {}", report.header_row)),
-        ("rows", format!("{} ({})", counts.rows, counted(counts.objects as usize, "object"))),
+        (
+            "rows",
+            format!(
+                "{} ({})",
+                counts.rows,
+                counted(counts.objects as usize, "object")
+            ),
+        ),
         ("with height and thickness", of(counts.with_size)),
         ("with a level", of(counts.with_level)),
         ("with a width (both axes)", of(counts.with_width)),
@@ -196,20 +253,61 @@ fn text(report: &CheckReport, inventory: &Inventory, units: UnitSystem) -> Strin
             };
             let dialect = one.dialect.unwrap_or_default().to_owned();
             let (values, missing) = (one.values.to_string(), one.missing.to_string());
-            vec![one.letter.clone(), one.heading.clone(), one.name.to_owned(), unit, dialect, values, missing]
+            vec![
+                one.letter.clone(),
+                one.heading.clone(),
+                one.name.to_owned(),
+                unit,
+                dialect,
+                values,
+                missing,
+            ]
         })
         .collect();
     let left_out: Vec<Vec<String>> = report
         .left_out
         .iter()
         .take(SHOWN)
-        .map(|left| vec![left.row.to_string(), left.kind.to_owned(), shorten(&left.text)])
+        .map(|left| {
+            vec![
+                left.row.to_string(),
+                left.kind.to_owned(),
+                shorten(&left.text),
+            ]
+        })
         .collect();
-    let shown: Vec<Vec<String>> = inventory.items.iter().take(SHOWN).map(|item| line(item, units)).collect();
-    let headings = ["row", "id", "item", "level", "height", "thickness", "width", "mass", "cushion", "tolerance"];
+    let shown: Vec<Vec<String>> = inventory
+        .items
+        .iter()
+        .take(SHOWN)
+        .map(|item| line(item, units))
+        .collect();
+    let headings = [
+        "row",
+        "id",
+        "item",
+        "level",
+        "height",
+        "thickness",
+        "width",
+        "mass",
+        "cushion",
+        "tolerance",
+    ];
     let mut text = pairs(&facts);
     text += "\n";
-    text += &table(&["column", "heading", "meaning", "unit", "decimal sign", "values", "missing"], &columns);
+    text += &table(
+        &[
+            "column",
+            "heading",
+            "meaning",
+            "unit",
+            "decimal sign",
+            "values",
+            "missing",
+        ],
+        &columns,
+    );
     if !left_out.is_empty() {
         text += "\nrows that are not objects\n";
         text += &table(&["row", "kind", "text"], &left_out);
@@ -239,11 +337,18 @@ fn line(item: &Item, units: UnitSystem) -> Vec<String> {
             },
         )
     };
-    let tolerance = item.tolerance.as_ref().and_then(|tolerance| tolerance.peak_m_s2);
+    let tolerance = item
+        .tolerance
+        .as_ref()
+        .and_then(|tolerance| tolerance.peak_m_s2);
     let name: String = item.item.chars().take(30).collect();
     let is_hidden = item.doubts.contains(&Kind::HiddenRow);
     vec![
-        if is_hidden { format!("{} (hidden)", item.row) } else { item.row.to_string() },
+        if is_hidden {
+            format!("{} (hidden)", item.row)
+        } else {
+            item.row.to_string()
+        },
         item.id.clone(),
         name,
         value(item.level_ratio, Dimension::Ratio),
@@ -251,7 +356,9 @@ fn line(item: &Item, units: UnitSystem) -> Vec<String> {
         value(item.thickness_m, Dimension::Length),
         value(item.width_m, Dimension::Length),
         value(item.mass_kg, Dimension::Mass),
-        item.cushion.as_ref().map_or_else(|| "-".to_owned(), |edge| cushion_words(&edge.cushion)),
+        item.cushion
+            .as_ref()
+            .map_or_else(|| "-".to_owned(), |edge| cushion_words(&edge.cushion)),
         value(tolerance, Dimension::Acceleration),
     ]
 }

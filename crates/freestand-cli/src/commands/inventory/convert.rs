@@ -50,12 +50,23 @@ struct ConvertReport {
     text: Option<String>,
 }
 
-pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ConvertArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     check_place(args.to, args.to_file.as_ref(), global)?;
     let inputs = [args.file.clone()];
     let files = Files::begin(global, &inputs)?;
     let converted = convert_inventory(&args.file, args.sheet.as_deref(), args.to.target())?;
-    let placed = place(&converted.bytes, args.to, args.to_file.as_ref(), global, &files, &inputs)?;
+    let placed = place(
+        &converted.bytes,
+        args.to,
+        args.to_file.as_ref(),
+        global,
+        &files,
+        &inputs,
+    )?;
     let report = ConvertReport {
         source: path_text(&args.file),
         format: args.to.name(),
@@ -64,6 +75,8 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
         columns: converted.columns,
         text: placed.text,
     };
-    files.print(printer, SCHEMA, &report, &converted.warnings, || super::shown(&report.text, &report.path))?;
+    files.print(printer, SCHEMA, &report, &converted.warnings, || {
+        super::shown(&report.text, &report.path)
+    })?;
     Ok(Done::OK)
 }

@@ -36,7 +36,11 @@ enum InventoryCommand {
     Convert(convert::ConvertArgs),
 }
 
-pub(crate) fn run(args: &InventoryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &InventoryArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     match &args.command {
         InventoryCommand::Template(args) => template::run(args, global, printer),
         InventoryCommand::Check(args) => check::run(args, global, printer),
@@ -74,7 +78,9 @@ impl Format {
     fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
         let formats = [Self::Csv, Self::Xlsx];
-        formats.into_iter().find(|format| format.name().eq_ignore_ascii_case(extension))
+        formats
+            .into_iter()
+            .find(|format| format.name().eq_ignore_ascii_case(extension))
     }
 }
 
@@ -96,11 +102,16 @@ fn place(
 ) -> Result<Placed, Failure> {
     if let Some(file) = file {
         write_file(file, bytes, inputs)?;
-        return Ok(Placed { path: Some(path_text(file)), text: None });
+        return Ok(Placed {
+            path: Some(path_text(file)),
+            text: None,
+        });
     }
     debug_assert!(global.out.is_some() || format == Format::Csv);
     let path = files.write(&format!("inventory.{}", format.name()), || bytes)?;
-    let text = path.is_none().then(|| String::from_utf8_lossy(bytes).into_owned());
+    let text = path
+        .is_none()
+        .then(|| String::from_utf8_lossy(bytes).into_owned());
     Ok(Placed { path, text })
 }
 
@@ -109,7 +120,10 @@ fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> R
     match (file, &global.out) {
         (Some(file), Some(_)) => {
             let message = format!("both {} and --out are given", file.display());
-            Err(Failure::usage(message, "give either the file or the folder"))
+            Err(Failure::usage(
+                message,
+                "give either the file or the folder",
+            ))
         }
         (None, None) if format == Format::Xlsx => Err(Failure::usage(
             "a workbook cannot be printed",

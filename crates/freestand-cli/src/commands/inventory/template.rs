@@ -50,7 +50,11 @@ struct ColumnReport {
     meaning: &'static str,
 }
 
-pub(crate) fn run(args: &TemplateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &TemplateArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let named = args.file.as_deref().and_then(Format::of);
     let format = match (args.xlsx, args.csv) {
         (true, _) => Format::Xlsx,
@@ -70,8 +74,14 @@ pub(crate) fn run(args: &TemplateArgs, global: &GlobalArgs, printer: &Printer) -
         required: spec.is_required,
         meaning: spec.meaning,
     });
-    let report =
-        TemplateReport { format: format.name(), path: placed.path, columns: columns.collect(), text: placed.text };
-    files.print(printer, SCHEMA, &report, &[], || super::shown(&report.text, &report.path))?;
+    let report = TemplateReport {
+        format: format.name(),
+        path: placed.path,
+        columns: columns.collect(),
+        text: placed.text,
+    };
+    files.print(printer, SCHEMA, &report, &[], || {
+        super::shown(&report.text, &report.path)
+    })?;
     Ok(Done::OK)
 }

@@ -45,11 +45,18 @@ pub(crate) struct CodeSpectrumArgs {
 
 const SCHEMA: &str = "freestand.code-spectrum/1";
 
-pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &CodeSpectrumArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let target = args.target.target()?;
     let mut values = Values::default();
     let periods_s = values.read(&args.periods);
-    let building = (values.read(&args.building_height), values.read(&args.building_period));
+    let building = (
+        values.read(&args.building_height),
+        values.read(&args.building_period),
+    );
     values.finish()?;
     let report = code_spectrum(&target, periods_s, args.parts.then_some(building))?;
     let files = Files::with_tables(global, &args.target.inputs(), &args.tables, SCHEMA, None)?;
@@ -63,10 +70,19 @@ fn text(report: &CodeSpectrumReport) -> String {
     let mut headings = vec!["T [s]", "Sa [g]"];
     headings.extend(report.vertical_sa_g.as_ref().map(|_| "vertical [g]"));
     let row = |i: usize| {
-        let vertical = report.vertical_sa_g.as_ref().and_then(|values| values.get(i));
+        let vertical = report
+            .vertical_sa_g
+            .as_ref()
+            .and_then(|values| values.get(i));
         let values = report.sa_g.get(i).into_iter().chain(vertical);
-        let period = report.periods_s.get(i).map(|&period| significant(period, 4));
-        period.into_iter().chain(values.map(|&sa| significant(sa, 5))).collect()
+        let period = report
+            .periods_s
+            .get(i)
+            .map(|&period| significant(period, 4));
+        period
+            .into_iter()
+            .chain(values.map(|&sa| significant(sa, 5)))
+            .collect()
     };
     let rows: Vec<Vec<String>> = (0..report.periods_s.len()).map(row).collect();
     let mut text = format!("{}\n{}", report.title, table(&headings, &rows));
@@ -75,11 +91,21 @@ fn text(report: &CodeSpectrumReport) -> String {
             .levels
             .iter()
             .map(|level| {
-                let height = level.height_m.map_or_else(|| "–".to_owned(), |height| significant(height, 4));
-                vec![significant(level.level_ratio, 2), height, significant(level.floor_acceleration_g, 4)]
+                let height = level
+                    .height_m
+                    .map_or_else(|| "–".to_owned(), |height| significant(height, 4));
+                vec![
+                    significant(level.level_ratio, 2),
+                    height,
+                    significant(level.floor_acceleration_g, 4),
+                ]
             })
             .collect();
-        text.push_str(&format!("\n{}\n{}", parts.clause, table(&["z/h", "z [m]", "floor [g]"], &rows)));
+        text.push_str(&format!(
+            "\n{}\n{}",
+            parts.clause,
+            table(&["z/h", "z [m]", "floor [g]"], &rows)
+        ));
     }
     text
 }

@@ -76,32 +76,64 @@ struct Traces {
 }
 
 impl From<Integrals> for Traces {
-    fn from(Integrals { velocity_m_s, displacement_m }: Integrals) -> Self {
-        Self { velocity_m_s, displacement_m }
+    fn from(
+        Integrals {
+            velocity_m_s,
+            displacement_m,
+        }: Integrals,
+    ) -> Self {
+        Self {
+            velocity_m_s,
+            displacement_m,
+        }
     }
 }
 
-pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ConvertArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let read = args.read.read_any(&args.files)?;
     if global.out.is_none() && !global.json && read.len() > 1 {
-        return Err(Failure::usage("several files cannot share standard output", "name a folder with --out"));
+        return Err(Failure::usage(
+            "several files cannot share standard output",
+            "name a folder with --out",
+        ));
     }
     let files = Files::begin(global, &args.read.inputs(&args.files))?;
-    let starts = read.iter().filter_map(|one| Some((one.motion.name.as_str(), one.start_note.as_ref()?)));
+    let starts = read
+        .iter()
+        .filter_map(|one| Some((one.motion.name.as_str(), one.start_note.as_ref()?)));
     let warnings = grouped(read.iter().flat_map(ReadMotion::named_notes).chain(starts));
     let mut motions = Vec::new();
     for one in &read {
-        let RecordedMotion { name, path, motion, processing, scale_ratio, .. } = &one.motion;
-        motions.push(args.to.write(&files, (path, name), motion, processing, *scale_ratio)?);
+        let RecordedMotion {
+            name,
+            path,
+            motion,
+            processing,
+            scale_ratio,
+            ..
+        } = &one.motion;
+        motions.push(
+            args.to
+                .write(&files, (path, name), motion, processing, *scale_ratio)?,
+        );
     }
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        let traces: Vec<Traces> = read.iter().map(|one| integrals(&one.motion.motion).into()).collect();
+        let traces: Vec<Traces> = read
+            .iter()
+            .map(|one| integrals(&one.motion.motion).into())
+            .collect();
         session.beside(&json!({ "traces": traces }));
     }
     let report = ConvertReport { motions };
     const SCHEMA: &str = "freestand.motion-convert/1";
     files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || report.motions.iter().map(Converted::shown).collect())?;
+    printer.result(SCHEMA, &report, &warnings, || {
+        report.motions.iter().map(Converted::shown).collect()
+    })?;
     Ok(Done::OK)
 }
 

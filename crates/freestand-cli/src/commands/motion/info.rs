@@ -54,7 +54,11 @@ pub(crate) struct InfoArgs {
 
 const SCHEMA: &str = "freestand.motion-info/1";
 
-pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &InfoArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let files = args.read.files(&args.files, &mut values);
     let block = block(args, &mut values);
@@ -63,41 +67,76 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(target) = target.as_ref().filter(|_| args.files.len() > 1) {
         target.check(args.files.len())?;
     }
-    let report = info(&InfoRequest { files, block, keep_motions: target.is_some() })?;
-    let out = Files::with_tables(global, &args.read.inputs(&args.files), &args.tables, SCHEMA, None)?;
+    let report = info(&InfoRequest {
+        files,
+        block,
+        keep_motions: target.is_some(),
+    })?;
+    let out = Files::with_tables(
+        global,
+        &args.read.inputs(&args.files),
+        &args.tables,
+        SCHEMA,
+        None,
+    )?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         target.check(report.motions.len())?;
-        plots = place(&target, figures(&report)?, &out, &args.read.inputs(&args.files))?;
+        plots = place(
+            &target,
+            figures(&report)?,
+            &out,
+            &args.read.inputs(&args.files),
+        )?;
     }
     out.table("measures", || report.measures_table())?;
     // The figures that were written.
     let facts = report.facts().key("plots", plots);
-    out.print(printer, SCHEMA, &facts, &report.warnings, || text(&report, block.is_some()))?;
+    out.print(printer, SCHEMA, &facts, &report.warnings, || {
+        text(&report, block.is_some())
+    })?;
     printer.failed(&report.failed);
-    Ok(Done { criterion_met: report.failed.is_empty() })
+    Ok(Done {
+        criterion_met: report.failed.is_empty(),
+    })
 }
 
 fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
     let height_m = values.read(&args.height)?;
     let thickness_m = values.read(&args.thickness)?;
     let block = Block::uniform(height_m, thickness_m);
-    values.take(block.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object")))
+    values.take(
+        block.map_err(|error| {
+            Problem::value(error.to_string(), "check the dimensions of the object")
+        }),
+    )
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
     let drawn: Vec<Result<_, _>> = report
         .motions
         .par_iter()
-        .filter_map(|one| one.figure().map(|figure| figure.map(|figure| (one.name.clone(), figure))).transpose())
+        .filter_map(|one| {
+            one.figure()
+                .map(|figure| figure.map(|figure| (one.name.clone(), figure)))
+                .transpose()
+        })
         .collect();
     Ok(drawn.into_iter().collect::<Result<_, _>>()?)
 }
 
 fn text(report: &InfoReport, has_block: bool) -> String {
     let motions: Vec<Facts> = report.motions.iter().map(MotionInfo::facts).collect();
-    let columns = if has_block { &COLUMNS[..] } else { &COLUMNS[..COLUMNS.len() - 3] };
-    let text = if let [one] = motions.as_slice() { lines(one) } else { facts_table(&motions, columns) };
+    let columns = if has_block {
+        &COLUMNS[..]
+    } else {
+        &COLUMNS[..COLUMNS.len() - 3]
+    };
+    let text = if let [one] = motions.as_slice() {
+        lines(one)
+    } else {
+        facts_table(&motions, columns)
+    };
     text + &failed_lines(&report.failed)
 }
 

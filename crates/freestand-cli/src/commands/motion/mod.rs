@@ -47,7 +47,11 @@ enum MotionCommand {
     CodeSpectrum(code::CodeSpectrumArgs),
 }
 
-pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &MotionArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     match &args.command {
         MotionCommand::Info(args) => info::run(args, global, printer),
         MotionCommand::Spectrum(args) => spectrum::run(args, global, printer),

@@ -38,7 +38,10 @@ pub(super) struct PairArgs {
 impl PairArgs {
     /// The files to read; problems are added to `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
-        PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
+        PairFiles {
+            files: self.read.files(&self.files, values),
+            components: values.read(&self.components),
+        }
     }
 
     /// The files that are read.
@@ -51,6 +54,9 @@ impl PairArgs {
 pub(super) fn azimuths(text: &str) -> Result<(f64, f64), Problem> {
     match parse_grid(text, Dimension::Angle)?[..] {
         [first, second] => Ok((azimuth_deg(first), azimuth_deg(second))),
-        _ => Err(Problem::value("two angles are expected", "write \"0 deg, 90 deg\", clockwise from north")),
+        _ => Err(Problem::value(
+            "two angles are expected",
+            "write \"0 deg, 90 deg\", clockwise from north",
+        )),
     }
 }

@@ -36,7 +36,9 @@ impl PlotArgs {
 
     /// Where the figures are written; `None`: nothing is drawn.
     pub(crate) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
-        let Some(name) = &self.plot else { return Ok(None) };
+        let Some(name) = &self.plot else {
+            return Ok(None);
+        };
         let Some(path) = name else {
             if global.out.is_none() {
                 return Err(Failure::usage(
@@ -46,12 +48,17 @@ impl PlotArgs {
             }
             return Ok(Some(Target::Folder));
         };
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        let extension = path
+            .extension()
+            .map(|extension| extension.to_string_lossy().to_lowercase());
         match extension.as_deref() {
             Some("svg") => Ok(Some(Target::Svg(path.clone()))),
             Some("png") => Ok(Some(Target::Png(path.clone()))),
             _ => Err(Failure::usage(
-                format!("--plot {}: a figure is written as .svg or .png", path.display()),
+                format!(
+                    "--plot {}: a figure is written as .svg or .png",
+                    path.display()
+                ),
                 "write --plot FILE.svg; without a name, put --plot after the record files and add --out",
             )),
         }

@@ -45,7 +45,11 @@ struct RotateReport {
     motion: Converted,
 }
 
-pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RotateArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let to = values.read(&args.to);
     let azimuths_deg = values.read(&args.azimuths);
@@ -53,12 +57,26 @@ pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> 
     values.finish()?;
     let read = read_pair(&pair)?;
     let azimuth_deg = to.map(azimuth_deg).unwrap_or_default();
-    let turned = rotate(&read, &RotateRequest { azimuth_deg, azimuths_deg })?;
+    let turned = rotate(
+        &read,
+        &RotateRequest {
+            azimuth_deg,
+            azimuths_deg,
+        },
+    )?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let done = &turned.processed;
-    let motion =
-        args.format.write(&files, (&turned.path, &turned.name), &done.motion, &done.steps, done.scale_ratio)?;
-    let report = RotateReport { azimuth_deg: turned.azimuth_deg, motion };
+    let motion = args.format.write(
+        &files,
+        (&turned.path, &turned.name),
+        &done.motion,
+        &done.steps,
+        done.scale_ratio,
+    )?;
+    let report = RotateReport {
+        azimuth_deg: turned.azimuth_deg,
+        motion,
+    };
     const SCHEMA: &str = "freestand.motion-rotate/1";
     files.finish(SCHEMA, &report, &turned.warnings)?;
     printer.result(SCHEMA, &report, &turned.warnings, || report.motion.shown())?;

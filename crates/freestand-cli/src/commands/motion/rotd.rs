@@ -48,7 +48,11 @@ pub(crate) struct RotdArgs {
 
 const SCHEMA: &str = "freestand.motion-rotd/1";
 
-pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RotdArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
     let damping = values.read(&args.damping);
     let periods_s = super::periods(&args.periods, &mut values);
@@ -56,7 +60,14 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair)?;
-    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
+    let report = rotd(
+        &read,
+        &RotdRequest {
+            damping_ratio: damping.unwrap_or(DAMPING_RATIO),
+            periods_s,
+            percentiles,
+        },
+    )?;
     let files = Files::with_tables(global, &args.pair.inputs(), &args.tables, SCHEMA, None)?;
     files.table("rotd", || report.table())?;
     files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
@@ -72,12 +83,21 @@ fn text(report: &RotdReport) -> String {
     let headings: Vec<String> = columns.iter().map(|(name, _)| heading(name)).collect();
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let rows: Vec<Vec<String>> = (0..report.periods_s.len())
-        .map(|row| columns.iter().filter_map(|(_, values)| values.get(row)).map(|v| significant(*v, 4)).collect())
+        .map(|row| {
+            columns
+                .iter()
+                .filter_map(|(_, values)| values.get(row))
+                .map(|v| significant(*v, 4))
+                .collect()
+        })
         .collect();
     table(&headings, &rows)
 }
 
 /// The heading of a column: `rotd50 [g]` for `rotd50_g`.
 fn heading(name: &str) -> String {
-    name.rsplit_once('_').map_or_else(|| name.to_owned(), |(name, unit)| format!("{} [{unit}]", name.replace('_', " ")))
+    name.rsplit_once('_').map_or_else(
+        || name.to_owned(),
+        |(name, unit)| format!("{} [{unit}]", name.replace('_', " ")),
+    )
 }

@@ -11,8 +11,8 @@ use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{
-    DEFAULT_SITE, Earthquake, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, city_rock, read_source,
-    simulate,
+    DEFAULT_SITE, Earthquake, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput,
+    city_rock, read_source, simulate,
 };
 use freestand_study::study::DEFAULT_MOTIONS;
 use freestand_study::target::{DEFAULT_YEARS, Target};
@@ -45,7 +45,12 @@ pub(crate) struct SimulateArgs {
     distance: Option<String>,
     /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
     /// (AS 1170.4)
-    #[arg(long, visible_alias = "place", value_name = "NAME", conflicts_with = "distance")]
+    #[arg(
+        long,
+        visible_alias = "place",
+        value_name = "NAME",
+        conflicts_with = "distance"
+    )]
     city: Option<String>,
     /// Return period in years; needs --city [default: 500]
     #[arg(long, value_name = "YEARS")]
@@ -81,7 +86,11 @@ impl KeySet for SourceKeys {
                     "PRESSURE",
                     "Stress drop, such as \"200 bar\" or \"23 MPa\" [default: the preset's]",
                 ),
-                key("kappa", "TIME", "κ0, the attenuation near the surface [default: the preset's]"),
+                key(
+                    "kappa",
+                    "TIME",
+                    "κ0, the attenuation near the surface [default: the preset's]",
+                ),
                 key(
                     "source_spectrum",
                     "SHAPE",
@@ -106,7 +115,11 @@ impl KeySet for SourceKeys {
             "The motion",
             &[
                 key("time_step", "TIME", "Time step [default: 0.005 s]"),
-                key("low_cut", "FREQUENCY", "Corner frequency of the acausal high-pass filter [default: 0.05 Hz]"),
+                key(
+                    "low_cut",
+                    "FREQUENCY",
+                    "Corner frequency of the acausal high-pass filter [default: 0.05 Hz]",
+                ),
             ],
         ),
     ];
@@ -114,7 +127,11 @@ impl KeySet for SourceKeys {
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
 
-pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &SimulateArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     // `requires` of clap is silent here: --city itself excludes --distance.
     if args.return_period.is_some() && args.city.is_none() {
         return Err(Failure::usage(
@@ -123,7 +140,11 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         ));
     }
     let years = args.return_period.unwrap_or(DEFAULT_YEARS);
-    let rock = args.city.as_deref().map(|city| city_rock(city, years)).transpose()?;
+    let rock = args
+        .city
+        .as_deref()
+        .map(|city| city_rock(city, years))
+        .transpose()?;
     let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
     let files = Files::with_tables(global, &[], &args.tables, SCHEMA, Some(global.seed()))?;
     let mut report = simulate(&request)?;
@@ -137,31 +158,71 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         draw(&report, &files)?;
     }
     let rock_warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
-    let warnings = [rock_warnings, report.warnings.clone(), request.assumptions()].concat();
-    files.print(printer, SCHEMA, &report.facts(), &warnings, || text(&report))?;
+    let warnings = [
+        rock_warnings,
+        report.warnings.clone(),
+        request.assumptions(),
+    ]
+    .concat();
+    files.print(printer, SCHEMA, &report.facts(), &warnings, || {
+        text(&report)
+    })?;
     Ok(Done::OK)
 }
 
 /// `kpz_g` is that of the city, if one is named.
-fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
-    let SourceInput { preset, changes, magnitude, distance_m, options } = read_source(&words(args))?;
-    let site = SiteClass::parse(&args.site)
-        .map_err(|error| Problem::value(format!("--site: {error}"), "give Ae, Be, Ce, De or Ee, as in AS 1170.4"))?;
+fn request(
+    args: &SimulateArgs,
+    global: &GlobalArgs,
+    kpz_g: Option<f64>,
+) -> Result<SimulatedRequest, Failure> {
+    let SourceInput {
+        preset,
+        changes,
+        magnitude,
+        distance_m,
+        options,
+    } = read_source(&words(args))?;
+    let site = SiteClass::parse(&args.site).map_err(|error| {
+        Problem::value(
+            format!("--site: {error}"),
+            "give Ae, Be, Ce, De or Ee, as in AS 1170.4",
+        )
+    })?;
     let earthquakes = match (kpz_g, magnitude, distance_m) {
-        (Some(kpz_g), magnitude, _) => Earthquakes::Pairs { kpz_g, magnitudes: magnitude.into_iter().collect() },
-        (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
+        (Some(kpz_g), magnitude, _) => Earthquakes::Pairs {
+            kpz_g,
+            magnitudes: magnitude.into_iter().collect(),
+        },
+        (None, Some(magnitude), Some(distance_m)) => Earthquakes::One {
+            magnitude,
+            distance_m,
+        },
         (None, ..) => {
             let hint = "give --magnitude and --distance, or --city";
-            return Err(Failure::usage("the earthquake is incomplete: a magnitude and a distance are needed", hint));
+            return Err(Failure::usage(
+                "the earthquake is incomplete: a magnitude and a distance are needed",
+                hint,
+            ));
         }
     };
-    Ok(SimulatedRequest { preset, changes, earthquakes, site, count: args.count, seed: global.seed(), options })
+    Ok(SimulatedRequest {
+        preset,
+        changes,
+        earthquakes,
+        site,
+        count: args.count,
+        seed: global.seed(),
+        options,
+    })
 }
 
 /// The flags as the keys of `point_source` in a study.
 fn words(args: &SimulateArgs) -> keys::Words {
     let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
-    let own = own.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)));
+    let own = own
+        .into_iter()
+        .filter_map(|(key, text)| Some((key, text.as_deref()?)));
     args.source.words.entries().chain(own).collect()
 }
 
@@ -179,14 +240,26 @@ fn draw(report: &SimulatedReport, files: &Files) -> Result<(), Failure> {
         };
         files.drawn("target", &matched_figure(&picture)?)?;
     }
-    for one in report.earthquakes.iter().filter_map(|earthquake| earthquake.motions.first()) {
-        let words = Words { name: &one.name, description: "simulated", processing: &[] };
+    for one in report
+        .earthquakes
+        .iter()
+        .filter_map(|earthquake| earthquake.motions.first())
+    {
+        let words = Words {
+            name: &one.name,
+            description: "simulated",
+            processing: &[],
+        };
         files.drawn(&one.name, &record_figure(words, &one.motion)?)?;
     }
     Ok(())
 }
 
-const COLUMNS: [Column; 3] = [("pga_g", "PGA [g]", 3), ("pgv_m_s", "PGV [m/s]", 3), ("d5_95_s", "D5-95 [s]", 3)];
+const COLUMNS: [Column; 3] = [
+    ("pga_g", "PGA [g]", 3),
+    ("pgv_m_s", "PGV [m/s]", 3),
+    ("d5_95_s", "D5-95 [s]", 3),
+];
 
 fn text(report: &SimulatedReport) -> String {
     let mut rows = Vec::new();
@@ -196,7 +269,10 @@ fn text(report: &SimulatedReport) -> String {
                 one.path.clone().unwrap_or_else(|| one.name.clone()),
                 significant(found.source.magnitude, 3),
                 significant(found.source.distance_m / 1000.0, 3),
-                found.corner_frequencies_hz().first().map_or(String::new(), |&corner| significant(corner, 3)),
+                found
+                    .corner_frequencies_hz()
+                    .first()
+                    .map_or(String::new(), |&corner| significant(corner, 3)),
                 significant(found.source.duration_s(), 3),
             ];
             rows.push([source, cells(&one.facts(), &COLUMNS)].concat());
@@ -205,9 +281,11 @@ fn text(report: &SimulatedReport) -> String {
     let of_source = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]"];
     let mut text = table(&[&of_source, &headings(&COLUMNS)[..]].concat(), &rows);
     for one in &report.earthquakes {
-        if let (Some(searched), Some(motions), Some(written)) =
-            (one.found.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
-        {
+        if let (Some(searched), Some(motions), Some(written)) = (
+            one.found.mean_ratio_to_rock_spectrum,
+            one.searched_motions,
+            one.written_mean_ratio_to_site_spectrum,
+        ) {
             text.push_str(&format!(
                 "\nM {} at {} km: mean spectrum divided by the code spectrum, T = 0.5 to 1 s: {} for the \
                  {motions} motions of the search (rock), {} for those written (site {})",

@@ -58,31 +58,57 @@ struct Document<'a> {
 
 const SCHEMA: &str = "freestand.motion-spectrum/1";
 
-pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &SpectrumArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping_ratios = values.read(&args.damping).unwrap_or_else(|| vec![DAMPING_RATIO]);
+    let damping_ratios = values
+        .read(&args.damping)
+        .unwrap_or_else(|| vec![DAMPING_RATIO]);
     let periods_s = super::periods(&args.periods, &mut values);
     values.finish()?;
     let target = args.plot.target(global)?;
     let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
-    let report = spectrum(&read, &SpectrumRequest { damping_ratios, periods_s, upsample: args.upsample.get() })?;
+    let report = spectrum(
+        &read,
+        &SpectrumRequest {
+            damping_ratios,
+            periods_s,
+            upsample: args.upsample.get(),
+        },
+    )?;
     let inputs = args.read.inputs([&args.file]);
     let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;
     files.table("spectrum", || report.table())?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         let figure = report.figure()?;
-        plots = place(&target, vec![(figure.name.clone(), figure)], &files, &inputs)?;
+        plots = place(
+            &target,
+            vec![(figure.name.clone(), figure)],
+            &files,
+            &inputs,
+        )?;
     }
-    let document = Document { report: &report, plots };
-    files.print(printer, SCHEMA, &document, &report.warnings, || text(&report))?;
+    let document = Document {
+        report: &report,
+        plots,
+    };
+    files.print(printer, SCHEMA, &document, &report.warnings, || {
+        text(&report)
+    })?;
     Ok(Done::OK)
 }
 
 fn dampings(text: &str) -> Result<Vec<f64>, Problem> {
     let ratios = parse_grid(text, Dimension::Ratio)?;
     match ratios.iter().find(|ratio| **ratio < 0.0) {
-        Some(negative) => Err(Problem::value(format!("{negative} is below zero"), "damping from 0 to below 1")),
+        Some(negative) => Err(Problem::value(
+            format!("{negative} is below zero"),
+            "damping from 0 to below 1",
+        )),
         None => Ok(ratios),
     }
 }

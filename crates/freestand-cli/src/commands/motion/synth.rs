@@ -7,7 +7,9 @@ use freestand::synthesis::SynthesisOptions;
 use freestand_input::quantity::Dimension;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
-use freestand_study::matched::{FitReport, FittedMotion, MatchMethod, MatchRequest, SynthRequest, match_one, synth};
+use freestand_study::matched::{
+    FitReport, FittedMotion, MatchMethod, MatchRequest, SynthRequest, match_one, synth,
+};
 use freestand_study::recorded::name_of;
 use freestand_study::study::DEFAULT_MOTIONS;
 use freestand_study::target::Target;
@@ -68,8 +70,16 @@ struct PeakArgs {
 
 /// How the spectrum of a record is matched to the target.
 const METHODS: Choices<MatchMethod> = &[
-    (MatchMethod::Wavelet, "wavelet", "Scale wavelets; keeps more of the record"),
-    (MatchMethod::Fft, "fft", "Scale the Fourier amplitudes at each period by the misfit at that period"),
+    (
+        MatchMethod::Wavelet,
+        "wavelet",
+        "Scale wavelets; keeps more of the record",
+    ),
+    (
+        MatchMethod::Fft,
+        "fft",
+        "Scale the Fourier amplitudes at each period by the misfit at that period",
+    ),
 ];
 
 /// Match a record to a target: the elastic spectrum of a design code, or a table
@@ -100,12 +110,22 @@ impl PeakArgs {
     }
 }
 
-pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &SynthArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let target = args.target.matched_target()?;
     let pga_g = args.peak.pga_g(&target)?;
     let files = Files::begin(global, &args.target.inputs())?;
     let options = options(&args.layout)?;
-    let report = synth(&SynthRequest { target, count: args.count, seed: global.seed(), options, pga_g })?;
+    let report = synth(&SynthRequest {
+        target,
+        count: args.count,
+        seed: global.seed(),
+        options,
+        pga_g,
+    })?;
     finish(report, files, &[], printer)
 }
 
@@ -124,27 +144,51 @@ fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
     })
 }
 
-pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run_match(
+    args: &MatchArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let target = args.target.matched_target()?;
     let pga_g = args.peak.pga_g(&target)?;
     let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
-    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(&args.target.inputs())))?;
+    let files = Files::begin(
+        global,
+        &args
+            .read
+            .inputs(std::iter::once(&args.file).chain(&args.target.inputs())),
+    )?;
     let name = format!("{}-matched", name_of(&args.file));
-    let request = MatchRequest { target, record: &read.motion.motion, name, method: args.method, pga_g };
+    let request = MatchRequest {
+        target,
+        record: &read.motion.motion,
+        name,
+        method: args.method,
+        pga_g,
+    };
     let report = match_one(request).map_err(|problem| problem.in_file(&args.file))?;
     let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
     finish(report, files, &notes, printer)
 }
 
 /// Writes the motions, draws them with their target, and the first one by itself.
-fn finish(mut report: FitReport, files: Files, notes: &[String], printer: &Printer) -> Result<Done, Failure> {
+fn finish(
+    mut report: FitReport,
+    files: Files,
+    notes: &[String],
+    printer: &Printer,
+) -> Result<Done, Failure> {
     const SCHEMA: &str = "freestand.motion-synth/1";
     for one in &mut report.motions {
         one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
     }
     files.figure("target", || report.figure())?;
     if let Some(FittedMotion { name, motion, .. }) = report.motions.first() {
-        let words = Words { name, description: "matched to a spectrum", processing: &[] };
+        let words = Words {
+            name,
+            description: "matched to a spectrum",
+            processing: &[],
+        };
         files.figure(name, || record_figure(words, motion))?;
     }
     let (facts, warnings) = (report.facts(), [&report.warnings(), notes].concat());
@@ -168,5 +212,8 @@ fn text(report: &FitReport) -> String {
         let name = one.path.clone().unwrap_or_else(|| one.name.clone());
         [vec![name], cells(&one.facts(), &COLUMNS)].concat()
     };
-    table(&[&["motion"], &headings(&COLUMNS)[..]].concat(), &report.motions.iter().map(row).collect::<Vec<_>>())
+    table(
+        &[&["motion"], &headings(&COLUMNS)[..]].concat(),
+        &report.motions.iter().map(row).collect::<Vec<_>>(),
+    )
 }

@@ -63,16 +63,26 @@ impl CompliantArgs {
     }
 }
 
-pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(super) fn run(
+    args: &RockArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     match (args.spatial.given.first(), args.stack.given.first()) {
         (Some(space), Some(upper)) => {
             let hint = "leave one of them out: a stack moves in the plane of the thickness";
-            return Err(Failure::usage(format!("--{space} does not apply to a stack (--{upper})"), hint));
+            return Err(Failure::usage(
+                format!("--{space} does not apply to a stack (--{upper})"),
+                hint,
+            ));
         }
         (None, Some(upper)) => {
             if let Some(wall) = args.walls.given.first() {
                 let hint = "leave one of them out: a stack stands freely";
-                return Err(Failure::usage(format!("--{wall} does not apply to a stack (--{upper})"), hint));
+                return Err(Failure::usage(
+                    format!("--{wall} does not apply to a stack (--{upper})"),
+                    hint,
+                ));
             }
             return stack::run(args, global, printer);
         }
@@ -84,14 +94,23 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     }
     if args.motion.len() > 1 || args.plot.is_given() {
         let hint = "name one motion; with --out, the figure of the landings is drawn";
-        return Err(Failure::usage("several motions and --plot apply only to a rigid base", hint));
+        return Err(Failure::usage(
+            "several motions and --plot apply only to a rigid base",
+            hint,
+        ));
     }
     let (request, reading) = request(args)?;
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        let options = CompliantOptions { duration_s: Some(report.rocking.end_time_s), ..request.options.clone() };
-        let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+        let options = CompliantOptions {
+            duration_s: Some(report.rocking.end_time_s),
+            ..request.options.clone()
+        };
+        let motion = Base {
+            horizontal: request.horizontal.as_ref(),
+            vertical: request.vertical.as_ref(),
+        };
         let history = drawn_on_pads(&request.block, &request.base, motion, &options)?;
         session.beside(&Beside { history });
     }
@@ -99,18 +118,26 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         files.figure("trace", || trace_figure(&report))?;
     }
     let history = || history_table(&report.history);
-    reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
+    reading.finish(
+        args.history.as_deref(),
+        history,
+        (report.facts, report.warnings),
+        files,
+        printer,
+    )
 }
 
 /// Refuses a flag of the rigid base.
 pub(super) fn of_rigid_base(flag: &str) -> Failure {
-    let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
+    let hint =
+        "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
     Failure::usage(format!("{flag} applies only to a rigid base"), hint)
 }
 
 /// Refuses a compliant base without its numbers.
 pub(super) fn without_cushion() -> Failure {
-    let hint = "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
+    let hint =
+        "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
     Failure::usage("a compliant base needs a mass and a stiffness", hint)
 }
 
@@ -123,7 +150,9 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let thickness = values.read(&args.thickness);
     let mass = values.read(&args.mass);
     let edge = args.cushion.edge(mass, &mut values)?;
-    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let block = height
+        .zip(thickness)
+        .and_then(|size| args.shape.block(size, mass, &mut values));
     let tangential = values.read(&flags.tangential_stiffness);
     let ratio = values.read(&flags.tangential_ratio);
     let friction_ratio = values.read(&args.friction);
@@ -133,28 +162,37 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let gravity = values.read(&args.gravity);
     let duration_s = values.read(&args.duration);
     let at = values.read(&flags.at);
-    let release = rise.map(Release::CgRise).or(rotation.map(Release::Rotation));
+    let release = rise
+        .map(Release::CgRise)
+        .or(rotation.map(Release::Rotation));
     let start = block.and_then(|block| values.take(start(&block, release, omega.unwrap_or(0.0))));
     values.finish()?;
     let (Some((block, start)), Some((mass_kg, edge))) = (block.zip(start), mass.zip(edge)) else {
         return Err(without_cushion());
     };
     if args.motion.is_empty() && args.vertical.is_none() {
-        args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
+        args.read
+            .refuse_without_record(|_| "name the record with --motion".to_owned())?;
         if start == Start::Rest {
             let hint = "give --motion FILE, or --cg-rise, --initial-rotation or --initial-velocity";
             return Err(Failure::usage("nothing moves the object", hint));
         }
     }
     let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
-    let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let mut base = CompliantBase {
+        friction_ratio,
+        ..CompliantBase::new(mass_kg, edge.cushion)
+    };
     base.contacts = flags.contacts.unwrap_or(base.contacts);
     base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
     if let Some(stiffness_n_m) = tangential {
         base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
     }
     let mut reading = Reading::of(args)?;
-    let (horizontal, vertical) = (reading.horizontal.pop().map(|named| named.1), reading.vertical.take());
+    let (horizontal, vertical) = (
+        reading.horizontal.pop().map(|named| named.1),
+        reading.vertical.take(),
+    );
     let options = CompliantOptions {
         gravity_m_s2,
         accuracy: accuracy(args.rocking.accuracy),
@@ -163,5 +201,16 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         points_m: at.into_iter().collect(),
     };
     let (pad_thickness_m, notes) = (edge.pad_thickness_m, edge.notes);
-    Ok((CompliantRequest { block, base, pad_thickness_m, notes, horizontal, vertical, options }, reading))
+    Ok((
+        CompliantRequest {
+            block,
+            base,
+            pad_thickness_m,
+            notes,
+            horizontal,
+            vertical,
+            options,
+        },
+        reading,
+    ))
 }

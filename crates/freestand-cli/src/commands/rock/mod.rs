@@ -144,7 +144,11 @@ pub(crate) struct RockArgs {
 
 const SCHEMA: &str = "freestand.rock/1";
 
-pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &RockArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if let Some(failure) = args.sliding.refused(args.compliant.is_compliant()) {
         return Err(failure);
     }
@@ -156,11 +160,21 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     {
         let hint = "leave it out: the room beside it is --clearance-left and --clearance-right, what it strikes there \
                     --stop-stiffness";
-        return Err(Failure::usage(format!("--{flag} applies only to an object that rocks"), hint));
+        return Err(Failure::usage(
+            format!("--{flag} applies only to an object that rocks"),
+            hint,
+        ));
     }
     let compliant = args.compliant.given.iter().filter(|flag| *flag != "base");
-    if let Some(flag) = compliant.chain(&args.spatial.given).chain(&args.stack.given).next() {
-        return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
+    if let Some(flag) = compliant
+        .chain(&args.spatial.given)
+        .chain(&args.stack.given)
+        .next()
+    {
+        return Err(Failure::usage(
+            format!("--{flag} applies only to a compliant base"),
+            "add --base compliant",
+        ));
     }
     if args.sliding.is_given()
         && let Some(done) = sliding::run(args, global, printer)?
@@ -174,29 +188,47 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     }
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let session = printer.session().filter(|session| session.wants_history());
-    let is_recorded = args.history.is_some() || files.wanted() || target.is_some() || session.is_some();
+    let is_recorded =
+        args.history.is_some() || files.wanted() || target.is_some() || session.is_some();
     if reading.horizontal.len() > 1 {
         return several(&request, reading, target.as_ref(), files, printer);
     }
-    let (name, horizontal) = reading.horizontal.pop().map_or((None, None), |(name, motion)| (Some(name), Some(motion)));
-    let request = RockRequest { horizontal, ..request };
+    let (name, horizontal) = reading
+        .horizontal
+        .pop()
+        .map_or((None, None), |(name, motion)| (Some(name), Some(motion)));
+    let request = RockRequest {
+        horizontal,
+        ..request
+    };
     let report = rock(&request, is_recorded)?;
     let history = || history_table(&request.block, &report.history);
     if let Some(session) = session {
-        session.beside(&Beside { history: drawn(&report, request.horizontal.as_ref()) });
+        session.beside(&Beside {
+            history: drawn(&report, request.horizontal.as_ref()),
+        });
     }
     let mut plots = None;
     if let Some(target) = &target {
         let name = name.unwrap_or_else(|| "free rocking".to_owned());
         let figure = rock_figure(&name, &request.block, &report)?;
-        let figures = figure.into_iter().map(|figure| ("history".to_owned(), figure)).collect();
+        let figures = figure
+            .into_iter()
+            .map(|figure| ("history".to_owned(), figure))
+            .collect();
         plots = Some(place(target, figures, &files, &reading.inputs)?);
     }
     let facts = match plots {
         Some(plots) => report.facts.key("plots", plots),
         None => report.facts,
     };
-    reading.finish(args.history.as_deref(), history, (facts, report.warnings), files, printer)
+    reading.finish(
+        args.history.as_deref(),
+        history,
+        (facts, report.warnings),
+        files,
+        printer,
+    )
 }
 
 /// What goes beside the document of who wants to draw the history.
@@ -224,23 +256,41 @@ fn several(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     let (mut results, mut plots) = (Vec::new(), Vec::new());
-    for (index, (name, motion)) in std::mem::take(&mut reading.horizontal).into_iter().enumerate() {
-        let request = RockRequest { horizontal: Some(motion), ..request.clone() };
+    for (index, (name, motion)) in std::mem::take(&mut reading.horizontal)
+        .into_iter()
+        .enumerate()
+    {
+        let request = RockRequest {
+            horizontal: Some(motion),
+            ..request.clone()
+        };
         let report = rock(&request, files.wanted() || target.is_some())?;
         let file = format!("history-{:02}-{name}", index + 1);
         files.table(&file, || Ok(history_table(&request.block, &report.history)))?;
         if let Some(target) = target
             && let Some(figure) = rock_figure(&name, &request.block, &report)?
         {
-            plots.extend(place(target, vec![(file, figure)], &files, &reading.inputs)?);
+            plots.extend(place(
+                target,
+                vec![(file, figure)],
+                &files,
+                &reading.inputs,
+            )?);
         }
-        reading.warnings.extend(report.warnings.iter().map(|warning| format!("{name}: {warning}")));
+        reading.warnings.extend(
+            report
+                .warnings
+                .iter()
+                .map(|warning| format!("{name}: {warning}")),
+        );
         results.push(Facts::default().key("motion", name).and(report.facts));
     }
     let text = || facts_table(&results, &COLUMNS);
     let table = text();
-    let facts =
-        Facts::default().key("results", results).key("plots", plots).key("processing", reading.processing.clone());
+    let facts = Facts::default()
+        .key("results", results)
+        .key("plots", plots)
+        .key("processing", reading.processing.clone());
     files.print(printer, SCHEMA, &facts, &reading.warnings, || table)?;
     Ok(Done::OK)
 }
@@ -263,7 +313,11 @@ fn gravity(text: &str) -> Result<f64, Problem> {
     if BELIEVED_M_S2.contains(&value_m_s2) {
         return Ok(value_m_s2);
     }
-    let message = format!("\"{}\" is {} m/s2, which is no gravity", shorten(text), number(value_m_s2, 4));
+    let message = format!(
+        "\"{}\" is {} m/s2, which is no gravity",
+        shorten(text),
+        number(value_m_s2, 4)
+    );
     Err(Problem::value(message, "write \"9.81 m/s2\" or \"1 g\""))
 }
 
@@ -279,9 +333,20 @@ impl Reading {
 
     /// The inputs and the vertical motion alone.
     fn without_horizontal(args: &RockArgs) -> Result<Self, Failure> {
-        let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
-        let mut reading = Self { inputs, ..Self::default() };
-        for read in args.vertically.read_all(&args.read, args.vertical.as_slice())? {
+        let inputs = args.read.inputs(
+            args.motion
+                .iter()
+                .chain(&args.vertical)
+                .chain(&args.cushion.inputs()),
+        );
+        let mut reading = Self {
+            inputs,
+            ..Self::default()
+        };
+        for read in args
+            .vertically
+            .read_all(&args.read, args.vertical.as_slice())?
+        {
             reading.enter(&read);
             reading.vertical = Some(read.motion.motion);
         }
@@ -297,8 +362,14 @@ impl Reading {
     /// Adds the notes and the processing of a motion.
     fn enter(&mut self, read: &ReadMotion) {
         let name = &read.motion.name;
-        self.warnings.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
-        self.processing.extend(read.motion.processing.iter().map(|step| format!("{name}: {step}")));
+        self.warnings
+            .extend(read.notes.iter().map(|note| format!("{name}: {note}")));
+        self.processing.extend(
+            read.motion
+                .processing
+                .iter()
+                .map(|step| format!("{name}: {step}")),
+        );
     }
 
     /// Writes the history, prints the result and ends the command.
@@ -329,11 +400,17 @@ impl RockArgs {
         }
         if self.vertical.is_some() {
             let hint = "give one --motion with its --vertical at a time";
-            return Err(Failure::usage("--vertical belongs to one motion, but several are given", hint));
+            return Err(Failure::usage(
+                "--vertical belongs to one motion, but several are given",
+                hint,
+            ));
         }
         if self.history.is_some() {
             let hint = "name a folder with --out: it gets the history of each";
-            return Err(Failure::usage("--history names one file, but there are several motions", hint));
+            return Err(Failure::usage(
+                "--history names one file, but there are several motions",
+                hint,
+            ));
         }
         Ok(())
     }
@@ -347,18 +424,28 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let edge = args.cushion.edge(mass, &mut values)?;
     if args.cushion.is_given() && args.mass.is_none() {
         let message = "the cushion is used for the shock, which also needs the mass of the object";
-        values.push(Problem::value(message, "add --mass, or leave the cushion out"));
+        values.push(Problem::value(
+            message,
+            "add --mass, or leave the cushion out",
+        ));
     }
-    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let block = height
+        .zip(thickness)
+        .and_then(|size| args.shape.block(size, mass, &mut values));
     let friction = values.read(&args.friction);
     if friction == Some(0.0) {
-        values.push(Problem::value("--friction: the value must be positive, not 0", "only a compliant base accepts 0"));
+        values.push(Problem::value(
+            "--friction: the value must be positive, not 0",
+            "only a compliant base accepts 0",
+        ));
     }
     let rotation = values.read(&args.initial_rotation);
     let omega = values.read(&args.initial_velocity);
     let gravity = values.read(&args.gravity);
     let duration = values.read(&args.duration);
-    let (walls, wall) = args.walls.read(block.as_ref(), mass, args.rocking.model, &mut values);
+    let (walls, wall) = args
+        .walls
+        .read(block.as_ref(), mass, args.rocking.model, &mut values);
     let options = RockingOptions {
         model: args.rocking.model,
         restitution: args.rocking.restitution(block.as_slice(), &mut values),
@@ -371,12 +458,16 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     };
     values.finish()?;
     let Some(block) = block else {
-        return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
+        return Err(Failure::usage(
+            "the size of the object is missing",
+            "give --height and --thickness",
+        ));
     };
     args.refuse_one_file_for_several()?;
     let no_motion = args.motion.is_empty() && args.vertical.is_none();
     if no_motion {
-        args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
+        args.read
+            .refuse_without_record(|_| "name the record with --motion".to_owned())?;
     }
     if no_motion && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
         return Err(Failure::usage(
@@ -386,5 +477,16 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     }
     let mut reading = Reading::of(args)?;
     let vertical = reading.vertical.take();
-    Ok((RockRequest { block, horizontal: None, vertical, options, cushion: mass.zip(edge), wall, friction }, reading))
+    Ok((
+        RockRequest {
+            block,
+            horizontal: None,
+            vertical,
+            options,
+            cushion: mass.zip(edge),
+            wall,
+            friction,
+        },
+        reading,
+    ))
 }

@@ -39,11 +39,18 @@ pub(crate) struct StackArgs {
 }
 
 /// Calculates and prints a stack.
-pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(super) fn run(
+    args: &RockArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let target = args.plot.target(global)?;
     if args.initial_rotation.is_some() || args.initial_velocity.is_some() {
         let hint = "leave it out: a stack starts from rest";
-        return Err(Failure::usage("--initial-rotation and --initial-velocity do not apply to a stack", hint));
+        return Err(Failure::usage(
+            "--initial-rotation and --initial-velocity do not apply to a stack",
+            hint,
+        ));
     }
     let (flags, mut values) = (&args.stack, Values::default());
     let height = values.read(&flags.upper_height);
@@ -54,29 +61,71 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let common = Common::read(args, "a stack", values)?;
     let (Some((height_m, thickness_m)), Some(mass_kg)) = (height.zip(thickness), mass) else {
         let hint = "give --upper-height, --upper-thickness and --upper-mass, all three";
-        return Err(Failure::usage("the upper object of the stack is incomplete", hint));
+        return Err(Failure::usage(
+            "the upper object of the stack is incomplete",
+            hint,
+        ));
     };
     let mut values = Values::default();
-    let cushion = values.take(interface(&common.edge.cushion, stiffness, common.mass_kg, mass_kg));
+    let cushion = values.take(interface(
+        &common.edge.cushion,
+        stiffness,
+        common.mass_kg,
+        mass_kg,
+    ));
     let cushion = values.finish_with(cushion)?;
     let stack = Stack {
-        lower: StackBody { height_m: common.height_m, thickness_m: common.thickness_m, mass_kg: common.mass_kg },
-        upper: StackBody { height_m, thickness_m, mass_kg },
-        interface: Support { cushion, friction_ratio, ..common.support.clone() },
+        lower: StackBody {
+            height_m: common.height_m,
+            thickness_m: common.thickness_m,
+            mass_kg: common.mass_kg,
+        },
+        upper: StackBody {
+            height_m,
+            thickness_m,
+            mass_kg,
+        },
+        interface: Support {
+            cushion,
+            friction_ratio,
+            ..common.support.clone()
+        },
         support: common.support,
     };
     let mut reading = Reading::of(args)?;
-    let (name, horizontal) =
-        reading.horizontal.pop().map_or(("no motion".to_owned(), None), |(name, motion)| (name, Some(motion)));
+    let (name, horizontal) = reading
+        .horizontal
+        .pop()
+        .map_or(("no motion".to_owned(), None), |(name, motion)| {
+            (name, Some(motion))
+        });
     let vertical = reading.vertical.take();
-    let request = StackRequest { stack, edge: common.edge, horizontal, vertical, options: common.options };
+    let request = StackRequest {
+        stack,
+        edge: common.edge,
+        horizontal,
+        vertical,
+        options: common.options,
+    };
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
-    let report = rock_stacked(&request, args.history.is_some() || files.wanted() || target.is_some())?;
+    let report = rock_stacked(
+        &request,
+        args.history.is_some() || files.wanted() || target.is_some(),
+    )?;
     let mut facts = report.facts.clone();
     if let Some(target) = &target {
-        let figures = stack_figure(&name, &report)?.into_iter().map(|figure| ("stack".to_owned(), figure)).collect();
+        let figures = stack_figure(&name, &report)?
+            .into_iter()
+            .map(|figure| ("stack".to_owned(), figure))
+            .collect();
         facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
     }
     let history = || stack_table(&report.history);
-    reading.finish(args.history.as_deref(), history, (facts, report.warnings.clone()), files, printer)
+    reading.finish(
+        args.history.as_deref(),
+        history,
+        (facts, report.warnings.clone()),
+        files,
+        printer,
+    )
 }

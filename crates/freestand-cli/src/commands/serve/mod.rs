@@ -46,13 +46,23 @@ pub(crate) struct ServeArgs {
 /// The line with the address.
 const SCHEMA: &str = "freestand.serve/1";
 
-pub(crate) fn run(args: &ServeArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(
+    args: &ServeArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     if global.out.is_some() {
-        return Err(Failure::usage("--out does not apply to serve", "give --folder for the results of assessments"));
+        return Err(Failure::usage(
+            "--out does not apply to serve",
+            "give --folder for the results of assessments",
+        ));
     }
     let stop = printer.stop();
     stop.listen_to_hangup();
-    let settings = Settings { port: args.port, folder: args.folder.clone() };
+    let settings = Settings {
+        port: args.port,
+        folder: args.folder.clone(),
+    };
     let server = Server::bind(&settings, PROGRAM).map_err(|error| refused(args.port, &error))?;
     read_only_from(server.uploads());
     if printer.json() {
@@ -64,13 +74,20 @@ pub(crate) fn run(args: &ServeArgs, global: &GlobalArgs, printer: &Printer) -> R
         });
         // One line: whoever starts the server reads it and goes on.
         let text = document(SCHEMA, &body, &[])?;
-        let line: serde_json::Value = serde_json::from_str(&text).unwrap_or(serde_json::Value::Null);
+        let line: serde_json::Value =
+            serde_json::from_str(&text).unwrap_or(serde_json::Value::Null);
         printer.print(&format!("{line}\n"))?;
     } else {
-        printer.print(&format!("The page is at {} until you press Ctrl-C.\n", server.url()))?;
+        printer.print(&format!(
+            "The page is at {} until you press Ctrl-C.\n",
+            server.url()
+        ))?;
     }
     if !args.no_open && !printer.json() {
-        open(&server.url_for_browser().unwrap_or_else(|_| server.url()), printer);
+        open(
+            &server.url_for_browser().unwrap_or_else(|_| server.url()),
+            printer,
+        );
     }
     server.serve(|| stop.wanted());
     Ok(Done::OK)
@@ -81,18 +98,28 @@ fn refused(port: u16, error: &BindError) -> Failure {
         BindError::Port(error) => error,
         BindError::Folder(error) => {
             let folder = std::env::temp_dir();
-            return Problem::new(ProblemKind::Io, format!("no folder for uploaded files can be made here: {error}"))
-                .in_file(&folder)
-                .hint("check that it exists and can be written, or set TMPDIR to a folder that can")
-                .into();
+            return Problem::new(
+                ProblemKind::Io,
+                format!("no folder for uploaded files can be made here: {error}"),
+            )
+            .in_file(&folder)
+            .hint("check that it exists and can be written, or set TMPDIR to a folder that can")
+            .into();
         }
     };
     let hint = match error.kind() {
         std::io::ErrorKind::AddrInUse => "another program has this port: leave --port out",
-        std::io::ErrorKind::PermissionDenied => "ports below 1024 belong to the system: leave --port out",
+        std::io::ErrorKind::PermissionDenied => {
+            "ports below 1024 belong to the system: leave --port out"
+        }
         _ => "leave --port out",
     };
-    Problem::new(ProblemKind::Io, format!("cannot listen on 127.0.0.1, port {port}: {error}")).hint(hint).into()
+    Problem::new(
+        ProblemKind::Io,
+        format!("cannot listen on 127.0.0.1, port {port}: {error}"),
+    )
+    .hint(hint)
+    .into()
 }
 
 /// Opens the page with the browser of the system.
@@ -105,7 +132,12 @@ fn open(url: &str, printer: &Printer) {
         "xdg-open"
     };
     let quiet = || Stdio::null();
-    let started = Command::new(program).arg(url).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn();
+    let started = Command::new(program)
+        .arg(url)
+        .stdin(quiet())
+        .stdout(quiet())
+        .stderr(quiet())
+        .spawn();
     if started.is_err() {
         printer.note("No browser could be started: open the address yourself.");
     }

@@ -15,8 +15,8 @@ use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
 use freestand_page::{
-    Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES, Program, Refusal,
-    Reply, Request, Shape, Status, columns,
+    Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES,
+    Program, Refusal, Reply, Request, Shape, Status, columns,
 };
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, Upward, read_all};
@@ -32,7 +32,12 @@ use crate::stop::Stop;
 use crate::values::finished;
 
 /// What the page's server knows of this program.
-pub(super) const PROGRAM: Program = Program { facts, kind, check, answer };
+pub(super) const PROGRAM: Program = Program {
+    facts,
+    kind,
+    check,
+    answer,
+};
 
 /// The commands that the page may ask for.
 const COMMANDS: [&str; 17] = [
@@ -56,14 +61,18 @@ const COMMANDS: [&str; 17] = [
 ];
 
 /// Options that belong to the shell: they say how it prints, writes and works.
-const OF_THE_SHELL: [&str; 8] = ["json", "out", "quiet", "verbose", "threads", "force", "help", "version"];
+const OF_THE_SHELL: [&str; 8] = [
+    "json", "out", "quiet", "verbose", "threads", "force", "help", "version",
+];
 
 /// Motions of the last grounds and buildings that were asked for.
 static MEMORY: LazyLock<Arc<Memory>> = LazyLock::new(Arc::default);
 
 /// What the page shows before anything is asked.
 fn facts() -> Value {
-    let place = |place: &freestand_study::places::Place| serde_json::to_value(place.facts()).unwrap_or(Value::Null);
+    let place = |place: &freestand_study::places::Place| {
+        serde_json::to_value(place.facts()).unwrap_or(Value::Null)
+    };
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "commands": COMMANDS,
@@ -133,7 +142,11 @@ impl Picture {
 }
 
 const fn picture(id: &'static str, height_m: f64, thickness_m: f64) -> Picture {
-    Picture { id, height_m, thickness_m }
+    Picture {
+        id,
+        height_m,
+        thickness_m,
+    }
 }
 
 const PICTURES: [Picture; 10] = [
@@ -151,12 +164,17 @@ const PICTURES: [Picture; 10] = [
 
 /// What an uploaded file seems to be, by its content.
 fn kind(path: &Path) -> Kind {
-    let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let end = path
+        .extension()
+        .map(|end| end.to_string_lossy().to_lowercase())
+        .unwrap_or_default();
     if end == "toml" {
         return Kind::Study;
     }
     let is_list = Libraries::with_files(None, None)
-        .and_then(|libraries| libraries.looked_up(|lookup| inspect_inventory(path, &ReadOptions::new(lookup))))
+        .and_then(|libraries| {
+            libraries.looked_up(|lookup| inspect_inventory(path, &ReadOptions::new(lookup)))
+        })
         .is_ok();
     if is_list {
         return Kind::Inventory;
@@ -173,7 +191,11 @@ fn kind(path: &Path) -> Kind {
         vertical: Upward::Itself("component"),
         ..MotionFiles::read(&mut WordReader::new(&words), Path::new(""))
     };
-    if read_all(&files).is_ok() { Kind::Record } else { Kind::Unknown }
+    if read_all(&files).is_ok() {
+        Kind::Record
+    } else {
+        Kind::Unknown
+    }
 }
 
 /// What is wrong with a request, as far as that is known before any work: with its words, and with
@@ -182,7 +204,11 @@ fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
     let read = || -> Result<(), Wrong> {
         parsed(request)?;
-        let studies = request.files.iter().filter(|(flag, _)| flag == "study").flat_map(|(_, paths)| paths);
+        let studies = request
+            .files
+            .iter()
+            .filter(|(flag, _)| flag == "study")
+            .flat_map(|(_, paths)| paths);
         for study in studies {
             load(study, &Overrides::default())?;
         }
@@ -221,7 +247,9 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
             Shape::Events => RowsWanted::Told,
         };
         let session = Arc::new(session.with_rows(rows));
-        let done = cli.command.run(&cli.global, &Printer::keeping(Arc::clone(&session)));
+        let done = cli
+            .command
+            .run(&cli.global, &Printer::keeping(Arc::clone(&session)));
         drop(scratch);
         let kept = session.take();
         match done {
@@ -239,8 +267,11 @@ fn scratch(request: &Request, cli: &mut Cli) -> Result<Option<TempDir>, Failure>
         return Ok(None);
     }
     let unmade = |error: std::io::Error| {
-        Problem::new(ProblemKind::Io, format!("a folder for temporary files cannot be made: {error}"))
-            .hint("check that the folder for temporary files can be written and has room")
+        Problem::new(
+            ProblemKind::Io,
+            format!("a folder for temporary files cannot be made: {error}"),
+        )
+        .hint("check that the folder for temporary files can be written and has room")
     };
     let folder = TempDir::with_prefix("freestand-live-").map_err(unmade)?;
     cli.global.out = Some(folder.path().join("results"));
@@ -249,12 +280,21 @@ fn scratch(request: &Request, cli: &mut Cli) -> Result<Option<TempDir>, Failure>
 
 /// The document, with what goes beside it.
 fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure> {
-    let Kept { document, beside, files, is_interrupted, is_in_columns } = kept;
+    let Kept {
+        document,
+        beside,
+        files,
+        is_interrupted,
+        is_in_columns,
+    } = kept;
     let is_turned = request.shape == Shape::Columns && !is_in_columns;
-    let text = String::from_utf8(document).map_err(|_| Failure::computation("the document is not UTF-8"))?;
+    let text = String::from_utf8(document)
+        .map_err(|_| Failure::computation("the document is not UTF-8"))?;
     let mut text = seen.named(&text);
     if !beside.is_empty() || is_turned {
-        let unread = |error: serde_json::Error| Failure::computation(format!("the document is not JSON: {error}"));
+        let unread = |error: serde_json::Error| {
+            Failure::computation(format!("the document is not JSON: {error}"))
+        };
         let mut document: Map<String, Value> = serde_json::from_str(&text).map_err(unread)?;
         if is_turned && let Some(rows) = document.get_mut("rows") {
             *rows = columns(rows);
@@ -262,7 +302,11 @@ fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure>
         document.extend(beside);
         text = Value::Object(document).to_string();
     }
-    Ok(Reply { document: text, files, is_stopped: is_interrupted })
+    Ok(Reply {
+        document: text,
+        files,
+        is_stopped: is_interrupted,
+    })
 }
 
 /// The arguments that a person would type.
@@ -273,7 +317,10 @@ fn parsed(request: &Request) -> Result<Cli, Wrong> {
     }
     let mut whole = finished(Cli::command());
     whole.build();
-    let command = request.command.split(' ').try_fold(&whole, |command, name| command.find_subcommand(name));
+    let command = request
+        .command
+        .split(' ')
+        .try_fold(&whole, |command, name| command.find_subcommand(name));
     let command = command.ok_or_else(|| Failure::computation("the command is not there"))?;
     let mut arguments: Vec<OsString> = vec!["freestand".into(), "--json".into()];
     if let Some(folder) = &request.folder {
@@ -301,8 +348,10 @@ fn parsed(request: &Request) -> Result<Cli, Wrong> {
     for (name, paths) in &request.files {
         let arg = option(command, request, name)?;
         if !names_a_file(arg) || is_written(arg) {
-            let failure =
-                Failure::usage(format!("--{name} names no file that is read"), "put its value into `options`");
+            let failure = Failure::usage(
+                format!("--{name} names no file that is read"),
+                "put its value into `options`",
+            );
             return Err(Wrong::option(name, failure));
         }
         for path in paths {
@@ -320,9 +369,13 @@ fn parsed(request: &Request) -> Result<Cli, Wrong> {
         option(command, request, "edit")?;
         // In one text with its value, a wrong name of a cell could pass for another cell.
         for edit in &request.edits {
-            Edit::new(&edit.cell, &edit.value).map_err(|problem| Failure::from(problem.named("edit")))?;
+            Edit::new(&edit.cell, &edit.value)
+                .map_err(|problem| Failure::from(problem.named("edit")))?;
         }
-        let edits = request.edits.iter().map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
+        let edits = request
+            .edits
+            .iter()
+            .map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
         arguments.extend(edits);
     }
     if !positional.is_empty() {
@@ -332,7 +385,10 @@ fn parsed(request: &Request) -> Result<Cli, Wrong> {
     let matches = whole.clone().try_get_matches_from(arguments);
     matches
         .and_then(|matches| Cli::from_arg_matches(&matches))
-        .map_err(|error| Wrong { key: blamed(command, &error), failure: refused_by_parser(&error) })
+        .map_err(|error| Wrong {
+            key: blamed(command, &error),
+            failure: refused_by_parser(&error),
+        })
 }
 
 /// Why a request fails, with the option of the request that is wrong, if it is one.
@@ -343,13 +399,19 @@ struct Wrong {
 
 impl Wrong {
     fn option(name: &str, failure: Failure) -> Self {
-        Self { key: Some(name.to_owned()), failure }
+        Self {
+            key: Some(name.to_owned()),
+            failure,
+        }
     }
 }
 
 impl<T: Into<Failure>> From<T> for Wrong {
     fn from(failure: T) -> Self {
-        Self { key: None, failure: failure.into() }
+        Self {
+            key: None,
+            failure: failure.into(),
+        }
     }
 }
 
@@ -360,18 +422,30 @@ fn refused_by_parser(error: &clap::Error) -> Failure {
         Some(ContextValue::Strings(several)) => several.first().map(String::as_str),
         _ => None,
     };
-    let Some(shown) = text(ContextKind::InvalidArg) else { return failure::usage(error) };
+    let Some(shown) = text(ContextKind::InvalidArg) else {
+        return failure::usage(error);
+    };
     let name = shown.split([' ', '=']).next().unwrap_or(shown);
     match (error.kind(), text(ContextKind::InvalidValue)) {
-        (ErrorKind::MissingRequiredArgument, _) => Failure::usage(format!("{name} is missing"), "enter it"),
+        (ErrorKind::MissingRequiredArgument, _) => {
+            Failure::usage(format!("{name} is missing"), "enter it")
+        }
         (ErrorKind::ValueValidation, Some(value)) => {
-            let why = std::error::Error::source(error).map(ToString::to_string).unwrap_or_default();
-            let bounds = why.split_once(" is not in ").and_then(|(_, range)| range.split_once("..="));
+            let why = std::error::Error::source(error)
+                .map(ToString::to_string)
+                .unwrap_or_default();
+            let bounds = why
+                .split_once(" is not in ")
+                .and_then(|(_, range)| range.split_once("..="));
             let (message, hint) = match bounds {
-                Some((low, high)) => {
-                    (format!("{name}: {value:?} is not from {low} to {high}"), format!("enter {low} to {high}"))
-                }
-                None => (format!("{name}: {value:?} is not a whole number"), "enter a whole number".to_owned()),
+                Some((low, high)) => (
+                    format!("{name}: {value:?} is not from {low} to {high}"),
+                    format!("enter {low} to {high}"),
+                ),
+                None => (
+                    format!("{name}: {value:?} is not a whole number"),
+                    "enter a whole number".to_owned(),
+                ),
             };
             Failure::usage(message, hint)
         }
@@ -386,12 +460,26 @@ fn blamed(command: &Command, error: &clap::Error) -> Option<String> {
         ContextValue::Strings(several) => several.first()?,
         _ => return None,
     };
-    let arg = command.get_arguments().find(|arg| arg.to_string() == *shown)?;
-    Some(arg.get_long().unwrap_or_else(|| arg.get_id().as_str()).to_owned())
+    let arg = command
+        .get_arguments()
+        .find(|arg| arg.to_string() == *shown)?;
+    Some(
+        arg.get_long()
+            .unwrap_or_else(|| arg.get_id().as_str())
+            .to_owned(),
+    )
 }
 
 /// What people call the files of a command that takes them without a flag.
-const FILES: [&str; 7] = ["file", "files", "motion", "motions", "record", "records", "inventory"];
+const FILES: [&str; 7] = [
+    "file",
+    "files",
+    "motion",
+    "motions",
+    "record",
+    "records",
+    "inventory",
+];
 
 /// An option by its long flag, or an argument without a flag by its name in the usage line: `word`,
 /// `files`.
@@ -399,13 +487,20 @@ fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a
     let is_flag = |arg: &&Arg| arg.get_long() == Some(name);
     let is_argument = |arg: &&Arg| {
         let shown = arg.get_value_names().unwrap_or_default();
-        let is_named = arg.get_id() == name || shown.iter().any(|shown| shown.eq_ignore_ascii_case(name));
+        let is_named =
+            arg.get_id() == name || shown.iter().any(|shown| shown.eq_ignore_ascii_case(name));
         arg.is_positional() && (is_named || names_a_file(arg) && FILES.contains(&name))
     };
-    let found = command.get_arguments().find(is_flag).or_else(|| command.get_arguments().find(is_argument));
+    let found = command
+        .get_arguments()
+        .find(is_flag)
+        .or_else(|| command.get_arguments().find(is_argument));
     found.ok_or_else(|| {
         let message = format!("{} has no option --{name}", request.command);
-        Wrong::option(name, Failure::usage(message, format!("see freestand {} --help", request.command)))
+        Wrong::option(
+            name,
+            Failure::usage(message, format!("see freestand {} --help", request.command)),
+        )
     })
 }
 
@@ -413,7 +508,12 @@ fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a
 fn names_a_file(arg: &Arg) -> bool {
     let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     let names = arg.get_value_names().unwrap_or_default();
-    is_path || names.iter().any(|name| ["FILE", "DIR", "PATH", ".toml", ".csv"].iter().any(|end| name.contains(end)))
+    is_path
+        || names.iter().any(|name| {
+            ["FILE", "DIR", "PATH", ".toml", ".csv"]
+                .iter()
+                .any(|end| name.contains(end))
+        })
 }
 
 /// Whether a file of this argument is written, not read.
@@ -430,11 +530,17 @@ fn texts(name: &str, value: &Value) -> Result<Vec<Option<String>>, Failure> {
         Value::String(text) => vec![Some(text.clone())],
         Value::Number(number) => vec![Some(number.to_string())],
         Value::Array(all) => {
-            let all: Vec<Vec<Option<String>>> = all.iter().map(|one| texts(name, one)).collect::<Result<_, _>>()?;
+            let all: Vec<Vec<Option<String>>> = all
+                .iter()
+                .map(|one| texts(name, one))
+                .collect::<Result<_, _>>()?;
             all.concat()
         }
         Value::Object(_) => {
-            return Err(Failure::usage(format!("--{name} is a table"), "give a text, a number, true, or a list"));
+            return Err(Failure::usage(
+                format!("--{name} is a table"),
+                "give a text, a number, true, or a list",
+            ));
         }
     })
 }
@@ -447,17 +553,27 @@ impl Seen {
         let files = || request.files.iter().flat_map(|(_, paths)| paths);
         let paths = files().chain(&request.folder);
         let named = |path: &PathBuf| {
-            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            let name = path
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned())
+                .unwrap_or_default();
             (path.to_string_lossy().into_owned(), name)
         };
         // A file that such a file names, and that is not there.
-        let folder = |path: &PathBuf| Some((format!("{}/", path.parent()?.to_string_lossy()), String::new()));
+        let folder = |path: &PathBuf| {
+            Some((
+                format!("{}/", path.parent()?.to_string_lossy()),
+                String::new(),
+            ))
+        };
         Self(paths.map(named).chain(files().filter_map(folder)).collect())
     }
 
     /// A text with names in place of paths.
     fn named(&self, text: &str) -> String {
-        self.0.iter().fold(text.to_owned(), |text, (path, name)| text.replace(path, name))
+        self.0.iter().fold(text.to_owned(), |text, (path, name)| {
+            text.replace(path, name)
+        })
     }
 
     fn refusal(&self, wrong: &Wrong) -> Refusal {
@@ -471,7 +587,10 @@ impl Seen {
         };
         let mut all = problems.iter().map(|problem| self.of_problem(problem));
         let Some(mut first) = all.next() else {
-            return Refusal { kind: "stopped", ..Refusal::superseded() };
+            return Refusal {
+                kind: "stopped",
+                ..Refusal::superseded()
+            };
         };
         first.others = all.collect();
         if let Some(key) = &wrong.key {
@@ -492,12 +611,21 @@ impl Seen {
         let shown = |text: &str| self.named(&KeyStyle::Flag.shown(text));
         let message = shown(&problem.message);
         // A flag is named at the beginning of what is said about its value.
-        let flag = message.strip_prefix("--").and_then(|rest| rest.split([':', ' ']).next()).map(str::to_owned);
+        let flag = message
+            .strip_prefix("--")
+            .and_then(|rest| rest.split([':', ' ']).next())
+            .map(str::to_owned);
         let hint = shown(hint_of(problem));
-        let key = problem.keys.first().map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
+        let key = problem
+            .keys
+            .first()
+            .map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
         Refusal {
             key: key.or(flag).map(String::into_boxed_str),
-            file: problem.path.as_ref().map(|path| self.named(&path.to_string_lossy()).into_boxed_str()),
+            file: problem
+                .path
+                .as_ref()
+                .map(|path| self.named(&path.to_string_lossy()).into_boxed_str()),
             line: problem.line.and_then(|line| u32::try_from(line).ok()),
             ..Refusal::new(Status::BadInput, kind, message, hint)
         }

@@ -35,10 +35,20 @@ fn header_end(bytes: &[u8]) -> Option<usize> {
     // words.
     let named = |line: &Line<'_>| {
         let text = line.text();
-        !line.is_comment() && names_counts(&text) && (line.number == 4 || read_counts(&text).is_ok())
+        !line.is_comment()
+            && names_counts(&text)
+            && (line.number == 4 || read_counts(&text).is_ok())
     };
-    let found: Vec<usize> = lines(bytes).take(HEADER_LINES).filter(named).map(|line| line.number).collect();
-    if found.contains(&4) { Some(4) } else { found.first().copied() }
+    let found: Vec<usize> = lines(bytes)
+        .take(HEADER_LINES)
+        .filter(named)
+        .map(|line| line.number)
+        .collect();
+    if found.contains(&4) {
+        Some(4)
+    } else {
+        found.first().copied()
+    }
 }
 
 fn names_counts(text: &str) -> bool {
@@ -50,8 +60,10 @@ fn names_counts(text: &str) -> bool {
 
 /// The position of `word` in `text` where it is a whole word.
 fn find_word(text: &str, word: &str) -> Option<usize> {
-    let letter_at =
-        |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_alphanumeric);
+    let letter_at = |at: Option<usize>| {
+        at.and_then(|at| text.as_bytes().get(at))
+            .is_some_and(u8::is_ascii_alphanumeric)
+    };
     text.match_indices(word)
         .map(|(at, _)| at)
         .find(|&at| !letter_at(at.checked_sub(1)) && !letter_at(Some(at + word.len())))
@@ -60,17 +72,25 @@ fn find_word(text: &str, word: &str) -> Option<usize> {
 /// Reads an AT2 file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let Some(header_line) = header_end(bytes) else {
-        return Err(Problem::new(ProblemKind::Format, "no line names NPTS and DT")
-            .hint("an AT2 header has four lines; the fourth names NPTS and DT"));
+        return Err(
+            Problem::new(ProblemKind::Format, "no line names NPTS and DT")
+                .hint("an AT2 header has four lines; the fourth names NPTS and DT"),
+        );
     };
-    let header: Vec<String> = lines(bytes).take(header_line).map(|line| line.text()).collect();
+    let header: Vec<String> = lines(bytes)
+        .take(header_line)
+        .map(|line| line.text())
+        .collect();
     refuse_sisters(&header)?;
     let counts = read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
         Problem::new(ProblemKind::Format, message)
             .at_line(header_line)
             .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
     })?;
-    let counts = Counts { line: header_line, ..counts };
+    let counts = Counts {
+        line: header_line,
+        ..counts
+    };
 
     // The last line that states a unit is the one nearest to the values; line 3 in every file of
     // PEER.
@@ -79,29 +99,55 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .rev()
         .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
-        let lines = header.iter().enumerate().map(|(i, text)| (i + 1, text.as_str()));
-        let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
-        not_known(units).filter(|_| stated.is_none()).unwrap_or(problem)
-    })?;
+    let unit =
+        decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
+            let lines = header
+                .iter()
+                .enumerate()
+                .map(|(i, text)| (i + 1, text.as_str()));
+            let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+            not_known(units)
+                .filter(|_| stated.is_none())
+                .unwrap_or(problem)
+        })?;
 
     let mut notes = Vec::new();
     let (values, line) = read_values(bytes, &counts, &mut notes)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
     let direction = station.as_ref().and_then(|_| Direction::parse(&name));
     let (unit, dt_s, line_of_step) = (*unit, counts.dt_s, counts.line);
-    let component =
-        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: false }.component(options)?;
-    Ok(Reading { format: "PEER AT2", components: vec![component], notes })
+    let component = Found {
+        name,
+        station,
+        direction,
+        unit,
+        dt_s,
+        line_of_step,
+        values,
+        line,
+        is_raw: false,
+    }
+    .component(options)?;
+    Ok(Reading {
+        format: "PEER AT2",
+        components: vec![component],
+        notes,
+    })
 }
 
 /// Refuses VT2 and DT2, which look the same but hold velocity and displacement.
 fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
     for (i, text) in header.iter().enumerate() {
         let upper = text.to_ascii_uppercase();
-        for (word, name) in [("VELOCITY", "velocity record (VT2)"), ("DISPLACEMENT", "displacement record (DT2)")] {
-            let series = ["TIME SERIES", "TIME HISTORY", "UNITS OF"].iter().any(|rest| upper.contains(rest));
-            let stated = unit_in_prose(text).filter(|unit| unit.dimension != Dimension::Acceleration);
+        for (word, name) in [
+            ("VELOCITY", "velocity record (VT2)"),
+            ("DISPLACEMENT", "displacement record (DT2)"),
+        ] {
+            let series = ["TIME SERIES", "TIME HISTORY", "UNITS OF"]
+                .iter()
+                .any(|rest| upper.contains(rest));
+            let stated =
+                unit_in_prose(text).filter(|unit| unit.dimension != Dimension::Acceleration);
             // "PEAK VELOCITY" or "SHEAR WAVE VELOCITY" may be mentioned in the header of an
             // acceleration record.
             if upper.contains(word)
@@ -124,8 +170,14 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
 /// first: `4000  .01  NPTS, DT`.
 fn read_counts(text: &str) -> Result<Counts, String> {
     let upper = text.to_ascii_uppercase();
-    let (npts_at, dt_at) = (find_word(&upper, "NPTS").ok_or(NO_COUNTS)?, find_word(&upper, "DT").ok_or(NO_COUNTS)?);
-    let (npts, dt, tail) = match (value_after(&upper, npts_at + 4), value_after(&upper, dt_at + 2)) {
+    let (npts_at, dt_at) = (
+        find_word(&upper, "NPTS").ok_or(NO_COUNTS)?,
+        find_word(&upper, "DT").ok_or(NO_COUNTS)?,
+    );
+    let (npts, dt, tail) = match (
+        value_after(&upper, npts_at + 4),
+        value_after(&upper, dt_at + 2),
+    ) {
         (Some((npts, _)), Some((dt, end))) => (npts, dt, end),
         (None, Some((npts, end))) if npts_at < dt_at => {
             let (dt, end) = value_after(&upper, end).ok_or(NO_COUNTS)?;
@@ -139,10 +191,20 @@ fn read_counts(text: &str) -> Result<Counts, String> {
         _ => return Err(NO_COUNTS.to_owned()),
     };
     if !(npts >= 0.0 && npts.fract() == 0.0 && npts < 1e15) {
-        return Err(format!("the number of values, {npts}, is not a whole number"));
+        return Err(format!(
+            "the number of values, {npts}, is not a whole number"
+        ));
     }
-    let unit: String = upper[tail..].trim_start().chars().take_while(char::is_ascii_alphabetic).collect();
-    let dt_s = if matches!(unit.as_str(), "MS" | "MSEC" | "MSECS" | "MILLISECONDS") { dt / 1000.0 } else { dt };
+    let unit: String = upper[tail..]
+        .trim_start()
+        .chars()
+        .take_while(char::is_ascii_alphabetic)
+        .collect();
+    let dt_s = if matches!(unit.as_str(), "MS" | "MSEC" | "MSECS" | "MILLISECONDS") {
+        dt / 1000.0
+    } else {
+        dt
+    };
     // "0,01" in some countries.
     if dt.fract() == 0.0
         && upper[tail..].starts_with(',')
@@ -153,7 +215,11 @@ fn read_counts(text: &str) -> Result<Counts, String> {
     if !(dt_s > 0.0 && dt_s.is_finite()) {
         return Err(format!("the time step, {dt_s} s, is not positive"));
     }
-    Ok(Counts { line: 0, npts: npts as usize, dt_s })
+    Ok(Counts {
+        line: 0,
+        npts: npts as usize,
+        dt_s,
+    })
 }
 
 /// The number that follows `at`, after blanks, `=`, `:` and commas; with the position after it.
@@ -161,10 +227,17 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
     let rest = text.get(at..)?;
     let trimmed = rest.trim_start_matches(|c: char| c.is_whitespace() || "=:,".contains(c));
     let number = scan(trimmed.as_bytes())?;
-    Some((number.value, at + rest.len() - trimmed.len() + number.length))
+    Some((
+        number.value,
+        at + rest.len() - trimmed.len() + number.length,
+    ))
 }
 
-fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<Note>) -> Result<(Vec<f64>, usize), Problem> {
+fn read_values(
+    bytes: &[u8],
+    counts: &Counts,
+    notes: &mut Vec<Note>,
+) -> Result<(Vec<f64>, usize), Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two
     // bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
@@ -195,8 +268,14 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<Note>) -> Result<(
     } else {
         "the file may be cut off: fetch it again, or correct NPTS if no value is missing"
     };
-    let message = format!("the header declares {} values, but the file has {}", counts.npts, values.len());
-    Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
+    let message = format!(
+        "the header declares {} values, but the file has {}",
+        counts.npts,
+        values.len()
+    );
+    Err(Problem::new(ProblemKind::Format, message)
+        .at_line(counts.line)
+        .hint(hint))
 }
 
 /// PEER's second line is `event, date, station, component`. If it is anything else, the file's name
@@ -206,7 +285,10 @@ fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
     let is_date = |part: &&str| {
         part.split(' ').any(|word| {
             let numbers: Vec<&str> = word.split('/').collect();
-            numbers.len() == 3 && numbers.iter().all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+            numbers.len() == 3
+                && numbers
+                    .iter()
+                    .all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
         })
     };
     if let [.., station, component] = parts.as_slice()

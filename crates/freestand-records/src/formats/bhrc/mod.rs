@@ -22,13 +22,21 @@ const NUMBER_LINES: usize = 14;
 /// The volume that the first line of a component names: `* VOL1DS FILE`.
 fn volume(line: &Line<'_>) -> Option<String> {
     let text = line.text().to_ascii_uppercase();
-    let name = text.trim_start().strip_prefix('*')?.split_whitespace().next()?.to_owned();
+    let name = text
+        .trim_start()
+        .strip_prefix('*')?
+        .split_whitespace()
+        .next()?
+        .to_owned();
     (name.starts_with("VOL") && name.ends_with("DS")).then_some(name)
 }
 
 /// Whether the text is a BHRC file.
 pub(super) fn is_bhrc(bytes: &[u8]) -> bool {
-    lines(bytes).take(20).find(|line| !line.is_blank()).is_some_and(|line| volume(&line).is_some())
+    lines(bytes)
+        .take(20)
+        .find(|line| !line.is_blank())
+        .is_some_and(|line| volume(&line).is_some())
 }
 
 /// Reads a BHRC file.
@@ -41,10 +49,17 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     }
     notes.extend(end_note(bytes, "end of record"));
     if components.len() < 3 {
-        let words = format!("the file has only {} of three components: it may be cut off", components.len());
+        let words = format!(
+            "the file has only {} of three components: it may be cut off",
+            components.len()
+        );
         notes.push(Note::new(NoteKind::CutOff, words));
     }
-    Ok(Reading { format: "BHRC volume 1", components, notes })
+    Ok(Reading {
+        format: "BHRC volume 1",
+        components,
+        notes,
+    })
 }
 
 /// The first line of the next component, after the line that ends the one before.
@@ -57,9 +72,12 @@ fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
             return Ok(Some(line));
         }
         if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
-                .at_line(line.number)
-                .hint("the number of values in the header does not match the file: fetch it again"));
+            return Err(Problem::new(
+                ProblemKind::Format,
+                "there are more values than the header declares",
+            )
+            .at_line(line.number)
+            .hint("the number of values in the header does not match the file: fetch it again"));
         }
     }
     Ok(None)
@@ -80,13 +98,20 @@ fn component(
         .at_line(title.number)
         .hint("use the uncorrected file (volume 1) of the same record"));
     }
-    let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
+    let text: Vec<String> = rest
+        .by_ref()
+        .take(TEXT_LINES - 1)
+        .map(|line| line.text())
+        .collect();
     let (npts, dt_s, line_of_step) = npts_and_step(&text, title.number)?;
     rest.by_ref().take(NUMBER_LINES).for_each(drop);
     let block = VALUES.read(rest, npts, "acceleration")?;
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
     // The letter is alone on its line.
-    let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
+    let name = text
+        .iter()
+        .map(|line| line.trim())
+        .find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
     let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);
     let words = format!("the time step {dt_s} s is the duration divided by the number of values");
     notes.push(Note::of(&name, NoteKind::StepFromDuration, words));
@@ -107,9 +132,15 @@ fn component(
 /// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the
 /// eleventh of the header.
 fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, usize), Problem> {
-    let at = text.iter().position(|line| line.to_ascii_uppercase().contains("DURATION")).unwrap_or(9);
+    let at = text
+        .iter()
+        .position(|line| line.to_ascii_uppercase().contains("DURATION"))
+        .unwrap_or(9);
     let line = line_of_title + at + 1;
-    let numbers = text.get(at).map(|line| numbers_in(line)).unwrap_or_default();
+    let numbers = text
+        .get(at)
+        .map(|line| numbers_in(line))
+        .unwrap_or_default();
     // The step needs both.
     if let [count, duration] = numbers.as_slice()
         && count.value >= 2.0
@@ -119,9 +150,12 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
     {
         return Ok((count.value as usize, step(count.value, *duration), line));
     }
-    Err(Problem::new(ProblemKind::Format, "the header does not state the number of values and the duration")
-        .at_line(line)
-        .hint("the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\""))
+    Err(Problem::new(
+        ProblemKind::Format,
+        "the header does not state the number of values and the duration",
+    )
+    .at_line(line)
+    .hint("the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\""))
 }
 
 /// The step \[s\] of `count` values in a duration with a few decimals. Files may or may not count
@@ -145,7 +179,8 @@ fn numbers_in(text: &str) -> Vec<Number> {
     let mut at = 0;
     while at < bytes.len() {
         // "VOL1" and "SSA-2" hold digits but are not numbers.
-        let is_inside_word = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'-');
+        let is_inside_word =
+            at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'-');
         match scan(&bytes[at..]).filter(|_| !is_inside_word) {
             Some(number) => {
                 at += number.length;
@@ -166,17 +201,29 @@ fn direction(text: &[String], name: &str) -> Option<Direction> {
         "T" => 4,
         _ => return None,
     };
-    let place = text.iter().find_map(|line| Some(&line[line.to_ascii_lowercase().find("station")?..]))?;
+    let place = text
+        .iter()
+        .find_map(|line| Some(&line[line.to_ascii_lowercase().find("station")?..]))?;
     let azimuth = numbers_in(place).get(at)?.value;
-    (0.0..=360.0).contains(&azimuth).then_some(Direction::Azimuth(azimuth % 360.0))
+    (0.0..=360.0)
+        .contains(&azimuth)
+        .then_some(Direction::Azimuth(azimuth % 360.0))
 }
 
 /// The name before the word Station, else the code after the colon of the title.
 fn station(title: &Line<'_>, text: &[String]) -> Option<String> {
-    let name = text.iter().find_map(|line| line.get(..line.to_ascii_lowercase().find("station")?));
+    let name = text
+        .iter()
+        .find_map(|line| line.get(..line.to_ascii_lowercase().find("station")?));
     let title = title.text();
-    let code = title.split_once(':').and_then(|(_, rest)| rest.split('/').next()).unwrap_or("");
-    let found = [name.unwrap_or(""), code].into_iter().map(str::trim).find(|text| !text.is_empty());
+    let code = title
+        .split_once(':')
+        .and_then(|(_, rest)| rest.split('/').next())
+        .unwrap_or("");
+    let found = [name.unwrap_or(""), code]
+        .into_iter()
+        .map(str::trim)
+        .find(|text| !text.is_empty());
     found.map(str::to_owned)
 }
 

@@ -7,7 +7,9 @@
 mod header;
 
 use super::volumes::first_integer;
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note,
+};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
@@ -25,7 +27,9 @@ const MAX_COMMENTS: usize = 10_000;
 
 /// Whether the text is a COSMOS file: the first line names the format.
 pub(super) fn is_cosmos(bytes: &[u8]) -> bool {
-    lines(bytes).find(|line| !line.is_blank()).is_some_and(|line| is_title(&line))
+    lines(bytes)
+        .find(|line| !line.is_blank())
+        .is_some_and(|line| is_title(&line))
 }
 
 fn is_title(line: &Line<'_>) -> bool {
@@ -66,13 +70,17 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 Some(what) => refused.push((what, series.line)),
                 None => {
                     let channel = components.len() + refused.len() + 1;
-                    components.push(component(header, &series, block, channel, options, &mut notes)?);
+                    components.push(component(
+                        header, &series, block, channel, options, &mut notes,
+                    )?);
                 }
             }
         } else if !line.is_text() {
-            return Err(Problem::new(ProblemKind::Format, "no line states what these numbers are")
-                .at_line(line.number)
-                .hint("the line above them may be damaged: fetch the file again"));
+            return Err(
+                Problem::new(ProblemKind::Format, "no line states what these numbers are")
+                    .at_line(line.number)
+                    .hint("the line above them may be damaged: fetch the file again"),
+            );
         }
     }
     refuse_open(open)?;
@@ -84,9 +92,12 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
 /// A header at the end of the file is a channel that was cut off.
 fn refuse_open(open: Option<usize>) -> Result<(), Problem> {
     open.map_or(Ok(()), |line| {
-        Err(Problem::new(ProblemKind::Format, "no values follow the header of a channel")
-            .at_line(line)
-            .hint("the file may be cut off: fetch it again"))
+        Err(Problem::new(
+            ProblemKind::Format,
+            "no values follow the header of a channel",
+        )
+        .at_line(line)
+        .hint("the file may be cut off: fetch it again"))
     })
 }
 
@@ -98,20 +109,28 @@ fn finish(
 ) -> Result<Reading, Problem> {
     if components.is_empty() {
         let problem = match refused.first() {
-            Some((what, line)) => {
-                Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
-                    .at_line(*line)
-            }
+            Some((what, line)) => Problem::new(
+                ProblemKind::Format,
+                format!("holds {what}; an acceleration record is expected"),
+            )
+            .at_line(*line),
             None => Problem::new(ProblemKind::Format, "holds no series of values"),
         };
         return Err(problem.hint("use the acceleration file of the same record"));
     }
     if !refused.is_empty() {
-        let words = format!("{} series of quantities other than acceleration left out", refused.len());
+        let words = format!(
+            "{} series of quantities other than acceleration left out",
+            refused.len()
+        );
         notes.push(Note::new(NoteKind::ChannelLeftOut, words));
     }
     crate::motion_file::tell_apart(&mut components);
-    Ok(Reading { format, components, notes })
+    Ok(Reading {
+        format,
+        components,
+        notes,
+    })
 }
 
 /// V0 is raw, V1 uncorrected, V2 corrected; later files say "Acceleration data" for V2.
@@ -133,7 +152,8 @@ fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
         let before = at.clone();
         let Some(line) = at.next() else { return before };
         let text = line.text();
-        let is_comment = text.trim_start().starts_with('|') || text.to_ascii_lowercase().contains("comment");
+        let is_comment =
+            text.trim_start().starts_with('|') || text.to_ascii_lowercase().contains("comment");
         if !(is_comment || line.is_blank()) {
             return before;
         }
@@ -157,12 +177,21 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
                 "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"",
             ));
     };
-    Ok(Some(Series { line: line.number, title: lower, count, format }))
+    Ok(Some(Series {
+        line: line.number,
+        title: lower,
+        count,
+        format,
+    }))
 }
 
 /// The values, up to the line that ends them. Some networks count one more or one less; the end
 /// line decides.
-fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<Note>) -> Result<Block, Problem> {
+fn read_values(
+    series: &Series,
+    rest: &mut Lines<'_>,
+    notes: &mut Vec<Note>,
+) -> Result<Block, Problem> {
     let try_count = |count: usize| {
         let mut at = rest.clone();
         let block = series.format.read(&mut at, count, "the record")?;
@@ -173,19 +202,31 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<Note>) -> 
             *rest = at;
             return Ok(block);
         }
-        Ok(_) => {
-            Problem::new(ProblemKind::Format, format!("more values follow than the {} that are declared", series.count))
-                .at_line(series.line)
-                .hint("the file is damaged, or the number of values is wrong: fetch it again")
-        }
+        Ok(_) => Problem::new(
+            ProblemKind::Format,
+            format!(
+                "more values follow than the {} that are declared",
+                series.count
+            ),
+        )
+        .at_line(series.line)
+        .hint("the file is damaged, or the number of values is wrong: fetch it again"),
         Err(problem) => problem,
     };
-    for count in [series.count.saturating_sub(1), series.count.saturating_add(1)] {
+    for count in [
+        series.count.saturating_sub(1),
+        series.count.saturating_add(1),
+    ] {
         // Only the end line proves that a value was miscounted and not lost.
         if let Ok((block, at)) = try_count(count)
-            && at.ahead().is_some_and(|line| line.text().to_ascii_lowercase().contains("end-of-data"))
+            && at
+                .ahead()
+                .is_some_and(|line| line.text().to_ascii_lowercase().contains("end-of-data"))
         {
-            let words = format!("line {} declares {} values, but the record has {count}", series.line, series.count);
+            let words = format!(
+                "line {} declares {} values, but the record has {count}",
+                series.line, series.count
+            );
             notes.push(Note::new(NoteKind::CountDiffers, words));
             *rest = at;
             return Ok(block);
@@ -251,26 +292,46 @@ fn unit_of_code(code: usize) -> Option<Unit> {
 /// `units=g.     (02)`: the code, else the name.
 fn unit(series: &Series) -> Result<Unit, Problem> {
     let stated = series.title.split_once("unit").map_or("", |(_, tail)| tail);
-    let stated =
-        stated.split("format").next().unwrap_or("").trim_start_matches('s').trim_start_matches([' ', '=', ':']);
+    let stated = stated
+        .split("format")
+        .next()
+        .unwrap_or("")
+        .trim_start_matches('s')
+        .trim_start_matches([' ', '=', ':']);
     let (name, tail) = stated.split_once('(').unwrap_or((stated, ""));
-    let code = tail.split(')').next().and_then(|code| code.trim().parse().ok());
+    let code = tail
+        .split(')')
+        .next()
+        .and_then(|code| code.trim().parse().ok());
     let name = name.trim_end_matches([',', '.', ' ']);
     let named = record_unit(name).filter(|unit| unit.dimension == Dimension::Acceleration);
     let of_code = code.and_then(unit_of_code);
     let wrong = |message: String, hint: &'static str| {
-        Err(Problem::new(ProblemKind::Format, message).at_line(series.line).hint(hint))
+        Err(Problem::new(ProblemKind::Format, message)
+            .at_line(series.line)
+            .hint(hint))
     };
     match (of_code, named) {
-        (Some(unit), Some(named)) if (named.to_si(1.0) - unit.to_si(1.0)).abs() > 1e-9 * unit.to_si(1.0) => {
-            let message = format!("the unit is {} by its name, but {} by its code", named.symbol, unit.symbol);
-            wrong(message, "one of the two is wrong: ask the source of the file, and correct it")
+        (Some(unit), Some(named))
+            if (named.to_si(1.0) - unit.to_si(1.0)).abs() > 1e-9 * unit.to_si(1.0) =>
+        {
+            let message = format!(
+                "the unit is {} by its name, but {} by its code",
+                named.symbol, unit.symbol
+            );
+            wrong(
+                message,
+                "one of the two is wrong: ask the source of the file, and correct it",
+            )
         }
         (Some(unit), _) => Ok(unit),
         (None, Some(named)) if code.is_none() => Ok(*named),
         (None, None) if code.is_none() && name.contains("count") => Ok(COUNTS),
         _ => wrong(
-            format!("the unit \"{}\" is not a known unit of acceleration", shorten(stated.trim())),
+            format!(
+                "the unit \"{}\" is not a known unit of acceleration",
+                shorten(stated.trim())
+            ),
             "known units: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
         ),
     }
@@ -291,10 +352,19 @@ fn component(
     if is_raw {
         // These are ordinary counts, which occur in every second record.
         let is_ordinary = |value: f64| value == -999.0 || value == -9999.0;
-        notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
-        let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
+        notes.extend(block.refuse_missing(series.format, |value| {
+            is_unknown(value) && !is_ordinary(value)
+        })?);
+        let count = block
+            .values
+            .iter()
+            .filter(|value| is_ordinary(**value))
+            .count();
         if count > 0 {
-            let words = format!("{} of -999 or -9999 read as counts, not as missing", counted(count, "value"));
+            let words = format!(
+                "{} of -999 or -9999 read as counts, not as missing",
+                counted(count, "value")
+            );
             notes.push(Note::of(&name, NoteKind::GapMark, words));
         }
     } else {
@@ -305,7 +375,11 @@ fn component(
         direction: Direction::parse(&name),
         name,
         station: station(&header.text),
-        unit: if is_raw { Unit::acceleration("counts", 0, header.count_m_s2(notes)?) } else { unit },
+        unit: if is_raw {
+            Unit::acceleration("counts", 0, header.count_m_s2(notes)?)
+        } else {
+            unit
+        },
         dt_s,
         line_of_step,
         values: block.values,

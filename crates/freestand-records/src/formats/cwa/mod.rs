@@ -21,30 +21,46 @@ const HEADER_LINES: usize = 60;
 /// Whether the text is such a file: `#Earthquake Information` or, in files without it,
 /// `#StationCode:` comes first, and one of the lines about the data follows.
 pub(super) fn is_cwa(bytes: &[u8]) -> bool {
-    let mut head = lines(bytes).take(HEADER_LINES).filter(|line| !line.is_blank());
+    let mut head = lines(bytes)
+        .take(HEADER_LINES)
+        .filter(|line| !line.is_blank());
     head.next().is_some_and(|line| {
         let first = line.text();
         key_is(&first, "#Earthquake Information") || key_is(&first, "#StationCode")
     }) && head.any(|line| {
         let text = line.text();
-        ["#AmplitudeUnit", "#DataSequence"].iter().any(|key| key_is(&text, key))
+        ["#AmplitudeUnit", "#DataSequence"]
+            .iter()
+            .any(|key| key_is(&text, key))
     })
 }
 
 fn key_is(line: &str, key: &str) -> bool {
-    line.trim_start().as_bytes().get(..key.len()).is_some_and(|start| start.eq_ignore_ascii_case(key.as_bytes()))
+    line.trim_start()
+        .as_bytes()
+        .get(..key.len())
+        .is_some_and(|start| start.eq_ignore_ascii_case(key.as_bytes()))
 }
 
 /// Reads such a file: lines that begin with `#`, then rows of time, and the components that the
 /// header names.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
-    let header = Header(Head::take(&mut rest, HEADER_LINES, |line| !line.is_comment() && !line.is_blank()));
+    let header = Header(Head::take(&mut rest, HEADER_LINES, |line| {
+        !line.is_comment() && !line.is_blank()
+    }));
     let (rate_line, rate_hz) = header.number("#SampleRate")?;
     let dt_s = step_of_rate(rate_hz, rate_line)?;
     let sequence = header.sequence()?;
     let (unit_line, text) = header.value("#AmplitudeUnit").unwrap_or((rate_line, ""));
-    let stated = text.split_whitespace().next().and_then(record_unit).map(|unit| Stated { unit, line: unit_line });
+    let stated = text
+        .split_whitespace()
+        .next()
+        .and_then(record_unit)
+        .map(|unit| Stated {
+            unit,
+            line: unit_line,
+        });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
     // "gal. DCoffset(corr)": the agency removed the offset. Without this text, the offset may still
     // be there.
@@ -56,7 +72,11 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     check_times(&rows, rate_hz)?;
     notes.extend(check_length(&header, &rows, rate_hz)?);
 
-    let station = header.value("#StationCode").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
+    let station = header
+        .value("#StationCode")
+        .ok()
+        .map(|(_, code)| code.to_owned())
+        .filter(|code| !code.is_empty());
     let mut components = Vec::new();
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
@@ -79,7 +99,11 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         }
         components.push(component);
     }
-    Ok(Reading { format: "CWA", components, notes })
+    Ok(Reading {
+        format: "CWA",
+        components,
+        notes,
+    })
 }
 
 /// `U(+)`: a component and its sign.
@@ -92,7 +116,9 @@ impl Channel {
     fn direction(&self) -> Option<Direction> {
         match (Direction::parse(&self.name), self.sign) {
             (direction, '+') => direction,
-            (Some(Direction::Azimuth(degrees)), '-') => Some(Direction::Azimuth((degrees + 180.0) % 360.0)),
+            (Some(Direction::Azimuth(degrees)), '-') => {
+                Some(Direction::Azimuth((degrees + 180.0) % 360.0))
+            }
             _ => None,
         }
     }
@@ -104,9 +130,11 @@ struct Header(Head);
 impl Header {
     /// The text after the colon of the line that begins with `key`.
     fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
-        self.0.find(key, "the header is incomplete: fetch the file again", |text| {
-            Some(text.split_once(':').filter(|_| key_is(text, key))?.1.trim())
-        })
+        self.0.find(
+            key,
+            "the header is incomplete: fetch the file again",
+            |text| Some(text.split_once(':').filter(|_| key_is(text, key))?.1.trim()),
+        )
     }
 
     fn number(&self, key: &str) -> Result<(usize, f64), Problem> {
@@ -117,32 +145,49 @@ impl Header {
     /// `#DataSequence: Time U(+); N(+); E(+)`: the columns after the time.
     fn sequence(&self) -> Result<Vec<Channel>, Problem> {
         let (line, text) = self.value("#DataSequence")?;
-        let mut words = text.split(|c: char| c.is_whitespace() || ";,".contains(c)).filter(|word| !word.is_empty());
+        let mut words = text
+            .split(|c: char| c.is_whitespace() || ";,".contains(c))
+            .filter(|word| !word.is_empty());
         let channels: Vec<Channel> = words
             .by_ref()
             .skip_while(|word| word.to_ascii_lowercase().starts_with("time"))
             .map(|word| {
                 let (name, sign) = word.split_once('(').unwrap_or((word, "+"));
-                Channel { name: name.to_owned(), sign: sign.chars().next().unwrap_or('+') }
+                Channel {
+                    name: name.to_owned(),
+                    sign: sign.chars().next().unwrap_or('+'),
+                }
             })
             .collect();
         let times = text.to_ascii_lowercase().starts_with("time");
-        if times && !channels.is_empty() && channels.len() <= 12 && channels.iter().all(|one| !one.name.is_empty()) {
+        if times
+            && !channels.is_empty()
+            && channels.len() <= 12
+            && channels.iter().all(|one| !one.name.is_empty())
+        {
             return Ok(channels);
         }
-        Err(Problem::new(ProblemKind::Format, format!("the columns are given as \"{}\"", shorten(text)))
-            .at_line(line)
-            .hint("the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\""))
+        Err(Problem::new(
+            ProblemKind::Format,
+            format!("the columns are given as \"{}\"", shorten(text)),
+        )
+        .at_line(line)
+        .hint("the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\""))
     }
 
     /// `#Data: 4F10.3`, which the files of all years have.
     fn format(&self, columns: usize) -> Result<Format, Problem> {
-        let Ok((line, text)) = self.value("#Data:") else { return Ok(Format::new(columns, 10)) };
+        let Ok((line, text)) = self.value("#Data:") else {
+            return Ok(Format::new(columns, 10));
+        };
         match Format::parse(text) {
             Some(format) if format.per_line == columns => Ok(format),
             _ => Err(Problem::new(
                 ProblemKind::Format,
-                format!("the format is \"{}\", but there are {columns} columns", shorten(text)),
+                format!(
+                    "the format is \"{}\", but there are {columns} columns",
+                    shorten(text)
+                ),
             )
             .at_line(line)
             .hint("the header is damaged: fetch the file again")),
@@ -152,7 +197,9 @@ impl Header {
     /// `#AmplitudeMAX. U:    4.094~   -4.353`: the larger of the two magnitudes.
     fn peak(&self, name: &str) -> Option<f64> {
         let (_, text) = self.value(&format!("#AmplitudeMAX. {name}:")).ok()?;
-        let mut sides = text.split('~').map(|side| scan(side.trim().as_bytes()).map(|number| number.value.abs()));
+        let mut sides = text
+            .split('~')
+            .map(|side| scan(side.trim().as_bytes()).map(|number| number.value.abs()));
         Some(sides.next()??.max(sides.next()??))
     }
 }
@@ -160,15 +207,25 @@ impl Header {
 /// Checks the times, which only count the rows. A time that is half a step off means that rows were
 /// lost or doubled.
 fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
-    let Some((times, &first)) = rows.columns.first().and_then(|times| Some((times, times.first()?))) else {
+    let Some((times, &first)) = rows
+        .columns
+        .first()
+        .and_then(|times| Some((times, times.first()?)))
+    else {
         return Ok(());
     };
     let expected = |row: usize| first + row as f64 / rate_hz;
-    match times.iter().enumerate().find(|(row, time)| (**time - expected(*row)).abs() > 0.5 / rate_hz) {
+    match times
+        .iter()
+        .enumerate()
+        .find(|(row, time)| (**time - expected(*row)).abs() > 0.5 / rate_hz)
+    {
         None => Ok(()),
         Some((row, time)) => {
-            let message =
-                format!("the time is {time}, but should be {:.6} at {rate_hz} values per second", expected(row));
+            let message = format!(
+                "the time is {time}, but should be {:.6} at {rate_hz} values per second",
+                expected(row)
+            );
             Err(Problem::new(ProblemKind::Format, message)
                 // Blank lines between the rows are not counted: no such file has them.
                 .at_line(rows.first_line + row)
@@ -180,15 +237,24 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
 /// Checks the length of the record, which is rounded to few digits and may or may not count the
 /// last step.
 fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Note>, Problem> {
-    let Ok((line, text)) = header.value("#RecordLength") else { return Ok(None) };
-    let Some(length) = scan(text.as_bytes()) else { return Ok(None) };
+    let Ok((line, text)) = header.value("#RecordLength") else {
+        return Ok(None);
+    };
+    let Some(length) = scan(text.as_bytes()) else {
+        return Ok(None);
+    };
     let rounding_s = 10f64.powi(length.last_digit_exponent.clamp(-9, 9));
     let found = rows.columns.first().map_or(0, Vec::len);
     let expected = length.value * rate_hz;
     if (found as f64 - expected).abs() <= 1.0 + rounding_s * rate_hz {
         // Neither way of counting gives fewer rows than the length.
         let is_short = expected - found as f64 > 0.5 + 0.5 * rounding_s * rate_hz;
-        let words = || format!("{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}", length.value);
+        let words = || {
+            format!(
+                "{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}",
+                length.value
+            )
+        };
         return Ok(is_short.then(|| Note::new(NoteKind::CountDiffers, words())));
     }
     let message = format!(
@@ -197,7 +263,9 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Not
     );
     Err(Problem::new(ProblemKind::Format, message)
         .at_line(line)
-        .hint("the file may be cut off: fetch it again, or correct the length if no row is missing"))
+        .hint(
+            "the file may be cut off: fetch it again, or correct the length if no row is missing",
+        ))
 }
 
 #[cfg(test)]

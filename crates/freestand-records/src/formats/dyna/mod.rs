@@ -1,7 +1,9 @@
 //! DYNA 1.2 and its predecessors: the ESM and ITACA archives, and AFAD's (TADAS). Lines
 //! `KEY: value`, then one value per line.
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::motion_file::{
+    Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note,
+};
 use crate::notes::{Note, NoteKind};
 use crate::text::keyed::{Header, entry, read_rows};
 use crate::text::lines::lines;
@@ -16,10 +18,23 @@ const HEAD_LINES: usize = 100;
 /// Whether the text is a DYNA file: its first key and others that prose does not have, or the two
 /// that every file has.
 pub(super) fn is_dyna(bytes: &[u8]) -> bool {
-    let head: Vec<_> = lines(bytes).take(HEAD_LINES).filter(|line| !line.is_blank()).map(|line| entry(&line)).collect();
+    let head: Vec<_> = lines(bytes)
+        .take(HEAD_LINES)
+        .filter(|line| !line.is_blank())
+        .map(|line| entry(&line))
+        .collect();
     let has = |key: &str| head.iter().any(|entry| entry.is(key));
     let is_first = head.first().is_some_and(|entry| entry.is("EVENT_NAME"));
-    is_first && ["EVENT_ID", "STATION_CODE", "SAMPLING_INTERVAL_S", "NDATA", "UNITS"].into_iter().any(has)
+    is_first
+        && [
+            "EVENT_ID",
+            "STATION_CODE",
+            "SAMPLING_INTERVAL_S",
+            "NDATA",
+            "UNITS",
+        ]
+        .into_iter()
+        .any(has)
         || has("NDATA") && has("SAMPLING_INTERVAL_S")
 }
 
@@ -35,11 +50,19 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
     let values = rows.columns.into_iter().next().unwrap_or_default();
     if declared.is_none() {
-        let words = format!("the header does not say how many values there are; {} were found", values.len());
+        let words = format!(
+            "the header does not say how many values there are; {} were found",
+            values.len()
+        );
         notes.push(Note::new(NoteKind::CountUnstated, words));
     }
-    if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
-        let words = "the header says that the baseline was not removed: the values may have an offset";
+    if header
+        .text("BASELINE_CORRECTION")
+        .to_ascii_uppercase()
+        .contains("NOT REMOVED")
+    {
+        let words =
+            "the header says that the baseline was not removed: the values may have an offset";
         notes.push(Note::new(NoteKind::NotCorrected, words));
     }
     let (name, direction) = name_and_direction(&header, path);
@@ -62,16 +85,27 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if let Ok(Some((duration_s, _))) = header.number("DURATION_S") {
         notes.extend(length_note(&component, duration_s));
     }
-    Ok(Reading { format: "DYNA", components: vec![component], notes })
+    Ok(Reading {
+        format: "DYNA",
+        components: vec![component],
+        notes,
+    })
 }
 
 /// Refuses velocities, displacements and spectra, which the archives publish in the same form.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
-    let Some(stated) = header.get("DATA_TYPE") else { return Ok(()) };
+    let Some(stated) = header.get("DATA_TYPE") else {
+        return Ok(());
+    };
     let upper = stated.value.to_ascii_uppercase();
-    let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"].iter().any(|word| upper.contains(word));
+    let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"]
+        .iter()
+        .any(|word| upper.contains(word));
     if is_other || !upper.contains("ACCEL") {
-        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&stated.value));
+        let message = format!(
+            "holds \"{}\"; an acceleration record is expected",
+            shorten(&stated.value)
+        );
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(stated.line)
             .hint("use the acceleration file (ACC) of the same record"));
@@ -81,13 +115,25 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
 
 fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem> {
     let requested = requested(options.unit.as_deref())?;
-    let Some(stated) = header.get("UNITS") else { return decide(None, requested, "the record") };
+    let Some(stated) = header.get("UNITS") else {
+        return decide(None, requested, "the record");
+    };
     let unit = record_unit(&stated.value).ok_or_else(|| {
-        Problem::new(ProblemKind::Format, format!("the unit \"{}\" is not known", shorten(&stated.value)))
-            .at_line(stated.line)
-            .hint("correct UNITS in the header; the archives write cm/s^2")
+        Problem::new(
+            ProblemKind::Format,
+            format!("the unit \"{}\" is not known", shorten(&stated.value)),
+        )
+        .at_line(stated.line)
+        .hint("correct UNITS in the header; the archives write cm/s^2")
     })?;
-    decide(Some(Stated { unit, line: stated.line }), requested, "the record")
+    decide(
+        Some(Stated {
+            unit,
+            line: stated.line,
+        }),
+        requested,
+        "the record",
+    )
 }
 
 /// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to
@@ -98,7 +144,9 @@ fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction
     }
     match header.text("COMPONENT") {
         "" => (file_stem(path), None),
-        name if name.eq_ignore_ascii_case("WE") => (name.to_owned(), Some(Direction::Azimuth(90.0))),
+        name if name.eq_ignore_ascii_case("WE") => {
+            (name.to_owned(), Some(Direction::Azimuth(90.0)))
+        }
         name => (name.to_owned(), Direction::parse(name)),
     }
 }
@@ -106,9 +154,17 @@ fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction
 /// `HI.ARS1 Town Hall, Argos`, as far as the header has it.
 fn station(header: &Header) -> Option<String> {
     let code = [header.text("NETWORK"), header.text("STATION_CODE")];
-    let code = code.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(".");
+    let code = code
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(".");
     let parts = [code.as_str(), header.text("STATION_NAME")];
-    let name = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    let name = parts
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ");
     (!name.is_empty()).then_some(name)
 }
 

@@ -5,7 +5,9 @@
 //! (10F8); in a V2A file the velocities and displacements follow. Source: GeoNet, "Strong motion
 //! file formats".
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, length_note, peak_note,
+};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::{fields, is_missing_value};
@@ -33,7 +35,9 @@ fn volume(line: &Line<'_>) -> Option<Volume> {
     if title.starts_with("uncorrected accelerogram") {
         return Some(Volume::Uncorrected);
     }
-    title.starts_with("corrected accelerogram").then_some(Volume::Corrected)
+    title
+        .starts_with("corrected accelerogram")
+        .then_some(Volume::Corrected)
 }
 
 /// Whether the text is a GeoNet file. The files of other agencies also have the words "corrected
@@ -41,11 +45,23 @@ fn volume(line: &Line<'_>) -> Option<Volume> {
 /// line must name the component.
 pub(super) fn is_geonet(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
-    let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
+    let Some(title) = head.next().filter(|line| volume(line).is_some()) else {
+        return false;
+    };
     let title = title.text().to_ascii_lowercase();
-    let site = head.next().is_some_and(|line| line.text().trim_start().to_ascii_lowercase().starts_with("site "));
+    let site = head.next().is_some_and(|line| {
+        line.text()
+            .trim_start()
+            .to_ascii_lowercase()
+            .starts_with("site ")
+    });
     (site || title.contains("gns science") || title.contains("geonet"))
-        && head.any(|line| line.text().trim_start().to_ascii_lowercase().starts_with("component"))
+        && head.any(|line| {
+            line.text()
+                .trim_start()
+                .to_ascii_lowercase()
+                .starts_with("component")
+        })
 }
 
 /// Reads a GeoNet file.
@@ -62,17 +78,27 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         components.push(component(&mut rest, volume, number, options, &mut notes)?);
     }
     if components.len() < 3 {
-        let words = format!("the file has only {} of three components: it may be cut off", components.len());
+        let words = format!(
+            "the file has only {} of three components: it may be cut off",
+            components.len()
+        );
         notes.push(Note::new(NoteKind::CutOff, words));
     }
-    Ok(Reading { format, components, notes })
+    Ok(Reading {
+        format,
+        components,
+        notes,
+    })
 }
 
 /// The first line of the next component.
 ///
 /// # Errors
 /// Numbers where a component should begin: the header declared fewer than there are.
-fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<Note>) -> Result<Option<Line<'a>>, Problem> {
+fn next_title<'a>(
+    rest: &mut Lines<'a>,
+    notes: &mut Vec<Note>,
+) -> Result<Option<Line<'a>>, Problem> {
     let mut ignored = 0;
     let mut title = None;
     for line in rest.by_ref().filter(|line| !line.is_blank()) {
@@ -81,14 +107,20 @@ fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<Note>) -> Result<Option<
             break;
         }
         if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
-                .at_line(line.number)
-                .hint("the number of values in the header does not match the file: fetch it again"));
+            return Err(Problem::new(
+                ProblemKind::Format,
+                "there are more values than the header declares",
+            )
+            .at_line(line.number)
+            .hint("the number of values in the header does not match the file: fetch it again"));
         }
         ignored += 1;
     }
     if ignored > 0 {
-        let words = format!("{} of text between or after the components ignored", counted(ignored, "line"));
+        let words = format!(
+            "{} of text between or after the components ignored",
+            counted(ignored, "line")
+        );
         notes.push(Note::new(NoteKind::TextIgnored, words));
     }
     Ok(title)
@@ -102,7 +134,11 @@ fn component(
     options: &ReadOptions,
     notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
-    let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
+    let text: Vec<String> = rest
+        .by_ref()
+        .take(TEXT_LINES - 1)
+        .map(|line| line.text())
+        .collect();
     let integers = INTEGERS.read(rest, 40, "the integer header")?;
     let reals = REALS.read(rest, 60, "the real header")?;
     let count = |at: usize, what: &str| integers.count(at, INTEGERS, what);
@@ -137,19 +173,31 @@ fn component(
         // may be shorter.
         dt_s: reals.values[25],
         line_of_step: reals.first_line + 2,
-        values: block.values.into_iter().map(|value| value * scale).collect(),
+        values: block
+            .values
+            .into_iter()
+            .map(|value| value * scale)
+            .collect(),
         line: block.first_line,
         is_raw: false,
     }
     .component(options)?;
     // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
-    let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
+    let peak = if volume == Volume::Uncorrected {
+        reals.values[30]
+    } else {
+        reals.values[35]
+    };
     notes.extend(peak_note(&component, UNIT.to_si(peak)));
     // Real 24: the duration. In a complete file, integers 34 to 36 are equal.
     notes.extend(length_note(&component, reals.values[23]));
-    if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
-        let words =
-            format!("{found} accelerations were read, but the header declares {other} velocities or displacements");
+    if let Some(other) = others
+        .into_iter()
+        .find(|&other| other != 0 && other != found)
+    {
+        let words = format!(
+            "{found} accelerations were read, but the header declares {other} velocities or displacements"
+        );
         notes.push(Note::of(&component.name, NoteKind::CountDiffers, words));
     }
     Ok(component)
@@ -164,10 +212,12 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
     let mut refused = None;
     for &count in counts {
         let mut tail = rest.clone();
-        let read = VALUES.read(&mut tail, count, "acceleration").and_then(|block| {
-            skip_others(&mut tail, others)?;
-            next_title(&mut tail.clone(), &mut Vec::new()).map(|_| block)
-        });
+        let read = VALUES
+            .read(&mut tail, count, "acceleration")
+            .and_then(|block| {
+                skip_others(&mut tail, others)?;
+                next_title(&mut tail.clone(), &mut Vec::new()).map(|_| block)
+            });
         match read {
             Ok(block) => {
                 *rest = tail;
@@ -211,7 +261,9 @@ fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> 
 fn name(text: &[String]) -> Option<String> {
     let mut words = text.iter().map(|line| line.split_whitespace());
     words.find_map(|mut words| {
-        words.next().filter(|word| word.eq_ignore_ascii_case("component"))?;
+        words
+            .next()
+            .filter(|word| word.eq_ignore_ascii_case("component"))?;
         words.next().map(str::to_owned)
     })
 }
@@ -219,7 +271,8 @@ fn name(text: &[String]) -> Option<String> {
 /// The code of the site on the second line, and its name on the third.
 fn station(text: &[String]) -> Option<String> {
     let mut site = text.first()?.split_whitespace();
-    site.next().filter(|word| word.eq_ignore_ascii_case("site"))?;
+    site.next()
+        .filter(|word| word.eq_ignore_ascii_case("site"))?;
     let name = text.get(1).map_or("", |line| line.trim());
     Some(format!("{} {name}", site.next()?).trim_end().to_owned())
 }

@@ -20,11 +20,16 @@ const HEADER_LINES: usize = 60;
 /// Whether the text is a K-NET file: the origin time first, then at least one of the lines about
 /// the instrument.
 pub(super) fn is_knet(bytes: &[u8]) -> bool {
-    let mut head = lines(bytes).take(HEADER_LINES).filter(|line| !line.is_blank());
-    head.next().is_some_and(|line| value_of(&line.text(), "origin time").is_some())
+    let mut head = lines(bytes)
+        .take(HEADER_LINES)
+        .filter(|line| !line.is_blank());
+    head.next()
+        .is_some_and(|line| value_of(&line.text(), "origin time").is_some())
         && head.any(|line| {
             let text = line.text();
-            ["station code", "sampling freq", "scale factor"].iter().any(|key| value_of(&text, key).is_some())
+            ["station code", "sampling freq", "scale factor"]
+                .iter()
+                .any(|key| value_of(&text, key).is_some())
         })
 }
 
@@ -47,18 +52,38 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     for count in &mut values {
         *count *= scale.per_count;
     }
-    let station = header.value("station code").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
+    let station = header
+        .value("station code")
+        .ok()
+        .map(|(_, code)| code.to_owned())
+        .filter(|code| !code.is_empty());
     let unit = *scale.unit;
-    let component =
-        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: true }.component(options)?;
+    let component = Found {
+        name,
+        station,
+        direction,
+        unit,
+        dt_s,
+        line_of_step,
+        values,
+        line,
+        is_raw: true,
+    }
+    .component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format
     // says.
     if let Ok(peak) = header.number("max acc") {
         let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());
-        let found = accel_m_s2.iter().fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
+        let found = accel_m_s2
+            .iter()
+            .fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
         notes.extend(peak_note_of(&component.name, found, 0.01 * peak));
     }
-    Ok(Reading { format: "K-NET", components: vec![component], notes })
+    Ok(Reading {
+        format: "K-NET",
+        components: vec![component],
+        notes,
+    })
 }
 
 /// The text after `key` at the start of a header line. Points, brackets and capitals in the name
@@ -79,7 +104,10 @@ fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
     }
     // Only the point that ends the name: the value may begin with a point, as .000634 does.
     let rest = rest.strip_prefix('.').unwrap_or(rest).trim_start();
-    let rest = rest.strip_prefix('(').and_then(|unit| unit.split_once(')')).map_or(rest, |(_, value)| value);
+    let rest = rest
+        .strip_prefix('(')
+        .and_then(|unit| unit.split_once(')'))
+        .map_or(rest, |(_, value)| value);
     Some(rest.trim_start_matches(':').trim())
 }
 
@@ -117,9 +145,12 @@ impl Header {
     fn scale(&self) -> Result<Scale, Problem> {
         let (line, text) = self.value("scale factor")?;
         parse_scale(text).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("the scale factor is \"{}\"", shorten(text)))
-                .at_line(line)
-                .hint("it should read like 3920(gal)/6182761: acceleration/counts")
+            Problem::new(
+                ProblemKind::Format,
+                format!("the scale factor is \"{}\"", shorten(text)),
+            )
+            .at_line(line)
+            .hint("it should read like 3920(gal)/6182761: acceleration/counts")
         })
     }
 }
@@ -139,12 +170,15 @@ fn parse_scale(text: &str) -> Option<Scale> {
     let counts = match counts {
         Some(text) => {
             let text = text.trim();
-            scan(text.as_bytes()).filter(|number| number.length == text.len())?.value
+            scan(text.as_bytes())
+                .filter(|number| number.length == text.len())?
+                .value
         }
         None => 1.0,
     };
     let per_count = number.value / counts;
-    let sensible = unit.dimension == Dimension::Acceleration && per_count.is_normal() && per_count > 0.0;
+    let sensible =
+        unit.dimension == Dimension::Acceleration && per_count.is_normal() && per_count > 0.0;
     sensible.then_some(Scale { per_count, unit })
 }
 
@@ -208,7 +242,9 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
             .at_line(line)
             .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
     }
-    let words = || format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}");
+    let words = || {
+        format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")
+    };
     Ok((difference == 1.0).then(|| Note::new(NoteKind::CountDiffers, words())))
 }
 

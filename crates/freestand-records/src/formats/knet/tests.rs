@@ -39,12 +39,18 @@ fn file(dir: &str, counts: &[i64], peak_gal: f64) -> String {
 
 /// 200 counts about 8000, so 16 gal; the largest is 8500, 1 gal above them, the mean 8002.5.
 fn counts() -> Vec<i64> {
-    (0..200).map(|i| if i == 50 { 8500 } else { 8000 }).collect()
+    (0..200)
+        .map(|i| if i == 50 { 8500 } else { 8000 })
+        .collect()
 }
 
 fn read(text: &str) -> Result<MotionFile, String> {
-    parse_motions(text.as_bytes().to_vec(), "x.NS".as_ref(), &ReadOptions::default())
-        .map_err(|error| error.problems[0].to_string())
+    parse_motions(
+        text.as_bytes().to_vec(),
+        "x.NS".as_ref(),
+        &ReadOptions::default(),
+    )
+    .map_err(|error| error.problems[0].to_string())
 }
 
 #[test]
@@ -52,15 +58,36 @@ fn counts_become_gal_and_keep_their_offset() {
     // About the mean: (8500 - 8002.5) counts of 0.002 gal.
     let found = read(&file("N-S", &counts(), 0.995)).unwrap();
     let one = &found.components[0];
-    assert_eq!((found.format, one.name.as_str(), one.unit, one.is_raw), ("K-NET", "N-S", "gal", true));
+    assert_eq!(
+        (found.format, one.name.as_str(), one.unit, one.is_raw),
+        ("K-NET", "N-S", "gal", true)
+    );
     assert_eq!(one.station.as_deref(), Some("ABC001"));
-    assert_eq!((one.direction, one.motion.dt_s()), (Some(Direction::Azimuth(0.0)), 0.01));
-    assert_eq!((one.line_of_first_value, one.motion.accel_m_s2().len()), (18, 200));
+    assert_eq!(
+        (one.direction, one.motion.dt_s()),
+        (Some(Direction::Azimuth(0.0)), 0.01)
+    );
+    assert_eq!(
+        (one.line_of_first_value, one.motion.accel_m_s2().len()),
+        (18, 200)
+    );
     // 8000 and 8500 counts of 0.002 gal; three roundings of 1.1e-16 each.
-    assert!((one.motion.accel_m_s2()[0] - 0.16).abs() < 1e-15 && (one.motion.peak_m_s2() - 0.17).abs() < 1e-15);
-    assert_eq!(found.notes, [""; 0], "the header's peak is the one about the mean");
+    assert!(
+        (one.motion.accel_m_s2()[0] - 0.16).abs() < 1e-15
+            && (one.motion.peak_m_s2() - 0.17).abs() < 1e-15
+    );
+    assert_eq!(
+        found.notes, [""; 0],
+        "the header's peak is the one about the mean"
+    );
     let other = read(&file("N-S", &counts(), 17.0)).unwrap();
-    assert!(other.notes[0].to_string().contains("header states a peak of 0.17"), "{:?}", other.notes);
+    assert!(
+        other.notes[0]
+            .to_string()
+            .contains("header states a peak of 0.17"),
+        "{:?}",
+        other.notes
+    );
 }
 
 #[test]
@@ -81,8 +108,19 @@ fn directions_by_name_and_by_number() {
     ] {
         let found = read(&file(dir, &counts(), 0.995)).unwrap();
         let one = &found.components[0];
-        assert_eq!((one.name.as_str(), one.direction), (name, direction), "{dir}");
-        assert_eq!(found.notes.iter().any(|note| note.to_string().contains("borehole")), borehole, "{dir}");
+        assert_eq!(
+            (one.name.as_str(), one.direction),
+            (name, direction),
+            "{dir}"
+        );
+        assert_eq!(
+            found
+                .notes
+                .iter()
+                .any(|note| note.to_string().contains("borehole")),
+            borehole,
+            "{dir}"
+        );
     }
 }
 
@@ -108,10 +146,17 @@ fn headers_of_other_hands() {
         ("\n", "\r\r\n"),
     ] {
         assert!(text.contains(from), "{from}");
-        let found = read(&text.replace(from, to)).unwrap_or_else(|problem| panic!("{to}: {problem}"));
-        let relative = accel.accel_m_s2().iter().zip(found.components[0].motion.accel_m_s2());
+        let found =
+            read(&text.replace(from, to)).unwrap_or_else(|problem| panic!("{to}: {problem}"));
+        let relative = accel
+            .accel_m_s2()
+            .iter()
+            .zip(found.components[0].motion.accel_m_s2());
         // 2000/1000000 and 0.002 are rounded differently, by one part in 1e16 each.
-        assert!(relative.clone().all(|(a, b)| (a - b).abs() < 1e-15) && relative.len() == 200, "{to}");
+        assert!(
+            relative.clone().all(|(a, b)| (a - b).abs() < 1e-15) && relative.len() == 200,
+            "{to}"
+        );
     }
     let blank_end = format!("{text}\n  \n\x1A");
     assert_eq!(read(&blank_end).unwrap().components[0].motion, accel);
@@ -130,35 +175,88 @@ fn markers_of_missing_values_are_counts_like_others() {
 fn one_value_more_or_less_is_said() {
     let text = file("N-S", &counts(), 0.995);
     let found = read(&text.replace("Duration Time(s)  2\n", "Duration Time(s)  2.01\n")).unwrap();
-    assert_eq!(found.notes, ["200 values were read, but 2.01 s at 100 Hz would be 201"]);
+    assert_eq!(
+        found.notes,
+        ["200 values were read, but 2.01 s at 100 Hz would be 201"]
+    );
 }
 
 #[test]
 fn what_is_wrong_names_its_line() {
     let text = file("N-S", &counts(), 0.995);
     for (from, to, line, message) in [
-        ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values, but the file has 200"),
-        ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "\"two\" is not a number for \"duration time\""),
-        ("Duration Time(s)  2\n", "", "x.NS:16:", "no line \"duration time\""),
+        (
+            "Duration Time(s)  2",
+            "Duration Time(s)  3",
+            "x.NS:12:",
+            "300 values, but the file has 200",
+        ),
+        (
+            "Duration Time(s)  2",
+            "Duration Time(s)  two",
+            "x.NS:12:",
+            "\"two\" is not a number for \"duration time\"",
+        ),
+        (
+            "Duration Time(s)  2\n",
+            "",
+            "x.NS:16:",
+            "no line \"duration time\"",
+        ),
         ("100Hz", "0Hz", "x.NS:11:", "sampling rate is 0"),
         ("100Hz", "1E300Hz", "x.NS:11:", "sampling rate is"),
-        ("2000(gal)/1000000", "2000(gal)/0", "x.NS:14:", "scale factor is"),
-        ("2000(gal)/1000000", "2000/1000000", "x.NS:14:", "scale factor is"),
-        ("2000(gal)/1000000", "2000(cm)/1000000", "x.NS:14:", "scale factor is"),
-        ("2000(gal)/1000000", "-2000(gal)/1000000", "x.NS:14:", "scale factor is"),
-        ("    8500 ", "    85x0 ", "x.NS:24:", "\"85x0\" is not a number"),
+        (
+            "2000(gal)/1000000",
+            "2000(gal)/0",
+            "x.NS:14:",
+            "scale factor is",
+        ),
+        (
+            "2000(gal)/1000000",
+            "2000/1000000",
+            "x.NS:14:",
+            "scale factor is",
+        ),
+        (
+            "2000(gal)/1000000",
+            "2000(cm)/1000000",
+            "x.NS:14:",
+            "scale factor is",
+        ),
+        (
+            "2000(gal)/1000000",
+            "-2000(gal)/1000000",
+            "x.NS:14:",
+            "scale factor is",
+        ),
+        (
+            "    8500 ",
+            "    85x0 ",
+            "x.NS:24:",
+            "\"85x0\" is not a number",
+        ),
         ("    8500 ", "     NaN ", "x.NS:24:", "missing value"),
         ("    8500 ", "   1.7E38 ", "x.NS:24:", "missing value"),
         ("    8500 ", "", "x.NS:12:", "anything"),
     ] {
         assert!(text.contains(from), "{from}");
         match read(&text.replacen(from, to, 1)) {
-            Err(problem) => assert!(problem.starts_with(line) && problem.contains(message), "{problem}"),
+            Err(problem) => assert!(
+                problem.starts_with(line) && problem.contains(message),
+                "{problem}"
+            ),
             // One value less only makes a note.
-            Ok(found) => assert!(message == "anything" && found.notes[0].to_string().starts_with("199 values"), "{to}"),
+            Ok(found) => assert!(
+                message == "anything" && found.notes[0].to_string().starts_with("199 values"),
+                "{to}"
+            ),
         }
     }
-    let header_only: String = text.lines().take(17).map(|line| format!("{line}\n")).collect();
+    let header_only: String = text
+        .lines()
+        .take(17)
+        .map(|line| format!("{line}\n"))
+        .collect();
     assert!(read(&header_only).unwrap_err().contains("the file has 0"));
 }
 
@@ -171,7 +269,15 @@ fn the_unit_and_the_step_are_the_files() {
         (Some("g"), None, false),
         (None, Some(0.02), false),
     ] {
-        let options = ReadOptions { unit: unit.map(str::to_owned), dt_s, ..ReadOptions::default() };
-        assert_eq!(parse_motions(text.clone(), "x".as_ref(), &options).is_ok(), good, "{unit:?} {dt_s:?}");
+        let options = ReadOptions {
+            unit: unit.map(str::to_owned),
+            dt_s,
+            ..ReadOptions::default()
+        };
+        assert_eq!(
+            parse_motions(text.clone(), "x".as_ref(), &options).is_ok(),
+            good,
+            "{unit:?} {dt_s:?}"
+        );
     }
 }

@@ -39,7 +39,11 @@ enum Column {
 
 /// The meaning of a heading; rotations and everything else are ignored.
 fn column(heading: &str) -> Option<Column> {
-    let plain: String = heading.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
+    let plain: String = heading
+        .chars()
+        .filter(char::is_ascii_alphanumeric)
+        .collect::<String>()
+        .to_ascii_lowercase();
     Some(match plain.as_str() {
         "story" | "storey" | "level" => Column::Story,
         "label" | "joint" | "point" | "jointlabel" => Column::Label,
@@ -63,7 +67,9 @@ fn cells(line: &Line<'_>) -> (u8, Vec<String>) {
     let text = line.text();
     let of = |separator: u8| (separator, quoted_cells(&text, separator));
     let all = [b',', b';', b'\t'].map(of);
-    all.into_iter().max_by_key(|(_, cells)| cells.len()).unwrap_or_default()
+    all.into_iter()
+        .max_by_key(|(_, cells)| cells.len())
+        .unwrap_or_default()
 }
 
 /// The headings, if a line is a row of them.
@@ -79,7 +85,9 @@ fn headings(line: &Line<'_>) -> Option<(u8, Vec<Option<Column>>)> {
 
 /// Whether the text is such a table.
 pub(super) fn is_long_table(bytes: &[u8]) -> bool {
-    lines(bytes).take(HEADER_LINES).any(|line| headings(&line).is_some())
+    lines(bytes)
+        .take(HEADER_LINES)
+        .any(|line| headings(&line).is_some())
 }
 
 /// The histories of one joint in one output case.
@@ -115,14 +123,19 @@ struct Head {
 
 impl Head {
     fn at(&self, wanted: Column) -> Option<usize> {
-        self.columns.iter().position(|column| *column == Some(wanted))
+        self.columns
+            .iter()
+            .position(|column| *column == Some(wanted))
     }
 
     fn components(&self) -> impl Iterator<Item = (usize, &'static str)> {
-        self.columns.iter().enumerate().filter_map(|(at, column)| match column {
-            Some(Column::Component(name)) => Some((at, *name)),
-            _ => None,
-        })
+        self.columns
+            .iter()
+            .enumerate()
+            .filter_map(|(at, column)| match column {
+                Some(Column::Component(name)) => Some((at, *name)),
+                _ => None,
+            })
     }
 }
 
@@ -131,7 +144,11 @@ impl Head {
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let (head, joints) = table(bytes)?;
     let mut notes = Vec::new();
-    if head.title.as_ref().is_some_and(|title| title.to_ascii_lowercase().contains("relative")) {
+    if head
+        .title
+        .as_ref()
+        .is_some_and(|title| title.to_ascii_lowercase().contains("relative"))
+    {
         let words = "the title says that the accelerations are relative to the ground: rocking needs absolute ones; \
                      export \"Joint Accelerations - Absolute\"";
         notes.push(Note::new(NoteKind::Relative, words));
@@ -141,12 +158,17 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     for joint in &joints {
         labels.entry(&joint.story).or_default().insert(&joint.label);
     }
-    let has_cases = joints.windows(2).any(|pair| pair.first().map(|one| &one.case) != pair.last().map(|one| &one.case));
+    let has_cases = joints
+        .windows(2)
+        .any(|pair| pair.first().map(|one| &one.case) != pair.last().map(|one| &one.case));
     let mut components = Vec::new();
     for joint in &joints {
         let (dt_s, line_of_step) = step(&head, joint, options)?;
         for (index, (at, name)) in head.components().enumerate() {
-            let stated = head.units.get(at).copied().flatten().map(|unit| Stated { unit, line: head.line + 1 });
+            let stated = head.units.get(at).copied().flatten().map(|unit| Stated {
+                unit,
+                line: head.line + 1,
+            });
             let unit = decide(stated, requested, "the table")?;
             let found = Found {
                 name: format!("{} {name}", joint_name(joint, &labels, has_cases)),
@@ -162,11 +184,17 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             components.push(found.component(options)?);
         }
     }
-    Ok(Reading { format: "ETABS/SAP2000 table", components, notes })
+    Ok(Reading {
+        format: "ETABS/SAP2000 table",
+        components,
+        notes,
+    })
 }
 
 fn format_problem(message: impl Into<String>, line: usize, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Format, message).at_line(line).hint(hint)
+    Problem::new(ProblemKind::Format, message)
+        .at_line(line)
+        .hint(hint)
 }
 
 /// The head of the table, and its rows by joint.
@@ -181,15 +209,24 @@ fn table(bytes: &[u8]) -> Result<(Head, Vec<Joint>), Problem> {
         if let Some((separator, columns)) = headings(&line) {
             break (separator, columns, line.number);
         }
-        title = title.or_else(|| Some(line.text().trim().to_owned()).filter(|text| !text.is_empty()));
+        title =
+            title.or_else(|| Some(line.text().trim().to_owned()).filter(|text| !text.is_empty()));
     };
-    let mut head = Head { separator, columns, line, title, units: Vec::new() };
+    let mut head = Head {
+        separator,
+        columns,
+        line,
+        title,
+        units: Vec::new(),
+    };
     let mut joints: Vec<Joint> = Vec::new();
     let mut found = Places::new();
     for line in rest.filter(|line| !line.is_blank()) {
         let cells = quoted_cells(&line.text(), head.separator);
-        let is_units =
-            joints.is_empty() && head.components().all(|(at, _)| value(cells.get(at), head.separator).is_none());
+        let is_units = joints.is_empty()
+            && head
+                .components()
+                .all(|(at, _)| value(cells.get(at), head.separator).is_none());
         if is_units {
             head.units = cells.iter().map(|cell| unit(cell)).collect();
             head.line = line.number - 1;
@@ -203,14 +240,29 @@ fn table(bytes: &[u8]) -> Result<(Head, Vec<Joint>), Problem> {
         let most = longest.entry(&joint.case).or_default();
         *most = joint.lines.len().max(*most);
     }
-    let is_short = |joint: &&Joint| longest.get(joint.case.as_str()).is_some_and(|most| joint.lines.len() < *most);
+    let is_short = |joint: &&Joint| {
+        longest
+            .get(joint.case.as_str())
+            .is_some_and(|most| joint.lines.len() < *most)
+    };
     if let Some(joint) = joints.iter().find(is_short) {
-        let message = format!("joint {} {} has fewer steps than others of its output case", joint.story, joint.label);
+        let message = format!(
+            "joint {} {} has fewer steps than others of its output case",
+            joint.story, joint.label
+        );
         let line = joint.lines.last().copied().unwrap_or(head.line);
-        return Err(format_problem(message, line, "the table is incomplete: export it again"));
+        return Err(format_problem(
+            message,
+            line,
+            "the table is incomplete: export it again",
+        ));
     }
     if joints.is_empty() {
-        return Err(format_problem("the table has no rows", head.line, "export the results of a time history"));
+        return Err(format_problem(
+            "the table has no rows",
+            head.line,
+            "export the results of a time history",
+        ));
     }
     Ok((head, joints))
 }
@@ -223,9 +275,16 @@ fn unit(cell: &str) -> Option<&'static Unit> {
 /// The number in a cell; a decimal comma where another character separates the columns.
 fn value(cell: Option<&String>, separator: u8) -> Option<(f64, i32)> {
     let text = cell?.trim();
-    let pointed = if separator == b',' { text.to_owned() } else { text.replace(',', ".") };
+    let pointed = if separator == b',' {
+        text.to_owned()
+    } else {
+        text.replace(',', ".")
+    };
     let found = number(pointed.as_bytes())?;
-    found.value.is_finite().then_some((found.value, found.last_digit_exponent))
+    found
+        .value
+        .is_finite()
+        .then_some((found.value, found.last_digit_exponent))
 }
 
 /// Adds a row to its joint; `found` is where each joint is.
@@ -242,22 +301,44 @@ fn add_row(
     };
     if ["max", "min"].contains(&text(Column::StepType).to_ascii_lowercase().as_str()) {
         let hint = "export the results step by step, not as envelopes";
-        return Err(format_problem("the table has the largest and smallest values, not histories", line, hint));
+        return Err(format_problem(
+            "the table has the largest and smallest values, not histories",
+            line,
+            hint,
+        ));
     }
-    let label = Some(text(Column::Label)).filter(|label| !label.is_empty()).unwrap_or_else(|| text(Column::UniqueName));
+    let label = Some(text(Column::Label))
+        .filter(|label| !label.is_empty())
+        .unwrap_or_else(|| text(Column::UniqueName));
     let (story, case) = (text(Column::Story), text(Column::Case));
     let count = joints.len();
-    let index = *found.entry((story.clone(), label.clone(), case.clone())).or_insert(count);
+    let index = *found
+        .entry((story.clone(), label.clone(), case.clone()))
+        .or_insert(count);
     if index == count {
         let values = head.components().map(|_| Vec::new()).collect();
         let (lines, steps) = (Vec::new(), Vec::new());
-        joints.push(Joint { story, label, case, lines, steps, last_digit_exponent: i32::MAX, values });
+        joints.push(Joint {
+            story,
+            label,
+            case,
+            lines,
+            steps,
+            last_digit_exponent: i32::MAX,
+            values,
+        });
     }
-    let Some(joint) = joints.get_mut(index) else { return Ok(()) };
+    let Some(joint) = joints.get_mut(index) else {
+        return Ok(());
+    };
     joint.lines.push(line);
     let bad = |at: usize| {
         let shown = cells.get(at).map_or_else(String::new, |cell| shorten(cell));
-        format_problem(format!("\"{shown}\" in column {} is not a number", at + 1), line, "repair or export it again")
+        format_problem(
+            format!("\"{shown}\" in column {} is not a number", at + 1),
+            line,
+            "repair or export it again",
+        )
     };
     if let Some(at) = head.at(Column::Time).or_else(|| head.at(Column::Step)) {
         let (step, last_digit) = value(cells.get(at), head.separator).ok_or_else(|| bad(at))?;
@@ -265,7 +346,11 @@ fn add_row(
         joint.last_digit_exponent = joint.last_digit_exponent.min(last_digit);
     }
     for ((at, _), values) in head.components().zip(&mut joint.values) {
-        values.push(value(cells.get(at), head.separator).ok_or_else(|| bad(at))?.0);
+        values.push(
+            value(cells.get(at), head.separator)
+                .ok_or_else(|| bad(at))?
+                .0,
+        );
     }
     Ok(())
 }
@@ -273,28 +358,46 @@ fn add_row(
 /// The time step of a joint: of its times, else as given.
 fn step(head: &Head, joint: &Joint, options: &ReadOptions) -> Result<(f64, usize), Problem> {
     let line = joint.first_line();
-    let is_counted =
-        joint.steps.windows(2).all(|pair| pair.last().zip(pair.first()).is_some_and(|(b, a)| b - a == 1.0));
+    let is_counted = joint.steps.windows(2).all(|pair| {
+        pair.last()
+            .zip(pair.first())
+            .is_some_and(|(b, a)| b - a == 1.0)
+    });
     // SAP2000 writes times into the column of the steps; numbers of steps count by one.
     let has_times = !joint.steps.is_empty() && (head.at(Column::Time).is_some() || !is_counted);
     if !has_times {
         let hint = "give the time step of the analysis with `dt`";
         return match options.dt_s {
             Some(dt_s) => Ok((dt_s, line)),
-            None => Err(format_problem("the table numbers the steps and has no times", head.line, hint)),
+            None => Err(format_problem(
+                "the table numbers the steps and has no times",
+                head.line,
+                hint,
+            )),
         };
     }
     let at = head.at(Column::Time).or_else(|| head.at(Column::Step));
-    let unit = at.and_then(|at| head.units.get(at).copied().flatten()).filter(|unit| unit.dimension == Dimension::Time);
+    let unit = at
+        .and_then(|at| head.units.get(at).copied().flatten())
+        .filter(|unit| unit.dimension == Dimension::Time);
     let step = time_step(&joint.steps, joint.last_digit_exponent).map_err(|uneven| {
-        format_problem(uneven.message, joint.lines.get(uneven.row).copied().unwrap_or(line), uneven.hint)
+        format_problem(
+            uneven.message,
+            joint.lines.get(uneven.row).copied().unwrap_or(line),
+            uneven.hint,
+        )
     })?;
     let step_s = unit.map_or(step, |unit| unit.to_si(step));
     match options.dt_s {
         // One part in a thousand: printed times are rounded.
         Some(dt_s) if (dt_s - step_s).abs() > 1e-3 * step_s => {
-            let message = format!("the time step is {step_s} s according to the table, not {dt_s} s");
-            Err(format_problem(message, line, "leave out `dt`, or correct the file if it is wrong"))
+            let message =
+                format!("the time step is {step_s} s according to the table, not {dt_s} s");
+            Err(format_problem(
+                message,
+                line,
+                "leave out `dt`, or correct the file if it is wrong",
+            ))
         }
         _ => Ok((step_s, line)),
     }
@@ -308,7 +411,12 @@ fn joint_name(joint: &Joint, labels: &BTreeMap<&str, BTreeSet<&str>>, has_cases:
         "" => parts.push(format!("Joint {}", joint.label)),
         story => {
             parts.push(story.to_owned());
-            parts.extend(labels.get(story).is_some_and(|labels| labels.len() > 1).then(|| joint.label.clone()));
+            parts.extend(
+                labels
+                    .get(story)
+                    .is_some_and(|labels| labels.len() > 1)
+                    .then(|| joint.label.clone()),
+            );
         }
     }
     parts.extend(has_cases.then(|| joint.case.clone()));

@@ -8,7 +8,11 @@ pub(crate) fn mseed_record() -> Vec<u8> {
             .to_vec();
     out.extend(b"\x03\xE8\0\0\x03\x01\x07\0");
     out.resize(64, 0);
-    out.extend([2000i32, -1000, 0, 500].iter().flat_map(|x| x.to_be_bytes()));
+    out.extend(
+        [2000i32, -1000, 0, 500]
+            .iter()
+            .flat_map(|x| x.to_be_bytes()),
+    );
     out.resize(128, 0);
     out
 }

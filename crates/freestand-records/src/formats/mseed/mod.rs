@@ -37,7 +37,11 @@ pub(super) fn is_mseed(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let scan = scan(bytes)?;
     let mut notes = scan.notes();
-    let format = if is_version3(bytes) { "miniSEED 3" } else { "miniSEED 2" };
+    let format = if is_version3(bytes) {
+        "miniSEED 3"
+    } else {
+        "miniSEED 2"
+    };
     let mut channels = Vec::new();
     for (source, records) in scan.channels {
         channels.extend(join(source, records)?);
@@ -46,18 +50,30 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut stations = Stations::new(path, options);
     let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let (source, start) = (series.source.clone(), Some(Start::Date(series.start.seconds())));
+        let (source, start) = (
+            series.source.clone(),
+            Some(Start::Date(series.start.seconds())),
+        );
         match scaled(series, name, &mut stations, options, &mut notes)? {
             Ok(found) => {
                 let component = found.component(options).map_err(|mut problem| {
                     problem.message = format!("{}: {}", source.full_name(), problem.message);
                     without_line(problem)
                 })?;
-                let station_xml = stations.of(&source)?.map(|inventory| inventory.file().clone());
-                components.push(Component { start, station_xml, ..component });
+                let station_xml = stations
+                    .of(&source)?
+                    .map(|inventory| inventory.file().clone());
+                components.push(Component {
+                    start,
+                    station_xml,
+                    ..component
+                });
             }
             Err(problem) => {
-                notes.push(Note::new(NoteKind::ChannelLeftOut, format!("{}; it was left out", problem.message)));
+                notes.push(Note::new(
+                    NoteKind::ChannelLeftOut,
+                    format!("{}; it was left out", problem.message),
+                ));
                 first_left_out.get_or_insert(problem);
             }
         }
@@ -66,10 +82,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         if let Some(problem) = first_left_out {
             return Err(problem);
         }
-        return Err(Problem::new(ProblemKind::Format, "holds no records with samples")
-            .hint("use a file with data; a dataless SEED volume describes stations only"));
+        return Err(
+            Problem::new(ProblemKind::Format, "holds no records with samples")
+                .hint("use a file with data; a dataless SEED volume describes stations only"),
+        );
     }
-    Ok(Reading { format, components, notes })
+    Ok(Reading {
+        format,
+        components,
+        notes,
+    })
 }
 
 /// Converts counts to m/s² with the sensitivity of a StationXML, or reads them in the user's unit.
@@ -82,10 +104,20 @@ fn scaled(
     options: &ReadOptions,
     notes: &mut Vec<Note>,
 ) -> Result<Result<Found, Problem>, Problem> {
-    let Series { source, start, end, dt_s, mut values, notes: found } = series;
+    let Series {
+        source,
+        start,
+        end,
+        dt_s,
+        mut values,
+        notes: found,
+    } = series;
     notes.extend(found);
     let full_name = source.full_name();
-    let (unit, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
+    let (unit, direction) = match (
+        stations.of(&source)?,
+        units::requested(options.unit.as_deref())?,
+    ) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
                 "{} gives the sensitivity of its counts, but the unit {} is given too",
@@ -107,13 +139,18 @@ fn scaled(
             (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
-            let words = format!("the values are assumed to be in {}, without a sensitivity", unit.symbol);
+            let words = format!(
+                "the values are assumed to be in {}, without a sensitivity",
+                unit.symbol
+            );
             notes.push(Note::of(&full_name, NoteKind::UnitAssumed, words));
             (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
             let message = format!("{full_name}: the sensitivity of the counts is unknown");
-            let station = source.full_station().unwrap_or_else(|| "STATION".to_owned());
+            let station = source
+                .full_station()
+                .unwrap_or_else(|| "STATION".to_owned());
             return Err(Problem::new(ProblemKind::Value, message).hint(format!(
                 "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
                  values already have a unit, state it with `unit`"
@@ -121,7 +158,17 @@ fn scaled(
         }
     };
     let station = source.full_station();
-    Ok(Ok(Found { name, station, direction, unit, dt_s, line_of_step: 1, values, line: 1, is_raw: true }))
+    Ok(Ok(Found {
+        name,
+        station,
+        direction,
+        unit,
+        dt_s,
+        line_of_step: 1,
+        values,
+        line: 1,
+        is_raw: true,
+    }))
 }
 
 /// The shortest names that tell the channels apart: `HNE`, `10.HNE`, `CI.CLC.10.HNE`.
@@ -131,10 +178,25 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
         |source| format!("{}.{}", source.location, source.channel),
         Source::full_name,
     ];
-    let named = |way: &fn(&Source) -> String| channels.iter().map(|series| way(&series.source)).collect::<Vec<_>>();
+    let named = |way: &fn(&Source) -> String| {
+        channels
+            .iter()
+            .map(|series| way(&series.source))
+            .collect::<Vec<_>>()
+    };
     let differ = |names: &Vec<String>| names.iter().collect::<HashSet<_>>().len() == names.len();
-    let names = ways.iter().map(named).find(differ).unwrap_or_else(|| named(&ways[2]));
-    let or_file = |name: String| if name.is_empty() { crate::motion_file::file_stem(path) } else { name };
+    let names = ways
+        .iter()
+        .map(named)
+        .find(differ)
+        .unwrap_or_else(|| named(&ways[2]));
+    let or_file = |name: String| {
+        if name.is_empty() {
+            crate::motion_file::file_stem(path)
+        } else {
+            name
+        }
+    };
     names.into_iter().map(or_file).collect()
 }
 
@@ -159,7 +221,11 @@ impl<'a> Scan<'a> {
             self.countless += 1;
         } else if record.dt_s.is_none() {
             self.rateless += 1;
-        } else if let Some((_, records)) = self.places.get(&source).and_then(|&place| self.channels.get_mut(place)) {
+        } else if let Some((_, records)) = self
+            .places
+            .get(&source)
+            .and_then(|&place| self.channels.get_mut(place))
+        {
             records.push(record);
         } else {
             self.places.insert(source.clone(), self.channels.len());
@@ -169,15 +235,28 @@ impl<'a> Scan<'a> {
 
     fn notes(&self) -> Vec<Note> {
         let skipped = [
-            (self.control_headers, "block", "of control headers ignored, with any response in them"),
+            (
+                self.control_headers,
+                "block",
+                "of control headers ignored, with any response in them",
+            ),
             (self.texts, "record", "of text ignored"),
             (self.rateless, "record", "without a sampling rate ignored"),
-            (self.countless, "record", "with data, but 0 samples in the header, ignored: samples may be missing"),
+            (
+                self.countless,
+                "record",
+                "with data, but 0 samples in the header, ignored: samples may be missing",
+            ),
         ];
         skipped
             .iter()
             .filter(|(count, ..)| *count > 0)
-            .map(|(count, noun, what)| Note::new(NoteKind::RowsIgnored, format!("{} {what}", counted(*count, noun))))
+            .map(|(count, noun, what)| {
+                Note::new(
+                    NoteKind::RowsIgnored,
+                    format!("{} {what}", counted(*count, noun)),
+                )
+            })
             .collect()
     }
 }
@@ -209,7 +288,11 @@ fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
             at += SKIP;
             continue;
         } else {
-            let what = if rest.len() < SKIP { "is cut off" } else { "does not begin like a miniSEED record" };
+            let what = if rest.len() < SKIP {
+                "is cut off"
+            } else {
+                "does not begin like a miniSEED record"
+            };
             return Err(record::problem(number, at, what));
         };
         at += length;
@@ -235,7 +318,11 @@ fn is_control_header(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// Bytes within it that text does not have: it may hide a damaged record of data.
-fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> Result<usize, Problem> {
+fn skip_control_header(
+    bytes: &[u8],
+    at: usize,
+    length: &mut Option<usize>,
+) -> Result<usize, Problem> {
     *length = stated_length(bytes).or(*length);
     let most = length.unwrap_or(bytes.len()).min(bytes.len());
     for from in (SKIP..most).step_by(SKIP) {
@@ -249,7 +336,10 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
         if next.iter().take(SKIP).any(is_binary) {
             return Err(Problem::new(
                 ProblemKind::Format,
-                format!("the control header at byte {at} has bytes at {} that are not text", at + from),
+                format!(
+                    "the control header at byte {at} has bytes at {} that are not text",
+                    at + from
+                ),
             )
             .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
         }
@@ -259,7 +349,9 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
 
 /// The power of two follows the blockette's number, length and version.
 fn stated_length(bytes: &[u8]) -> Option<usize> {
-    let head = bytes.get(8..21).filter(|head| matches!(&head[..3], b"005" | b"008" | b"010"))?;
+    let head = bytes
+        .get(8..21)
+        .filter(|head| matches!(&head[..3], b"005" | b"008" | b"010"))?;
     let power = std::str::from_utf8(&head[11..]).ok()?.trim().parse().ok()?;
     CONTROL_LENGTHS.contains(&power).then_some(1 << power)
 }
@@ -269,7 +361,10 @@ fn stated_length(bytes: &[u8]) -> Option<usize> {
 fn is_blank(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(SKIP)];
     let (number, rest) = head.split_at(head.len().min(6));
-    number.iter().all(|b| b.is_ascii_digit() || matches!(b, b' ' | 0)) && rest.iter().all(|b| matches!(b, b' ' | 0))
+    number
+        .iter()
+        .all(|b| b.is_ascii_digit() || matches!(b, b' ' | 0))
+        && rest.iter().all(|b| matches!(b, b' ' | 0))
 }
 
 #[cfg(test)]

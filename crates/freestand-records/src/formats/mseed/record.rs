@@ -38,8 +38,11 @@ type Found<'a> = (Source, Record<'a>);
 /// A problem with a record.
 pub(super) fn problem(number: usize, at: usize, what: &str) -> Problem {
     // The caller may give a better hint.
-    Problem::new(ProblemKind::Format, format!("record {number} (byte {at}) {what}"))
-        .hint("the file is damaged or cut off: fetch it again")
+    Problem::new(
+        ProblemKind::Format,
+        format!("record {number} (byte {at}) {what}"),
+    )
+    .hint("the file is damaged or cut off: fetch it again")
 }
 
 const HEADER: usize = 48;
@@ -58,10 +61,16 @@ pub(super) fn header_order(bytes: &[u8]) -> Option<Order> {
         && head[25] <= 59
         && head[26] <= 60;
     let is_date = |order: &Order| {
-        order.u16(head, 20).is_some_and(|year| (1900..=2100).contains(&year))
-            && order.u16(head, 22).is_some_and(|day| (1..=366).contains(&day))
+        order
+            .u16(head, 20)
+            .is_some_and(|year| (1900..=2100).contains(&year))
+            && order
+                .u16(head, 22)
+                .is_some_and(|day| (1..=366).contains(&day))
     };
-    has_form.then(|| [Order::Big, Order::Little].into_iter().find(is_date)).flatten()
+    has_form
+        .then(|| [Order::Big, Order::Little].into_iter().find(is_date))
+        .flatten()
 }
 
 /// The blockettes that are used.
@@ -88,29 +97,43 @@ pub(super) fn version2(
     let u16_at = |from: usize| order.u16(rest, from).ok_or_else(cut);
     let samples = usize::from(u16_at(30)?);
     let data_at = usize::from(u16_at(44)?);
-    let blockettes = blockettes(rest, order).ok_or_else(|| wrong("has a broken chain of blockettes"))?;
+    let blockettes =
+        blockettes(rest, order).ok_or_else(|| wrong("has a broken chain of blockettes"))?;
     let length = match blockettes.data_only {
         Some((_, _, power)) if LENGTHS.contains(&power) => 1usize << power,
         Some((_, _, power)) => return Err(wrong(&format!("states a length of 2^{power} bytes"))),
-        None => found_length(rest)
-            .ok_or_else(|| wrong("does not state its length (blockette 1000), and no record follows it"))?,
+        None => found_length(rest).ok_or_else(|| {
+            wrong("does not state its length (blockette 1000), and no record follows it")
+        })?,
     };
     let record = rest.get(..length).ok_or_else(cut)?;
     // A record of 0 samples reports the state of the instrument; or its number is damaged.
-    let has_data = record.get(data_at..).is_some_and(|data| data_at >= HEADER && data.iter().any(|byte| *byte != 0));
-    let is_text = blockettes.data_only.is_some_and(|(encoding, ..)| encoding == 0);
+    let has_data = record
+        .get(data_at..)
+        .is_some_and(|data| data_at >= HEADER && data.iter().any(|byte| *byte != 0));
+    let is_text = blockettes
+        .data_only
+        .is_some_and(|(encoding, ..)| encoding == 0);
     if samples == 0 && (is_text || !has_data) {
         return Ok((None, length));
     }
     let data = record
         .get(data_at..)
         .filter(|_| data_at >= HEADER)
-        .ok_or_else(|| wrong(&format!("has {samples} samples, but puts them at byte {data_at} of {length}")))?;
+        .ok_or_else(|| {
+            wrong(&format!(
+                "has {samples} samples, but puts them at byte {data_at} of {length}"
+            ))
+        })?;
     let start = start_time(record, order, blockettes.microseconds).ok_or_else(cut)?;
     let factor = order.i16(record, 32).ok_or_else(cut)?;
     let multiplier = order.i16(record, 34).ok_or_else(cut)?;
-    let measured = blockettes.rate_hz.filter(|rate| *rate > 0.0 && rate.is_finite());
-    let (encoding, data_order) = blockettes.data_only.map_or((None, order), |(code, order, _)| (Some(code), order));
+    let measured = blockettes
+        .rate_hz
+        .filter(|rate| *rate > 0.0 && rate.is_finite());
+    let (encoding, data_order) = blockettes
+        .data_only
+        .map_or((None, order), |(code, order, _)| (Some(code), order));
     let source = Source {
         station: field(record, 8, 13),
         location: field(record, 13, 15),
@@ -121,7 +144,9 @@ pub(super) fn version2(
         number,
         at,
         start,
-        dt_s: measured.map(|rate| 1.0 / as_written(rate)).or_else(|| nominal_step(factor, multiplier)),
+        dt_s: measured
+            .map(|rate| 1.0 / as_written(rate))
+            .or_else(|| nominal_step(factor, multiplier)),
         samples,
         encoding,
         order: data_order,
@@ -136,11 +161,18 @@ fn blockettes(record: &[u8], order: Order) -> Option<Blockettes> {
     let mut found = Blockettes::default();
     let mut at = usize::from(order.u16(record, 46)?);
     while at != 0 {
-        let (kind, next) = (order.u16(record, at)?, usize::from(order.u16(record, at + 2)?));
+        let (kind, next) = (
+            order.u16(record, at)?,
+            usize::from(order.u16(record, at + 2)?),
+        );
         match kind {
             100 => found.rate_hz = Some(order.f32(record, at + 4)?),
             1000 => {
-                let data_order = if *record.get(at + 5)? == 0 { Order::Little } else { Order::Big };
+                let data_order = if *record.get(at + 5)? == 0 {
+                    Order::Little
+                } else {
+                    Order::Big
+                };
                 found.data_only = Some((*record.get(at + 4)?, data_order, *record.get(at + 6)?));
             }
             1001 => found.microseconds = record.get(at + 5)?.cast_signed(),
@@ -157,27 +189,45 @@ fn blockettes(record: &[u8], order: Order) -> Option<Blockettes> {
 /// The length of a record that does not state it: the smallest with which another record, or the
 /// end of the file, follows.
 fn found_length(rest: &[u8]) -> Option<usize> {
-    let ends =
-        |length: &usize| *length == rest.len() || rest.get(*length..).is_some_and(|next| header_order(next).is_some());
+    let ends = |length: &usize| {
+        *length == rest.len()
+            || rest
+                .get(*length..)
+                .is_some_and(|next| header_order(next).is_some())
+    };
     LENGTHS.map(|power| 1usize << power).find(ends)
 }
 
 /// Start with microseconds and the correction of the clock, unless the flag says that it was
 /// applied.
 fn start_time(record: &[u8], order: Order, microseconds: i8) -> Option<Instant> {
-    let [hour, minute, second] = *record.get(24..27)? else { return None };
+    let [hour, minute, second] = *record.get(24..27)? else {
+        return None;
+    };
     let second_of_day = 3600 * u32::from(hour) + 60 * u32::from(minute) + u32::from(second);
     let is_applied = record.get(36)? & 2 != 0;
-    let correction = if is_applied { 0 } else { i128::from(order.i32(record, 40)?) };
+    let correction = if is_applied {
+        0
+    } else {
+        i128::from(order.i32(record, 40)?)
+    };
     let fraction = i128::from(order.u16(record, 28)?);
-    let start = Instant::from_day(order.u16(record, 20)?, order.u16(record, 22)?, second_of_day, 0);
+    let start = Instant::from_day(
+        order.u16(record, 20)?,
+        order.u16(record, 22)?,
+        second_of_day,
+        0,
+    );
     Some(start.later_by_ns((fraction + correction) * 100_000 + i128::from(microseconds) * 1000))
 }
 
 /// Factor and multiplier: positive ones are samples per second, negative ones seconds per sample or
 /// divisors. One division makes the step of 100 Hz the f64 nearest to 0.01.
 fn nominal_step(factor: i16, multiplier: i16) -> Option<f64> {
-    let (factor, multiplier) = (f64::from(factor), f64::from(if multiplier == 0 { 1 } else { multiplier }));
+    let (factor, multiplier) = (
+        f64::from(factor),
+        f64::from(if multiplier == 0 { 1 } else { multiplier }),
+    );
     let step = match (factor > 0.0, multiplier > 0.0) {
         (true, true) => 1.0 / (factor * multiplier),
         (true, false) => -multiplier / factor,
@@ -190,11 +240,17 @@ fn nominal_step(factor: i16, multiplier: i16) -> Option<f64> {
 /// Whether a version 3 record begins here.
 pub(super) fn is_version3(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MS\x03")
-        && bytes.get(12..15).is_some_and(|time| time[0] <= 23 && time[1] <= 59 && time[2] <= 60)
+        && bytes
+            .get(12..15)
+            .is_some_and(|time| time[0] <= 23 && time[1] <= 59 && time[2] <= 60)
 }
 
 /// Reads a version 3 record at `at`, and tells how long it is. Records without samples are `None`.
-pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option<Found<'_>>, usize), Problem> {
+pub(super) fn version3(
+    bytes: &[u8],
+    at: usize,
+    number: usize,
+) -> Result<(Option<Found<'_>>, usize), Problem> {
     let wrong = |what: &str| problem(number, at, what);
     let rest = bytes.get(at..).unwrap_or_default();
     let cut = || wrong("is cut off");
@@ -204,7 +260,10 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
         Order::Little.u32(rest, 36).ok_or_else(cut)? as usize,
     );
     let data_at = 40 + name_length + extra_length;
-    let record = data_at.checked_add(data_length).and_then(|length| rest.get(..length)).ok_or_else(cut)?;
+    let record = data_at
+        .checked_add(data_length)
+        .and_then(|length| rest.get(..length))
+        .ok_or_else(cut)?;
     let stated = Order::Little.u32(record, 28).ok_or_else(cut)?;
     if crc32c(record) != stated {
         return Err(wrong("does not match its checksum (CRC-32C)"));
@@ -213,7 +272,9 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
     if samples == 0 {
         return Ok((None, record.len()));
     }
-    let [hour, minute, second, encoding] = *record.get(12..16).ok_or_else(cut)? else { return Err(cut()) };
+    let [hour, minute, second, encoding] = *record.get(12..16).ok_or_else(cut)? else {
+        return Err(cut());
+    };
     let number_at = |from: usize| Order::Little.u16(record, from).ok_or_else(cut);
     let second_of_day = 3600 * u32::from(hour) + 60 * u32::from(minute) + u32::from(second);
     let nanosecond = Order::Little.u32(record, 4).ok_or_else(cut)?;
@@ -227,22 +288,38 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
         samples,
         encoding: Some(encoding),
         // Everything is little-endian but Steim's frames.
-        order: if matches!(encoding, 10 | 11) { Order::Big } else { Order::Little },
+        order: if matches!(encoding, 10 | 11) {
+            Order::Big
+        } else {
+            Order::Little
+        },
         quality: 0,
         data: &record[data_at..],
     };
-    Ok((Some((source_of(&field(record, 40, 40 + name_length)), found)), record.len()))
+    Ok((
+        Some((source_of(&field(record, 40, 40 + name_length)), found)),
+        record.len(),
+    ))
 }
 
 /// `FDSN:NET_STA_LOC_B_S_SS`; any other identifier is used as the name of the channel.
 fn source_of(identifier: &str) -> Source {
-    let parts: Vec<&str> = identifier.strip_prefix("FDSN:").map_or_else(Vec::new, |rest| rest.split('_').collect());
+    let parts: Vec<&str> = identifier
+        .strip_prefix("FDSN:")
+        .map_or_else(Vec::new, |rest| rest.split('_').collect());
     let [network, station, location, band, source, position] = parts.as_slice() else {
         let empty = String::new;
-        return Source { network: empty(), station: empty(), location: empty(), channel: identifier.to_owned() };
+        return Source {
+            network: empty(),
+            station: empty(),
+            location: empty(),
+            channel: identifier.to_owned(),
+        };
     };
     // The older three codes have one letter each; longer ones keep their separators.
-    let is_short = [band, source, position].iter().all(|code| code.chars().count() <= 1);
+    let is_short = [band, source, position]
+        .iter()
+        .all(|code| code.chars().count() <= 1);
     let separator = if is_short { "" } else { "_" };
     Source {
         network: (*network).to_owned(),
@@ -254,10 +331,13 @@ fn source_of(identifier: &str) -> Source {
 
 /// CRC-32C (Castagnoli, RFC 3309) of a version 3 record, with its own field taken as zero.
 pub(super) fn crc32c(record: &[u8]) -> u32 {
-    !record.iter().enumerate().fold(u32::MAX, |crc, (at, &byte)| {
-        let byte = if (28..32).contains(&at) { 0 } else { byte };
-        crc >> 8 ^ CRC_OF_BYTE[usize::from(crc.to_le_bytes()[0] ^ byte)]
-    })
+    !record
+        .iter()
+        .enumerate()
+        .fold(u32::MAX, |crc, (at, &byte)| {
+            let byte = if (28..32).contains(&at) { 0 } else { byte };
+            crc >> 8 ^ CRC_OF_BYTE[usize::from(crc.to_le_bytes()[0] ^ byte)]
+        })
 }
 
 /// The eight steps of the division for each byte.
@@ -292,6 +372,9 @@ impl Source {
         if self.station.is_empty() && self.network.is_empty() {
             return self.channel.clone();
         }
-        format!("{}.{}.{}.{}", self.network, self.station, self.location, self.channel)
+        format!(
+            "{}.{}.{}.{}",
+            self.network, self.station, self.location, self.channel
+        )
     }
 }

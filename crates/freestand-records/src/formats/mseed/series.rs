@@ -26,7 +26,10 @@ const RATE_TOLERANCE: f64 = 1e-4;
 /// # Errors
 /// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that
 /// cannot be decoded.
-pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
+pub(super) fn join(
+    source: Source,
+    mut records: Vec<Record<'_>>,
+) -> Result<Option<Series>, Problem> {
     let name = source.full_name();
     records.sort_by_key(|record| (record.start, record.number));
     let mut notes = Vec::from_iter(quality_note(&records, &name));
@@ -35,9 +38,14 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
         (later.start, later.samples, later.encoding) == (first.start, first.samples, first.encoding)
             && later.data == first.data
     });
-    let Some(first) = records.first() else { return Ok(None) };
+    let Some(first) = records.first() else {
+        return Ok(None);
+    };
     if records.len() < all {
-        let words = format!("{} ignored", counted(all - records.len(), "repeated record"));
+        let words = format!(
+            "{} ignored",
+            counted(all - records.len(), "repeated record")
+        );
         notes.push(Note::of(&name, NoteKind::RowsIgnored, words));
     }
     let Some(dt_s) = first.dt_s else {
@@ -54,16 +62,30 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("{name}: sample {} is {}, which marks a missing value", at + 1, values[at]),
+            format!(
+                "{name}: sample {} is {}, which marks a missing value",
+                at + 1,
+                values[at]
+            ),
         )
         .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
     if first.encoding.is_none() {
-        let words = "no encoding is stated (blockette 1000); read as Steim-1, whose check samples match";
+        let words =
+            "no encoding is stated (blockette 1000); read as Steim-1, whose check samples match";
         notes.push(Note::of(&name, NoteKind::Encoding, words));
     }
-    let end = records.last().map_or(first.start, |last| end_of(last, dt_s));
-    Ok(Some(Series { source, start: first.start, end, dt_s, values, notes }))
+    let end = records
+        .last()
+        .map_or(first.start, |last| end_of(last, dt_s));
+    Ok(Some(Series {
+        source,
+        start: first.start,
+        end,
+        dt_s,
+        values,
+        notes,
+    }))
 }
 
 /// The time of the sample that would follow the last one.
@@ -74,10 +96,20 @@ fn end_of(record: &Record<'_>, dt_s: f64) -> Instant {
 /// Every record must begin where the one before ends, within half a sample, at the same rate.
 fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Problem> {
     for (before, record) in records.iter().zip(records.iter().skip(1)) {
-        if record.dt_s.is_none_or(|other_s| (other_s - dt_s).abs() > RATE_TOLERANCE * dt_s) {
-            let rate = |step: Option<f64>| step.map_or("no rate".to_owned(), |step| format!("{} Hz", 1.0 / step));
-            let what = format!("has {}, but the records before it have {}", rate(record.dt_s), rate(Some(dt_s)));
-            return Err(problem(record.number, record.at, &what).hint("split the file where the rate changes"));
+        if record
+            .dt_s
+            .is_none_or(|other_s| (other_s - dt_s).abs() > RATE_TOLERANCE * dt_s)
+        {
+            let rate = |step: Option<f64>| {
+                step.map_or("no rate".to_owned(), |step| format!("{} Hz", 1.0 / step))
+            };
+            let what = format!(
+                "has {}, but the records before it have {}",
+                rate(record.dt_s),
+                rate(Some(dt_s))
+            );
+            return Err(problem(record.number, record.at, &what)
+                .hint("split the file where the rate changes"));
         }
         let expected = end_of(before, dt_s);
         let missing_s = record.start.seconds_since(expected);
@@ -86,9 +118,15 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
         }
         let samples = missing_s.abs() / dt_s;
         let (kind, hint) = if missing_s > 0.0 {
-            ("a gap of", "a motion with gaps cannot be used: cut the file there, or fetch it again without the gap")
+            (
+                "a gap of",
+                "a motion with gaps cannot be used: cut the file there, or fetch it again without the gap",
+            )
         } else {
-            ("an overlap of", "keep one of the records that overlap, or fetch the file again")
+            (
+                "an overlap of",
+                "keep one of the records that overlap, or fetch the file again",
+            )
         };
         let message = format!(
             "{name}: {kind} {:.6} s ({samples:.1} samples) before record {} (byte {}): {} follows {expected}",
@@ -106,7 +144,11 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
 /// the same direction.
 fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<Note> {
     let (first, last) = (records.first()?, records.last()?);
-    let samples: usize = records.iter().take(records.len() - 1).map(|record| record.samples).sum();
+    let samples: usize = records
+        .iter()
+        .take(records.len() - 1)
+        .map(|record| record.samples)
+        .sum();
     let drift_s = last.start.seconds_since(first.start) - samples as f64 * dt_s;
     (drift_s.abs() > 0.5 * dt_s).then(|| {
         let words = format!(
@@ -121,14 +163,30 @@ fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<Note> {
 
 /// A note about flags that mark samples as faulty.
 fn quality_note(records: &[Record<'_>], name: &str) -> Option<Note> {
-    let flags = ["saturated amplifier", "clipped", "spikes", "glitches", "missing or padded data"];
+    let flags = [
+        "saturated amplifier",
+        "clipped",
+        "spikes",
+        "glitches",
+        "missing or padded data",
+    ];
     let set = records.iter().fold(0, |set, record| set | record.quality);
-    let found: Vec<&str> =
-        flags.iter().enumerate().filter(|(bit, _)| set >> bit & 1 != 0).map(|(_, flag)| *flag).collect();
+    let found: Vec<&str> = flags
+        .iter()
+        .enumerate()
+        .filter(|(bit, _)| set >> bit & 1 != 0)
+        .map(|(_, flag)| *flag)
+        .collect();
     let first = records.iter().find(|record| record.quality & 0x1F != 0)?;
-    let count = records.iter().filter(|record| record.quality & 0x1F != 0).count();
+    let count = records
+        .iter()
+        .filter(|record| record.quality & 0x1F != 0)
+        .count();
     let (records, found) = (counted(count, "record"), found.join(", "));
-    let words = format!("{records} flagged ({found}), the first is record {}", first.number);
+    let words = format!(
+        "{records} flagged ({found}), the first is record {}",
+        first.number
+    );
     Some(Note::of(name, NoteKind::Flagged, words))
 }
 
@@ -136,8 +194,12 @@ fn refuse_other_encodings(record: &Record<'_>) -> Result<(), Problem> {
     match record.encoding {
         None | Some(1 | 3 | 4 | 5 | 10 | 11) => Ok(()),
         Some(code) => {
-            let what = format!("has the encoding {}, which cannot be read", encoding_name(code));
-            Err(problem(record.number, record.at, &what).hint("convert the file to Steim-2 or to 32-bit integers"))
+            let what = format!(
+                "has the encoding {}, which cannot be read",
+                encoding_name(code)
+            );
+            Err(problem(record.number, record.at, &what)
+                .hint("convert the file to Steim-2 or to 32-bit integers"))
         }
     }
 }
@@ -152,13 +214,17 @@ fn append(record: &Record<'_>, out: &mut Vec<f64>) -> Result<(), String> {
         Some(11) => return steim::decode(data, order, Packing::Steim2, samples, out),
         Some(10) => return steim::decode(data, order, Packing::Steim1, samples, out),
         None => {
-            return steim::decode(data, order, Packing::Steim1, samples, out)
-                .map_err(|what| format!("states no encoding (blockette 1000); read as Steim-1, it {what}"));
+            return steim::decode(data, order, Packing::Steim1, samples, out).map_err(|what| {
+                format!("states no encoding (blockette 1000); read as Steim-1, it {what}")
+            });
         }
         Some(_) => return Err("has an encoding that cannot be read".to_owned()),
     };
     if data.len() / width < samples {
-        return Err(format!("declares {samples} samples, but has room for {}", data.len() / width));
+        return Err(format!(
+            "declares {samples} samples, but has room for {}",
+            data.len() / width
+        ));
     }
     let value = |at: usize| match record.encoding {
         Some(1) => order.i16(data, at).map(f64::from),

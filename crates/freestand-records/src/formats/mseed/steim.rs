@@ -37,15 +37,25 @@ pub(super) fn decode(
         let codes = order.u32(frame, 0).unwrap_or_default();
         for word in if number == 0 { 3 } else { 1 }..16 {
             let code = codes >> (30 - 2 * word) & 3;
-            let Some(raw) = frame.get(4 * word..4 * word + 4) else { break };
-            let differences = unpack(raw, code, order, packing)
-                .ok_or_else(|| format!("has an undefined code in word {word} of frame {}", number + 1))?;
+            let Some(raw) = frame.get(4 * word..4 * word + 4) else {
+                break;
+            };
+            let differences = unpack(raw, code, order, packing).ok_or_else(|| {
+                format!(
+                    "has an undefined code in word {word} of frame {}",
+                    number + 1
+                )
+            })?;
             for &difference in differences.as_slice() {
                 if found == samples {
                     break;
                 }
                 // The first difference refers to the record before.
-                value = if found == 0 { first } else { value.wrapping_add(difference) };
+                value = if found == 0 {
+                    first
+                } else {
+                    value.wrapping_add(difference)
+                };
                 out.push(f64::from(value));
                 found += 1;
             }
@@ -58,7 +68,9 @@ pub(super) fn decode(
         return Err(format!("ends after {found} of {samples} samples"));
     }
     if value != last {
-        return Err(format!("ends with the sample {value}, but states {last} as its last sample"));
+        return Err(format!(
+            "ends with the sample {value}, but states {last} as its last sample"
+        ));
     }
     Ok(())
 }

@@ -98,7 +98,10 @@ fn damaged_frames_are_refused() {
     let mut damaged = STEIM2;
     damaged[4] ^= 1;
     let message = decode(&big(&damaged), Order::Big, Packing::Steim2, 29, &mut out).unwrap_err();
-    assert!(message.contains("states 536872228 as its last sample"), "{message}");
+    assert!(
+        message.contains("states 536872228 as its last sample"),
+        "{message}"
+    );
     let message = decode(&big(&STEIM2), Order::Big, Packing::Steim2, 30, &mut out).unwrap_err();
     assert!(message.contains("ends after 29 of 30"), "{message}");
     // Code 2 with the upper bits 00 means nothing.
@@ -106,14 +109,33 @@ fn damaged_frames_are_refused() {
     damaged[7] &= 0x3FFF_FFFF;
     damaged[0] = 0x03F6_8800 | 2 << 16;
     assert!(decode(&big(&damaged), Order::Big, Packing::Steim2, 29, &mut out).is_err());
-    assert!(decode(&[0; 10], Order::Big, Packing::Steim1, 1, &mut out).unwrap_err().contains("no room"));
+    assert!(
+        decode(&[0; 10], Order::Big, Packing::Steim1, 1, &mut out)
+            .unwrap_err()
+            .contains("no room")
+    );
 }
 
 /// Differences in the widest words that hold them, so that a frame holds 15 and the first 13.
 fn steim1(samples: &[i32], order: Order) -> Vec<u8> {
-    let put = |word: u32| if order == Order::Big { word.to_be_bytes() } else { word.to_le_bytes() };
-    let differences: Vec<i32> =
-        samples.iter().enumerate().map(|(i, x)| if i == 0 { 0 } else { x.wrapping_sub(samples[i - 1]) }).collect();
+    let put = |word: u32| {
+        if order == Order::Big {
+            word.to_be_bytes()
+        } else {
+            word.to_le_bytes()
+        }
+    };
+    let differences: Vec<i32> = samples
+        .iter()
+        .enumerate()
+        .map(|(i, x)| {
+            if i == 0 {
+                0
+            } else {
+                x.wrapping_sub(samples[i - 1])
+            }
+        })
+        .collect();
     let (mut out, mut rest) = (Vec::new(), differences.as_slice());
     while !rest.is_empty() {
         let constants = out.is_empty();
@@ -125,7 +147,11 @@ fn steim1(samples: &[i32], order: Order) -> Vec<u8> {
             out.extend(put(samples[0].cast_unsigned()));
             out.extend(put(samples[samples.len() - 1].cast_unsigned()));
         }
-        out.extend(rest[..count].iter().flat_map(|difference| put(difference.cast_unsigned())));
+        out.extend(
+            rest[..count]
+                .iter()
+                .flat_map(|difference| put(difference.cast_unsigned())),
+        );
         out.extend(vec![0; 4 * (words - count)]);
         rest = &rest[count..];
     }
@@ -167,15 +193,32 @@ const HEADER: Header = Header {
 };
 
 fn record2(header: &Header, samples: usize, data: &[u8]) -> Vec<u8> {
-    let short = |value: u16| if header.header_order == Order::Big { value.to_be_bytes() } else { value.to_le_bytes() };
-    let long = |value: u32| if header.header_order == Order::Big { value.to_be_bytes() } else { value.to_le_bytes() };
+    let short = |value: u16| {
+        if header.header_order == Order::Big {
+            value.to_be_bytes()
+        } else {
+            value.to_le_bytes()
+        }
+    };
+    let long = |value: u32| {
+        if header.header_order == Order::Big {
+            value.to_be_bytes()
+        } else {
+            value.to_le_bytes()
+        }
+    };
     let data_at: usize = if header.encoding.is_some() { 128 } else { 64 };
     let mut out = b"000001D ".to_vec();
     out.extend(header.name);
     out.extend(short(2019));
     out.extend(short(187));
     let seconds = header.start / 10_000;
-    out.extend([(seconds / 3600) as u8, (seconds / 60 % 60) as u8, (seconds % 60) as u8, 0]);
+    out.extend([
+        (seconds / 3600) as u8,
+        (seconds / 60 % 60) as u8,
+        (seconds % 60) as u8,
+        0,
+    ]);
     out.extend(short((header.start % 10_000) as u16));
     out.extend(short(samples as u16));
     out.extend(short(header.factor.cast_unsigned()));
@@ -187,7 +230,12 @@ fn record2(header: &Header, samples: usize, data: &[u8]) -> Vec<u8> {
     if let Some(encoding) = header.encoding {
         out.extend(short(1000));
         out.extend(short(56));
-        out.extend([encoding, u8::from(header.data_order == Order::Big), header.power, 0]);
+        out.extend([
+            encoding,
+            u8::from(header.data_order == Order::Big),
+            header.power,
+            0,
+        ]);
         out.extend(short(1001));
         out.extend(short(if header.rate_hz.is_some() { 64 } else { 0 }));
         out.extend([100, header.microseconds.cast_unsigned(), 0, 0]);
@@ -224,8 +272,12 @@ fn record3(identifier: &str, encoding: u8, rate: f64, samples: u32, data: &[u8])
 }
 
 fn read(bytes: &[u8]) -> Result<MotionFile, String> {
-    let options = ReadOptions { unit: Some("m/s2".to_owned()), ..ReadOptions::default() };
-    parse_motions(bytes.to_vec(), "x.mseed".as_ref(), &options).map_err(|error| error.problems[0].to_string())
+    let options = ReadOptions {
+        unit: Some("m/s2".to_owned()),
+        ..ReadOptions::default()
+    };
+    parse_motions(bytes.to_vec(), "x.mseed".as_ref(), &options)
+        .map_err(|error| error.problems[0].to_string())
 }
 
 #[track_caller]
@@ -243,9 +295,19 @@ fn every_encoding_in_either_order_is_read() {
     let samples: [i32; 5] = [0, -3, 32_767, -32_768, 12];
     for header_order in [Order::Big, Order::Little] {
         for data_order in [Order::Big, Order::Little] {
-            let swap =
-                |bytes: Vec<u8>| if data_order == Order::Big { bytes } else { bytes.into_iter().rev().collect() };
-            let all = |to: fn(i32) -> Vec<u8>| samples.iter().flat_map(|&x| swap(to(x))).collect::<Vec<u8>>();
+            let swap = |bytes: Vec<u8>| {
+                if data_order == Order::Big {
+                    bytes
+                } else {
+                    bytes.into_iter().rev().collect()
+                }
+            };
+            let all = |to: fn(i32) -> Vec<u8>| {
+                samples
+                    .iter()
+                    .flat_map(|&x| swap(to(x)))
+                    .collect::<Vec<u8>>()
+            };
             for (encoding, data) in [
                 (1, all(|x| (x as i16).to_be_bytes().to_vec())),
                 (3, all(|x| x.to_be_bytes().to_vec())),
@@ -253,9 +315,18 @@ fn every_encoding_in_either_order_is_read() {
                 (5, all(|x| f64::from(x).to_be_bytes().to_vec())),
                 (10, steim1(&samples, data_order)),
             ] {
-                let header = Header { encoding: Some(encoding), header_order, data_order, ..HEADER };
+                let header = Header {
+                    encoding: Some(encoding),
+                    header_order,
+                    data_order,
+                    ..HEADER
+                };
                 let file = read(&record2(&header, 5, &data)).unwrap();
-                assert_eq!(values(&file), as_f64(&samples), "{encoding} {header_order:?} {data_order:?}");
+                assert_eq!(
+                    values(&file),
+                    as_f64(&samples),
+                    "{encoding} {header_order:?} {data_order:?}"
+                );
             }
         }
     }
@@ -265,12 +336,19 @@ fn every_encoding_in_either_order_is_read() {
 fn a_record_names_its_channel_and_is_raw() {
     let file = read(&record2(&HEADER, 29, &big(&STEIM1))).unwrap();
     let one = &file.components[0];
-    assert_eq!((file.format, one.name.as_str(), one.unit, one.is_raw), ("miniSEED 2", "HNE", "m/s2", true));
-    assert_eq!((one.station.as_deref(), one.direction), (Some("CI.CLC"), Some(Direction::Azimuth(90.0))));
+    assert_eq!(
+        (file.format, one.name.as_str(), one.unit, one.is_raw),
+        ("miniSEED 2", "HNE", "m/s2", true)
+    );
+    assert_eq!(
+        (one.station.as_deref(), one.direction),
+        (Some("CI.CLC"), Some(Direction::Azimuth(90.0)))
+    );
     // Exact: one division by a whole number.
     assert_eq!(one.motion.dt_s(), 0.01);
     assert!(
-        file.notes[0].to_string().contains("CI.CLC..HNE") && file.notes[0].to_string().contains("m/s2"),
+        file.notes[0].to_string().contains("CI.CLC..HNE")
+            && file.notes[0].to_string().contains("m/s2"),
         "{:?}",
         file.notes
     );
@@ -283,8 +361,17 @@ fn a_record_of_version_3_is_read() {
     bytes.extend(b"FDSN:XX_TEST__H_N_E");
     bytes.extend(big(&STEIM1));
     let file = read(&bytes).unwrap();
-    assert_eq!((file.format, file.components[0].name.as_str()), ("miniSEED 3", "HNE"));
-    assert_eq!((file.components[0].station.as_deref(), file.components[0].motion.dt_s()), (Some("XX.TEST"), 0.01));
+    assert_eq!(
+        (file.format, file.components[0].name.as_str()),
+        ("miniSEED 3", "HNE")
+    );
+    assert_eq!(
+        (
+            file.components[0].station.as_deref(),
+            file.components[0].motion.dt_s()
+        ),
+        (Some("XX.TEST"), 0.01)
+    );
     assert_eq!(values(&file), as_f64(&SAMPLES));
     bytes[70] ^= 1;
     refused(&bytes, "record 1 (byte 0) does not match its checksum");
@@ -292,23 +379,59 @@ fn a_record_of_version_3_is_read() {
 
 #[test]
 fn version_3_has_periods_and_other_names() {
-    let data: Vec<u8> = [1.5f64, -2.5].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let data: Vec<u8> = [1.5f64, -2.5]
+        .iter()
+        .flat_map(|x| x.to_le_bytes())
+        .collect();
     let file = read(&record3("FDSN:XX_A_10_H_LONG_1", 5, -0.25, 2, &data)).unwrap();
-    assert_eq!((file.components[0].name.as_str(), file.components[0].motion.dt_s()), ("H_LONG_1", 0.25));
+    assert_eq!(
+        (
+            file.components[0].name.as_str(),
+            file.components[0].motion.dt_s()
+        ),
+        ("H_LONG_1", 0.25)
+    );
     assert_eq!(values(&file), [1.5, -2.5]);
     let file = read(&record3("XFDSN:mine", 5, 8.0, 2, &data)).unwrap();
-    assert_eq!((file.components[0].name.as_str(), &file.components[0].station), ("XFDSN:mine", &None));
-    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data), "declares 3 samples, but has room for 2");
+    assert_eq!(
+        (
+            file.components[0].name.as_str(),
+            &file.components[0].station
+        ),
+        ("XFDSN:mine", &None)
+    );
+    refused(
+        &record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data),
+        "declares 3 samples, but has room for 2",
+    );
     // A count that would fill the memory.
-    refused(&record3("FDSN:XX_A_10_H_N_1", 11, 8.0, u32::MAX, &big(&STEIM2)), "ends after 29 of 4294967295");
-    let nan: Vec<u8> = [1.5f64, f64::NAN].iter().flat_map(|x| x.to_le_bytes()).collect();
-    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 2, &nan), "sample 2 is NaN");
+    refused(
+        &record3("FDSN:XX_A_10_H_N_1", 11, 8.0, u32::MAX, &big(&STEIM2)),
+        "ends after 29 of 4294967295",
+    );
+    let nan: Vec<u8> = [1.5f64, f64::NAN]
+        .iter()
+        .flat_map(|x| x.to_le_bytes())
+        .collect();
+    refused(
+        &record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 2, &nan),
+        "sample 2 is NaN",
+    );
 }
 
 fn three(second: u64, third: u64) -> Vec<Vec<u8>> {
     // 29 samples at 100 Hz: 2900 units of 0.1 ms.
     [0, second, third]
-        .map(|later| record2(&Header { start: HEADER.start + later, ..HEADER }, 29, &big(&STEIM1)))
+        .map(|later| {
+            record2(
+                &Header {
+                    start: HEADER.start + later,
+                    ..HEADER
+                },
+                29,
+                &big(&STEIM1),
+            )
+        })
         .to_vec()
 }
 
@@ -321,7 +444,9 @@ fn records_are_put_in_the_order_of_time_and_used_once() {
         let file = read(&bytes).unwrap();
         assert_eq!(values(&file), as_f64(&expected), "{order:?}");
         assert_eq!(
-            file.notes.iter().any(|note| note.to_string().ends_with(": 1 repeated record ignored")),
+            file.notes
+                .iter()
+                .any(|note| note.to_string().ends_with(": 1 repeated record ignored")),
             order.len() == 4
         );
     }
@@ -335,19 +460,32 @@ fn gaps_and_overlaps_name_time_and_record() {
         &three(2900, 5851).concat(),
         "CI.CLC..HNE: a gap of 0.005100 s (0.5 samples) before record 3 (byte 1024): 2019-07-06T03:19:23.623 follows",
     );
-    refused(&three(2800, 5800).concat(), "an overlap of 0.010000 s (1.0 samples) before record 2 (byte 512)");
+    refused(
+        &three(2800, 5800).concat(),
+        "an overlap of 0.010000 s (1.0 samples) before record 2 (byte 512)",
+    );
     let drifting = read(&three(2940, 5880).concat()).unwrap();
     assert!(
-        drifting
-            .notes
-            .iter()
-            .any(|note| note.to_string().contains("begins 0.008000 s later than the samples before it")),
+        drifting.notes.iter().any(|note| note
+            .to_string()
+            .contains("begins 0.008000 s later than the samples before it")),
         "{:?}",
         drifting.notes
     );
     let mut slow = three(2900, 5800);
-    slow[2] = record2(&Header { factor: 50, start: HEADER.start + 5800, ..HEADER }, 29, &big(&STEIM1));
-    refused(&slow.concat(), "record 3 (byte 1024) has 50 Hz, but the records before it have 100 Hz");
+    slow[2] = record2(
+        &Header {
+            factor: 50,
+            start: HEADER.start + 5800,
+            ..HEADER
+        },
+        29,
+        &big(&STEIM1),
+    );
+    refused(
+        &slow.concat(),
+        "record 3 (byte 1024) has 50 Hz, but the records before it have 100 Hz",
+    );
 }
 
 /// The clock's correction counts unless it is in already; blockette 1001 adds microseconds.
@@ -363,54 +501,138 @@ fn the_start_has_its_corrections() {
     ] {
         let mut records = three(2900, 5800);
         // The last record is 60 units of 0.1 ms early.
-        let last = Header { start: HEADER.start + 5740, clock, microseconds, ..HEADER };
+        let last = Header {
+            start: HEADER.start + 5740,
+            clock,
+            microseconds,
+            ..HEADER
+        };
         records[2] = record2(&last, 29, &big(&STEIM1));
-        assert_eq!(read(&records.concat()).is_ok(), fits, "{clock:?} {microseconds}");
+        assert_eq!(
+            read(&records.concat()).is_ok(),
+            fits,
+            "{clock:?} {microseconds}"
+        );
     }
 }
 
 #[test]
 fn rates_are_exact() {
-    for (factor, multiplier, dt_s) in
-        [(200, 1, 0.005), (2, 100, 0.005), (-5, 1, 5.0), (-5, 2, 2.5), (1000, -3, 0.003), (-5, -2, 10.0), (50, 0, 0.02)]
-    {
-        let header = Header { factor, multiplier, ..HEADER };
+    for (factor, multiplier, dt_s) in [
+        (200, 1, 0.005),
+        (2, 100, 0.005),
+        (-5, 1, 5.0),
+        (-5, 2, 2.5),
+        (1000, -3, 0.003),
+        (-5, -2, 10.0),
+        (50, 0, 0.02),
+    ] {
+        let header = Header {
+            factor,
+            multiplier,
+            ..HEADER
+        };
         let file = read(&record2(&header, 29, &big(&STEIM1))).unwrap();
-        assert_eq!(file.components[0].motion.dt_s(), dt_s, "{factor} {multiplier}");
+        assert_eq!(
+            file.components[0].motion.dt_s(),
+            dt_s,
+            "{factor} {multiplier}"
+        );
     }
-    let file = read(&record2(&Header { rate_hz: Some(99.9), ..HEADER }, 29, &big(&STEIM1))).unwrap();
+    let file = read(&record2(
+        &Header {
+            rate_hz: Some(99.9),
+            ..HEADER
+        },
+        29,
+        &big(&STEIM1),
+    ))
+    .unwrap();
     // The decimal 99.9, not its single-precision neighbour.
     assert_eq!(file.components[0].motion.dt_s(), 1.0 / 99.9);
-    refused(&record2(&Header { factor: 0, ..HEADER }, 29, &big(&STEIM1)), "holds no records with samples");
+    refused(
+        &record2(
+            &Header {
+                factor: 0,
+                ..HEADER
+            },
+            29,
+            &big(&STEIM1),
+        ),
+        "holds no records with samples",
+    );
 }
 
 #[test]
 fn channels_have_names_of_their_own() {
     let names = |all: &[&'static [u8; 12]]| {
-        let bytes: Vec<u8> =
-            all.iter().flat_map(|name| record2(&Header { name, ..HEADER }, 29, &big(&STEIM1))).collect();
-        read(&bytes).unwrap().components.iter().map(|one| one.name.clone()).collect::<Vec<_>>()
+        let bytes: Vec<u8> = all
+            .iter()
+            .flat_map(|name| record2(&Header { name, ..HEADER }, 29, &big(&STEIM1)))
+            .collect();
+        read(&bytes)
+            .unwrap()
+            .components
+            .iter()
+            .map(|one| one.name.clone())
+            .collect::<Vec<_>>()
     };
     assert_eq!(names(&[b"CLC    HNECI", b"CLC    HNNCI"]), ["HNE", "HNN"]);
-    assert_eq!(names(&[b"CLC  00HNECI", b"CLC  10HNECI"]), ["00.HNE", "10.HNE"]);
-    assert_eq!(names(&[b"CLC    HNECI", b"ABC    HNECI"]), ["CI.CLC..HNE", "CI.ABC..HNE"]);
+    assert_eq!(
+        names(&[b"CLC  00HNECI", b"CLC  10HNECI"]),
+        ["00.HNE", "10.HNE"]
+    );
+    assert_eq!(
+        names(&[b"CLC    HNECI", b"ABC    HNECI"]),
+        ["CI.CLC..HNE", "CI.ABC..HNE"]
+    );
     assert_eq!(names(&[b"            "]), ["x"]);
 }
 
 #[test]
 fn a_record_without_its_length_is_measured() {
-    let bare = Header { encoding: None, power: 8, ..HEADER };
-    let next = Header { start: HEADER.start + 2900, ..bare.clone() };
-    let two = [record2(&bare, 29, &big(&STEIM1)), record2(&next, 29, &big(&STEIM1))].concat();
+    let bare = Header {
+        encoding: None,
+        power: 8,
+        ..HEADER
+    };
+    let next = Header {
+        start: HEADER.start + 2900,
+        ..bare.clone()
+    };
+    let two = [
+        record2(&bare, 29, &big(&STEIM1)),
+        record2(&next, 29, &big(&STEIM1)),
+    ]
+    .concat();
     let file = read(&two).unwrap();
-    assert_eq!((values(&file).len(), file.notes[0].to_string().contains("no encoding is stated")), (58, true));
-    refused(&two[..two.len() - 1], "record 2 (byte 256) does not state its length");
-    refused(&record2(&bare, 29, &big(&STEIM2)), "states no encoding (blockette 1000); read as Steim-1, it");
+    assert_eq!(
+        (
+            values(&file).len(),
+            file.notes[0].to_string().contains("no encoding is stated")
+        ),
+        (58, true)
+    );
+    refused(
+        &two[..two.len() - 1],
+        "record 2 (byte 256) does not state its length",
+    );
+    refused(
+        &record2(&bare, 29, &big(&STEIM2)),
+        "states no encoding (blockette 1000); read as Steim-1, it",
+    );
 }
 
 #[test]
 fn what_is_no_motion_is_skipped_or_refused() {
-    let text = record2(&Header { encoding: Some(0), ..HEADER }, 5, b"hello");
+    let text = record2(
+        &Header {
+            encoding: Some(0),
+            ..HEADER
+        },
+        5,
+        b"hello",
+    );
     refused(&text, "holds no records with samples");
     let good = record2(&HEADER, 29, &big(&STEIM1));
     let blank = [b"000002".to_vec(), vec![b' '; 506]].concat();
@@ -419,16 +641,67 @@ fn what_is_no_motion_is_skipped_or_refused() {
         let file = read(&[before.as_slice(), &good].concat()).unwrap();
         assert_eq!(values(&file), as_f64(&SAMPLES));
         // Counts in m/s2 are more than any ground.
-        assert_eq!(file.notes.len(), if *before == blank { 2 } else { 3 }, "{:?}", file.notes);
+        assert_eq!(
+            file.notes.len(),
+            if *before == blank { 2 } else { 3 },
+            "{:?}",
+            file.notes
+        );
     }
-    for (code, name) in [(16, "CDSN"), (30, "SRO"), (14, "GEOSCOPE"), (77, "encoding 77")] {
-        refused(&record2(&Header { encoding: Some(code), ..HEADER }, 29, &big(&STEIM1)), name);
+    for (code, name) in [
+        (16, "CDSN"),
+        (30, "SRO"),
+        (14, "GEOSCOPE"),
+        (77, "encoding 77"),
+    ] {
+        refused(
+            &record2(
+                &Header {
+                    encoding: Some(code),
+                    ..HEADER
+                },
+                29,
+                &big(&STEIM1),
+            ),
+            name,
+        );
     }
-    refused(&[good.clone(), vec![1; 600]].concat(), "record 2 (byte 512) does not begin like a miniSEED record");
-    refused(&[good.clone(), good[..300].to_vec()].concat(), "record 2 (byte 512) is cut off");
-    refused(&record2(&Header { power: 20, ..HEADER }, 0, &[]).split_off(0)[..512], "states a length of 2^20");
-    let flagged = read(&record2(&Header { quality: 0x12, ..HEADER }, 29, &big(&STEIM1))).unwrap();
-    assert!(flagged.notes[0].to_string().contains("clipped, missing or padded data"), "{:?}", flagged.notes);
+    refused(
+        &[good.clone(), vec![1; 600]].concat(),
+        "record 2 (byte 512) does not begin like a miniSEED record",
+    );
+    refused(
+        &[good.clone(), good[..300].to_vec()].concat(),
+        "record 2 (byte 512) is cut off",
+    );
+    refused(
+        &record2(
+            &Header {
+                power: 20,
+                ..HEADER
+            },
+            0,
+            &[],
+        )
+        .split_off(0)[..512],
+        "states a length of 2^20",
+    );
+    let flagged = read(&record2(
+        &Header {
+            quality: 0x12,
+            ..HEADER
+        },
+        29,
+        &big(&STEIM1),
+    ))
+    .unwrap();
+    assert!(
+        flagged.notes[0]
+            .to_string()
+            .contains("clipped, missing or padded data"),
+        "{:?}",
+        flagged.notes
+    );
 }
 
 /// In a SEED volume, control headers end where the volume says or shows, so that damaged data do
@@ -442,19 +715,41 @@ fn no_record_is_lost_behind_control_headers() {
     };
     let stated = header("V ", "010009802.4102019,187~", 1024);
     let of_station = header("V ", "0080073 2.310CLC  ", 1024);
-    let unstated = [header("V ", "011  21  1CLC  ", 1024), header("S ", "050", 1024)].concat();
+    let unstated = [
+        header("V ", "011  21  1CLC  ", 1024),
+        header("S ", "050", 1024),
+    ]
+    .concat();
     let good = three(2900, 5800);
     let mut damaged = good[0].clone();
     damaged[6] = b'X';
     for control in [&stated, &of_station, &unstated] {
         let file = read(&[control.as_slice(), &good.concat()].concat()).unwrap();
         assert_eq!(values(&file).len(), 87);
-        assert!(file.notes.iter().any(|note| note.to_string().contains("of control headers")), "{:?}", file.notes);
-        let message = format!("record 1 (byte {}) does not begin like a miniSEED record", control.len());
-        refused(&[control, damaged.as_slice(), &good[1], &good[2]].concat(), &message);
+        assert!(
+            file.notes
+                .iter()
+                .any(|note| note.to_string().contains("of control headers")),
+            "{:?}",
+            file.notes
+        );
+        let message = format!(
+            "record 1 (byte {}) does not begin like a miniSEED record",
+            control.len()
+        );
+        refused(
+            &[control, damaged.as_slice(), &good[1], &good[2]].concat(),
+            &message,
+        );
         // A volume whose records are shorter than it states ends with the first of them.
-        assert_eq!(values(&read(&[&control[..control.len() - 512], &good[0]].concat()).unwrap()), as_f64(&SAMPLES));
-        let message = format!("record 2 (byte {}) does not begin like a miniSEED record", control.len() + 512);
+        assert_eq!(
+            values(&read(&[&control[..control.len() - 512], &good[0]].concat()).unwrap()),
+            as_f64(&SAMPLES)
+        );
+        let message = format!(
+            "record 2 (byte {}) does not begin like a miniSEED record",
+            control.len() + 512
+        );
         refused(&[control, good[0].as_slice(), &damaged].concat(), &message);
     }
     // If nothing states the length, bytes that are not text do not belong to a control header.
@@ -468,14 +763,33 @@ fn no_record_is_lost_behind_control_headers() {
 #[test]
 fn without_a_sensitivity_the_way_out_is_said() {
     let bytes = record2(&HEADER, 29, &big(&STEIM1));
-    let error = parse_motions(bytes, "nowhere/x.mseed".as_ref(), &ReadOptions::default()).unwrap_err();
+    let error =
+        parse_motions(bytes, "nowhere/x.mseed".as_ref(), &ReadOptions::default()).unwrap_err();
     let problem = &error.problems[0];
-    assert!(problem.message.contains("sensitivity") && problem.line.is_none(), "{problem}");
+    assert!(
+        problem.message.contains("sensitivity") && problem.line.is_none(),
+        "{problem}"
+    );
     let hint = problem.hint.as_deref().unwrap();
-    assert!(["`station_xml`", "CI.CLC.xml", "`unit`"].iter().all(|word| hint.contains(word)), "{hint}");
-    let options = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.02), ..ReadOptions::default() };
-    let error = parse_motions(record2(&HEADER, 29, &big(&STEIM1)), "x".as_ref(), &options).unwrap_err();
-    assert!(error.problems[0].to_string().starts_with("x: CI.CLC..HNE: the time step is 0.01 s"), "{error}");
+    assert!(
+        ["`station_xml`", "CI.CLC.xml", "`unit`"]
+            .iter()
+            .all(|word| hint.contains(word)),
+        "{hint}"
+    );
+    let options = ReadOptions {
+        unit: Some("g".to_owned()),
+        dt_s: Some(0.02),
+        ..ReadOptions::default()
+    };
+    let error =
+        parse_motions(record2(&HEADER, 29, &big(&STEIM1)), "x".as_ref(), &options).unwrap_err();
+    assert!(
+        error.problems[0]
+            .to_string()
+            .starts_with("x: CI.CLC..HNE: the time step is 0.01 s"),
+        "{error}"
+    );
 }
 
 proptest! {
@@ -525,9 +839,19 @@ fn records_of_no_samples_that_hold_some_are_said() {
     let good = record2(&HEADER, 29, &big(&STEIM1));
     let told = |first: &[u8]| {
         let notes = read(&[first, &good].concat()).unwrap().notes;
-        notes.iter().any(|note| note.to_string().starts_with("1 record with data, but 0 samples in the header"))
+        notes.iter().any(|note| {
+            note.to_string()
+                .starts_with("1 record with data, but 0 samples in the header")
+        })
     };
     assert!(told(&record2(&HEADER, 0, &big(&STEIM1))));
     assert!(!told(&record2(&HEADER, 0, &[])));
-    assert!(!told(&record2(&Header { encoding: Some(0), ..HEADER }, 0, b"a message")));
+    assert!(!told(&record2(
+        &Header {
+            encoding: Some(0),
+            ..HEADER
+        },
+        0,
+        b"a message"
+    )));
 }

@@ -20,7 +20,9 @@ const KEYS: [&str; 4] = [STEP, COUNT, "STATION ID", "RECORD TIME"];
 /// spelt in several ways and encodings, so it is ignored.
 pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(60).filter(|line| !line.is_blank());
-    let title = head.next().map_or_else(String::new, |line| line.text().trim().to_ascii_uppercase());
+    let title = head
+        .next()
+        .map_or_else(String::new, |line| line.text().trim().to_ascii_uppercase());
     let is_key = |entry: &Entry| KEYS.iter().any(|key| entry.is(key));
     title.starts_with("STRONG GROUND MOTION RECORD") && head.any(|line| is_key(&entry(&line)))
 }
@@ -36,12 +38,21 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let rows = read_rows(&mut rest, names.len(), declared, &mut notes)?;
     // The line of the peaks states the unit. Without it the unit is gal, as in all files of this
     // form.
-    let peaks = header.entries.iter().find(|entry| entry.key.to_ascii_uppercase().contains("PGA"));
-    let stated = peaks.and_then(|entry| Some(Stated { unit: unit_in_prose(&entry.key)?, line: entry.line }));
+    let peaks = header
+        .entries
+        .iter()
+        .find(|entry| entry.key.to_ascii_uppercase().contains("PGA"));
+    let stated = peaks.and_then(|entry| {
+        Some(Stated {
+            unit: unit_in_prose(&entry.key)?,
+            line: entry.line,
+        })
+    });
     let requested = requested(options.unit.as_deref())?;
     let unit = match (stated, requested, lookup("gal")) {
         (None, None, Some(gal)) => {
-            let words = "no line states the unit: the values are read in gal, as in all files of this form";
+            let words =
+                "no line states the unit: the values are read in gal, as in all files of this form";
             notes.push(Note::new(NoteKind::UnitAssumed, words));
             gal
         }
@@ -66,20 +77,27 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         notes.extend(stated.and_then(|peak| peak_note(&component, unit.to_si(peak))));
         components.push(component);
     }
-    Ok(Reading { format: "AFAD/NSMN text", components, notes })
+    Ok(Reading {
+        format: "AFAD/NSMN text",
+        components,
+        notes,
+    })
 }
 
 /// The words of the line above the numbers if all are directions; else the order that all files
 /// have.
 fn column_names(header: &Header, notes: &mut Vec<Note>) -> Vec<String> {
     let last = header.entries.last().filter(|entry| entry.value.is_empty());
-    let names: Vec<String> =
-        last.map(|entry| entry.key.split_whitespace().map(str::to_owned).collect()).unwrap_or_default();
+    let names: Vec<String> = last
+        .map(|entry| entry.key.split_whitespace().map(str::to_owned).collect())
+        .unwrap_or_default();
     if !names.is_empty() && names.iter().all(|name| Direction::parse(name).is_some()) {
         return names;
     }
     let columns = COLUMNS.join(", ");
-    let words = format!("no line names the columns: they are read as {columns}, as in all files of this form");
+    let words = format!(
+        "no line names the columns: they are read as {columns}, as in all files of this form"
+    );
     notes.push(Note::new(NoteKind::ColumnsAssumed, words));
     COLUMNS.map(str::to_owned).to_vec()
 }
@@ -93,7 +111,11 @@ fn peak_of(value: &str, name: &str) -> Option<f64> {
 /// The station's number and the place, as far as the header has them.
 fn station(header: &Header) -> Option<String> {
     let parts = [header.text("STATION ID"), header.text("PLACE")];
-    let name = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    let name = parts
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ");
     (!name.is_empty()).then_some(name)
 }
 

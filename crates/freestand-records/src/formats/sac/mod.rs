@@ -46,7 +46,9 @@ fn order(bytes: &[u8]) -> Option<Order> {
             && matches!(at(word::LEVEN), Some(0 | 1 | -12345))
             && at(word::IFTYPE).is_some_and(|kind| (1..=100).contains(&kind) || kind == -12345)
     };
-    (bytes.len() >= HEADER).then(|| [Order::Little, Order::Big].into_iter().find(fits)).flatten()
+    (bytes.len() >= HEADER)
+        .then(|| [Order::Little, Order::Big].into_iter().find(fits))
+        .flatten()
 }
 
 /// Whether this is a SAC file.
@@ -58,36 +60,60 @@ pub(super) fn is_sac(bytes: &[u8]) -> bool {
 /// numbers, of which the seventh is the version; numbers that are not set are -12345.
 pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
     let head: Vec<String> = lines(bytes).take(16).map(|line| line.text()).collect();
-    let words: Vec<Vec<&str>> = head.iter().map(|text| text.split_whitespace().collect()).collect();
-    let has_five = |fields: &Vec<&str>| fields.len() == 5 && fields.iter().all(|field| field.parse::<f64>().is_ok());
+    let words: Vec<Vec<&str>> = head
+        .iter()
+        .map(|text| text.split_whitespace().collect())
+        .collect();
+    let has_five = |fields: &Vec<&str>| {
+        fields.len() == 5 && fields.iter().all(|field| field.parse::<f64>().is_ok())
+    };
     words.len() == 16
         && words.iter().all(has_five)
         && matches!(words[15][1], "6" | "7")
-        && words.iter().flatten().filter(|field| field.starts_with("-12345")).count() > 5
+        && words
+            .iter()
+            .flatten()
+            .filter(|field| field.starts_with("-12345"))
+            .count()
+            > 5
 }
 
 /// Refuses SAC in text.
 pub(super) fn read_text(_: &[u8], _: &Path, _: &ReadOptions) -> Result<Reading, Problem> {
-    Err(Problem::new(ProblemKind::Format, "is an alphanumeric SAC file, which cannot be read")
-        .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
+    Err(Problem::new(
+        ProblemKind::Format,
+        "is an alphanumeric SAC file, which cannot be read",
+    )
+    .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
 }
 
 /// Reads a SAC file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let wrong = |message: String| Problem::new(ProblemKind::Format, message);
-    let Some(order) = order(bytes) else { return Err(wrong("is not a SAC file".to_owned())) };
+    let Some(order) = order(bytes) else {
+        return Err(wrong("is not a SAC file".to_owned()));
+    };
     let header = Header { bytes, order };
     header.refuse_other_kinds()?;
     let version = header.integer(word::NVHDR);
     let npts = usize::try_from(header.integer(word::NPTS)).map_err(|_| {
-        wrong(format!("the number of samples (NPTS) is {}", header.integer(word::NPTS)))
-            .hint("the file is damaged, or NPTS was never set: fetch it again")
+        wrong(format!(
+            "the number of samples (NPTS) is {}",
+            header.integer(word::NPTS)
+        ))
+        .hint("the file is damaged, or NPTS was never set: fetch it again")
     })?;
     let footer = if version == 7 { FOOTER } else { 0 };
-    if npts.checked_mul(4).and_then(|size| size.checked_add(HEADER + footer)) != Some(bytes.len()) {
+    if npts
+        .checked_mul(4)
+        .and_then(|size| size.checked_add(HEADER + footer))
+        != Some(bytes.len())
+    {
         let found = bytes.len().saturating_sub(HEADER + footer) as f64 / 4.0;
-        return Err(wrong(format!("the header declares {npts} samples (NPTS), but the file has room for {found}"))
-            .hint("the file is damaged or cut off: fetch it again"));
+        return Err(wrong(format!(
+            "the header declares {npts} samples (NPTS), but the file has room for {found}"
+        ))
+        .hint("the file is damaged or cut off: fetch it again"));
     }
     let Some(unit) = units::requested(options.unit.as_deref())? else {
         return Err(Problem::new(ProblemKind::Value, "a SAC file does not state its unit").hint(
@@ -95,23 +121,37 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
              cm/s2 or m/s2 elsewhere",
         ));
     };
-    let values: Vec<f64> = (0..npts).filter_map(|i| order.f32(bytes, HEADER + 4 * i)).map(f64::from).collect();
+    let values: Vec<f64> = (0..npts)
+        .filter_map(|i| order.f32(bytes, HEADER + 4 * i))
+        .map(f64::from)
+        .collect();
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(wrong(format!("sample {} is {}, which marks a missing value", at + 1, values[at]))
-            .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
+        return Err(wrong(format!(
+            "sample {} is {}, which marks a missing value",
+            at + 1,
+            values[at]
+        ))
+        .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
-    let words = format!("the samples are assumed to be in {}; a SAC file does not state its unit", unit.symbol);
+    let words = format!(
+        "the samples are assumed to be in {}; a SAC file does not state its unit",
+        unit.symbol
+    );
     let mut notes = vec![Note::new(NoteKind::UnitAssumed, words)];
     notes.extend(header.notes());
     let text = |word: usize, bytes: usize| header.text(word, bytes);
     let channel = text(600, 8);
     let component = Found {
-        name: channel.clone().unwrap_or_else(|| crate::motion_file::file_stem(path)),
+        name: channel
+            .clone()
+            .unwrap_or_else(|| crate::motion_file::file_stem(path)),
         station: match (text(608, 8), text(440, 8)) {
             (Some(network), Some(station)) => Some(format!("{network}.{station}")),
             (network, station) => station.or(network),
         },
-        direction: header.direction().or_else(|| channel.as_deref().and_then(Direction::parse)),
+        direction: header
+            .direction()
+            .or_else(|| channel.as_deref().and_then(Direction::parse)),
         unit: *unit,
         dt_s: header.step(version, HEADER + 4 * npts)?,
         line_of_step: 1,
@@ -121,13 +161,28 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     .component(options)
     .map_err(without_line)?;
-    let component = Component { start: header.start_s().map(Start::Date), ..component };
+    let component = Component {
+        start: header.start_s().map(Start::Date),
+        ..component
+    };
     if let (Some(begin_s), Some(end_s)) = (header.real(word::B), header.real(word::E)) {
-        notes.extend(length_note(&component, f64::from(end_s) - f64::from(begin_s)));
+        notes.extend(length_note(
+            &component,
+            f64::from(end_s) - f64::from(begin_s),
+        ));
     }
-    let stated = [word::DEPMIN, word::DEPMAX].iter().filter_map(|&at| header.real(at));
-    notes.extend(peak_note(&component, unit.to_si(stated.fold(0.0, |a: f64, b| a.max(f64::from(b).abs())))));
-    Ok(Reading { format: "SAC", components: vec![component], notes })
+    let stated = [word::DEPMIN, word::DEPMAX]
+        .iter()
+        .filter_map(|&at| header.real(at));
+    notes.extend(peak_note(
+        &component,
+        unit.to_si(stated.fold(0.0, |a: f64, b| a.max(f64::from(b).abs()))),
+    ));
+    Ok(Reading {
+        format: "SAC",
+        components: vec![component],
+        notes,
+    })
 }
 
 /// The first 632 bytes.
@@ -144,29 +199,51 @@ impl Header<'_> {
     /// Time of the first sample: B seconds after the reference time, if the header has both.
     fn start_s(&self) -> Option<f64> {
         let field = |i: usize| u32::try_from(self.integer(word::NZYEAR + i)).ok();
-        let (year, day) = (u16::try_from(field(0)?).ok()?, u16::try_from(field(1)?).ok()?);
+        let (year, day) = (
+            u16::try_from(field(0)?).ok()?,
+            u16::try_from(field(1)?).ok()?,
+        );
         let (hour, minute, second, millisecond) = (field(2)?, field(3)?, field(4)?, field(5)?);
         if hour > 24 || minute > 60 || second > 60 || millisecond > 1000 {
             return None;
         }
-        let reference = Instant::from_day(year, day, 3600 * hour + 60 * minute + second, 1_000_000 * millisecond);
-        Some(reference.later_by_s(f64::from(self.real(word::B)?)).seconds())
+        let reference = Instant::from_day(
+            year,
+            day,
+            3600 * hour + 60 * minute + second,
+            1_000_000 * millisecond,
+        );
+        Some(
+            reference
+                .later_by_s(f64::from(self.real(word::B)?))
+                .seconds(),
+        )
     }
 
     fn real(&self, word: usize) -> Option<f32> {
-        self.order.f32(self.bytes, 4 * word).filter(|value| *value != UNSET && value.is_finite())
+        self.order
+            .f32(self.bytes, 4 * word)
+            .filter(|value| *value != UNSET && value.is_finite())
     }
 
     fn text(&self, at: usize, length: usize) -> Option<String> {
-        Some(field(self.bytes, at, at + length)).filter(|text| !text.is_empty() && !text.starts_with("-12345"))
+        Some(field(self.bytes, at, at + length))
+            .filter(|text| !text.is_empty() && !text.starts_with("-12345"))
     }
 
     fn refuse_other_kinds(&self) -> Result<(), Problem> {
-        let refused = |message: String, hint: &str| Err(Problem::new(ProblemKind::Format, message).hint(hint));
+        let refused = |message: String, hint: &str| {
+            Err(Problem::new(ProblemKind::Format, message).hint(hint))
+        };
         let time_series = "a time series (IFTYPE = ITIME) is expected";
         match self.integer(word::IFTYPE) {
             1 => {}
-            2 | 3 => return refused(format!("is a spectrum; {time_series}"), "transform it back to a time series"),
+            2 | 3 => {
+                return refused(
+                    format!("is a spectrum; {time_series}"),
+                    "transform it back to a time series",
+                );
+            }
             other => {
                 return refused(
                     format!("holds no time series (IFTYPE = {other})"),
@@ -201,21 +278,31 @@ impl Header<'_> {
                 );
             }
         };
-        refused(format!("is {what}; an acceleration is expected"), "use the record of the accelerometer")
+        refused(
+            format!("is {what}; an acceleration is expected"),
+            "use the record of the accelerometer",
+        )
     }
 
     /// The time step \[s\]: version 7 repeats it in double precision after the samples.
     fn step(&self, version: i32, footer_at: usize) -> Result<f64, Problem> {
-        let double = (version == 7).then(|| self.order.f64(self.bytes, footer_at)).flatten();
+        let double = (version == 7)
+            .then(|| self.order.f64(self.bytes, footer_at))
+            .flatten();
         let double = double.filter(|step| *step > 0.0 && step.is_finite());
-        double.or_else(|| self.real(word::DELTA).map(as_written)).filter(|step| *step > 0.0).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, "the time step (DELTA) is missing").hint("set DELTA in the header")
-        })
+        double
+            .or_else(|| self.real(word::DELTA).map(as_written))
+            .filter(|step| *step > 0.0)
+            .ok_or_else(|| {
+                Problem::new(ProblemKind::Format, "the time step (DELTA) is missing")
+                    .hint("set DELTA in the header")
+            })
     }
 
     fn notes(&self) -> Option<Note> {
         let scale = self.real(word::SCALE).filter(|scale| *scale != 1.0)?;
-        let words = format!("SCALE is {scale} in the header; the samples were not multiplied by it");
+        let words =
+            format!("SCALE is {scale} in the header; the samples were not multiplied by it");
         Some(Note::new(NoteKind::FactorIgnored, words))
     }
 

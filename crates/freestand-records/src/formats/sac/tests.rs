@@ -6,11 +6,26 @@ const VALUES: [f32; 4] = [0.5, -0.25, 12.0, -12345.0];
 /// A file as the SAC manual has it: 70 reals, 40 whole numbers, 192 characters, samples; in version
 /// 7 a footer.
 fn file(big: bool, version: i32, words: &[(usize, f32)], integers: &[(usize, i32)]) -> Vec<u8> {
-    let put = |bits: u32| if big { bits.to_be_bytes() } else { bits.to_le_bytes() };
+    let put = |bits: u32| {
+        if big {
+            bits.to_be_bytes()
+        } else {
+            bits.to_le_bytes()
+        }
+    };
     let mut header = [(-12345.0f32).to_bits(); 110];
     header[70..].fill((-12345i32).cast_unsigned());
     header[0] = 0.02f32.to_bits();
-    for (at, value) in [(76, version), (79, VALUES.len() as i32), (85, 1), (86, 8), (105, 1)].iter().chain(integers) {
+    for (at, value) in [
+        (76, version),
+        (79, VALUES.len() as i32),
+        (85, 1),
+        (86, 8),
+        (105, 1),
+    ]
+    .iter()
+    .chain(integers)
+    {
         header[*at] = value.cast_unsigned();
     }
     for (at, value) in words {
@@ -23,14 +38,21 @@ fn file(big: bool, version: i32, words: &[(usize, f32)], integers: &[(usize, i32
     out.extend(VALUES.iter().flat_map(|value| put(value.to_bits())));
     if version == 7 {
         let step = 0.004f64.to_bits();
-        let step = if big { step.to_be_bytes() } else { step.to_le_bytes() };
+        let step = if big {
+            step.to_be_bytes()
+        } else {
+            step.to_le_bytes()
+        };
         out.extend(step.repeat(22));
     }
     out
 }
 
 fn read_in(bytes: &[u8], unit: Option<&str>) -> Result<MotionFile, String> {
-    let options = ReadOptions { unit: unit.map(str::to_owned), ..ReadOptions::default() };
+    let options = ReadOptions {
+        unit: unit.map(str::to_owned),
+        ..ReadOptions::default()
+    };
     parse_motions(bytes.to_vec(), "x.sac".as_ref(), &options).map_err(|error| error.to_string())
 }
 
@@ -40,11 +62,22 @@ fn read(bytes: &[u8]) -> Result<MotionFile, String> {
 
 #[test]
 fn either_order_and_version_is_read() {
-    for (big, version, dt_s) in [(true, 6, 0.02), (false, 6, 0.02), (true, 7, 0.004), (false, 7, 0.004)] {
+    for (big, version, dt_s) in [
+        (true, 6, 0.02),
+        (false, 6, 0.02),
+        (true, 7, 0.004),
+        (false, 7, 0.004),
+    ] {
         let found = read(&file(big, version, &[], &[])).unwrap();
         let one = &found.components[0];
-        assert_eq!((found.format, one.name.as_str(), one.unit, one.is_raw), ("SAC", "HNE", "m/s2", true));
-        assert_eq!((one.station.as_deref(), one.direction), (Some("CJ.T001230"), Some(Direction::Azimuth(90.0))));
+        assert_eq!(
+            (found.format, one.name.as_str(), one.unit, one.is_raw),
+            ("SAC", "HNE", "m/s2", true)
+        );
+        assert_eq!(
+            (one.station.as_deref(), one.direction),
+            (Some("CJ.T001230"), Some(Direction::Azimuth(90.0)))
+        );
         // Exact: 0.02 is the decimal that the single-precision value stands for.
         assert_eq!(one.motion.dt_s(), dt_s);
         assert_eq!(one.motion.accel_m_s2(), VALUES.map(f64::from));
@@ -55,14 +88,20 @@ fn either_order_and_version_is_read() {
 fn the_unit_is_asked_for() {
     let message = read_in(&file(false, 6, &[], &[]), None).unwrap_err();
     assert!(
-        message.contains("does not state its unit") && message.contains("`unit`") && message.contains("nm/s2"),
+        message.contains("does not state its unit")
+            && message.contains("`unit`")
+            && message.contains("nm/s2"),
         "{message}"
     );
     let found = read_in(&file(false, 6, &[], &[]), Some("nm/s2")).unwrap();
     let third = found.components[0].motion.accel_m_s2()[2];
     // The unit and the product are rounded, each to half an epsilon.
     assert!((third - 12e-9).abs() <= f64::EPSILON * 12e-9, "{third}");
-    assert!(found.notes[0].to_string().contains("assumed to be in nm/s2"));
+    assert!(
+        found.notes[0]
+            .to_string()
+            .contains("assumed to be in nm/s2")
+    );
 }
 
 #[test]
@@ -75,14 +114,30 @@ fn directions_scale_and_peak_are_told() {
         (0.0, 180.0, Some(Direction::Azimuth(90.0))),
     ] {
         let found = read(&file(false, 6, &[(57, azimuth), (58, incidence)], &[])).unwrap();
-        assert_eq!(found.components[0].direction, direction, "{azimuth} {incidence}");
+        assert_eq!(
+            found.components[0].direction, direction,
+            "{azimuth} {incidence}"
+        );
     }
     let found = read(&file(false, 6, &[(3, 2.0), (1, -12344.0), (2, 12.0)], &[])).unwrap();
     assert_eq!(found.notes.len(), 3, "{:?}", found.notes);
-    assert!(found.notes[2].to_string().contains("more than any ground or floor motion"), "{:?}", found.notes);
-    assert!(found.notes[1].to_string().contains("SCALE is 2") && found.notes[1].to_string().contains("not multiplied"));
+    assert!(
+        found.notes[2]
+            .to_string()
+            .contains("more than any ground or floor motion"),
+        "{:?}",
+        found.notes
+    );
+    assert!(
+        found.notes[1].to_string().contains("SCALE is 2")
+            && found.notes[1].to_string().contains("not multiplied")
+    );
     let found = read(&file(false, 6, &[(1, -1.0), (2, 12.0)], &[])).unwrap();
-    assert!(found.notes[1].to_string().contains("states a peak of 12"), "{:?}", found.notes);
+    assert!(
+        found.notes[1].to_string().contains("states a peak of 12"),
+        "{:?}",
+        found.notes
+    );
 }
 
 #[test]
@@ -97,7 +152,10 @@ fn what_is_no_acceleration_in_equal_steps_is_refused() {
         (file(false, 6, &[], &[(85, 2)]), "is a spectrum"),
         (file(false, 6, &[], &[(85, 4)]), "IFTYPE = 4"),
         (file(false, 6, &[], &[(105, 0)]), "unevenly spaced"),
-        (file(false, 6, &[], &[(79, 5)]), "declares 5 samples (NPTS), but the file has room for 4"),
+        (
+            file(false, 6, &[], &[(79, 5)]),
+            "declares 5 samples (NPTS), but the file has room for 4",
+        ),
         (file(false, 6, &[], &[(79, -1)]), "(NPTS) is -1"),
         (file(false, 6, &[(0, -12345.0)], &[]), "DELTA) is missing"),
         (nan, "sample 2 is NaN"),
@@ -105,7 +163,10 @@ fn what_is_no_acceleration_in_equal_steps_is_refused() {
         (file(false, 5, &[], &[]), "binary file of an unknown format"),
     ] {
         let found = read(&bytes).unwrap_err();
-        assert!(found.contains(message) && !found.contains("x.sac:1"), "{found}");
+        assert!(
+            found.contains(message) && !found.contains("x.sac:1"),
+            "{found}"
+        );
     }
     for depth in [5, -12345] {
         assert!(read(&file(false, 6, &[], &[(86, depth)])).is_ok());
@@ -114,12 +175,21 @@ fn what_is_no_acceleration_in_equal_steps_is_refused() {
 
 #[test]
 fn sac_in_text_is_told() {
-    let mut text = " 0.0200000      -12345.00      -12345.00      -12345.00      -12345.00\n".repeat(14);
+    let mut text =
+        " 0.0200000      -12345.00      -12345.00      -12345.00      -12345.00\n".repeat(14);
     text.push_str("    -12345    -12345    -12345    -12345    -12345\n");
     text.push_str("    -12345         6    -12345    -12345         4\n");
     text.push_str(&"    -12345    -12345    -12345    -12345    -12345\n".repeat(6));
-    assert!(read(text.as_bytes()).unwrap_err().contains("an alphanumeric SAC file"));
-    assert!(!read(text.replace("-12345", "-12346").as_bytes()).unwrap_err().contains("SAC"));
+    assert!(
+        read(text.as_bytes())
+            .unwrap_err()
+            .contains("an alphanumeric SAC file")
+    );
+    assert!(
+        !read(text.replace("-12345", "-12346").as_bytes())
+            .unwrap_err()
+            .contains("SAC")
+    );
 }
 
 proptest! {
@@ -147,7 +217,11 @@ proptest! {
 #[test]
 fn a_number_of_samples_below_zero_is_refused() {
     // Found by fuzzing: the problem had no remedy.
-    let read = parse_motions(file(false, 6, &[], &[(79, -5)]), "x.sac".as_ref(), &ReadOptions::default());
+    let read = parse_motions(
+        file(false, 6, &[], &[(79, -5)]),
+        "x.sac".as_ref(),
+        &ReadOptions::default(),
+    );
     let problem = &read.unwrap_err().problems[0];
     assert_eq!(problem.message, "the number of samples (NPTS) is -5");
     assert!(problem.hint.as_ref().unwrap().contains("fetch it again"));
@@ -156,7 +230,8 @@ fn a_number_of_samples_below_zero_is_refused() {
 #[test]
 fn an_end_that_contradicts_the_step_is_said() {
     for (end, count) in [(5.06, 1), (5.08, 1), (5.16, 2)] {
-        let found = read(&file(false, 6, &[(5, 5.0), (6, end)], &[(79, 3)]).split_off(0)[..644]).unwrap();
+        let found =
+            read(&file(false, 6, &[(5, 5.0), (6, end)], &[(79, 3)]).split_off(0)[..644]).unwrap();
         let found = found
             .notes
             .into_iter()

@@ -15,9 +15,19 @@ const VALUES: Format = Format::new(5, 14);
 
 /// Whether the text is such a file: its first key, and another that prose does not have.
 pub(super) fn is_sigma(bytes: &[u8]) -> bool {
-    let mut head = lines(bytes).take(40).filter(|line| !line.is_blank()).map(|line| entry(&line));
-    let others = ["Time Increment", "Number of Data", "Orientation", "PGA", "Station Code / Name"];
-    head.next().is_some_and(|first| first.is("Event Date & Time"))
+    let mut head = lines(bytes)
+        .take(40)
+        .filter(|line| !line.is_blank())
+        .map(|line| entry(&line));
+    let others = [
+        "Time Increment",
+        "Number of Data",
+        "Orientation",
+        "PGA",
+        "Station Code / Name",
+    ];
+    head.next()
+        .is_some_and(|first| first.is("Event Date & Time"))
         && head.any(|entry| others.iter().any(|key| entry.is(key)))
 }
 
@@ -28,15 +38,22 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     refuse_other_series(&header)?;
     // The title of the series states the unit; the peak has it too.
     let stated = header.entries.iter().rev().find_map(|entry| {
-        let unit = unit_in_prose(&entry.key).filter(|_| entry.value.is_empty() || entry.is("PGA"))?;
-        Some(Stated { unit, line: entry.line })
+        let unit =
+            unit_in_prose(&entry.key).filter(|_| entry.value.is_empty() || entry.is("PGA"))?;
+        Some(Stated {
+            unit,
+            line: entry.line,
+        })
     });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
     let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
-        Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
-            .at_line(1)
-            .hint("the file may be damaged: fetch it again")
+        Problem::new(
+            ProblemKind::Format,
+            "the header has no number of values (Number of Data)",
+        )
+        .at_line(1)
+        .hint("the file may be damaged: fetch it again")
     })?;
     let mut notes = Vec::new();
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
@@ -46,7 +63,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         "" => file_stem(path),
         name => name.to_owned(),
     };
-    let station = Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
+    let station =
+        Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
     let component = Found {
         direction: Direction::parse(&name),
         name,
@@ -63,15 +81,27 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if let Ok(Some((peak, _))) = header.number("PGA") {
         notes.extend(peak_note(&component, unit.to_si(peak)));
     }
-    Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })
+    Ok(Reading {
+        format: "SIGMA/RESORCE",
+        components: vec![component],
+        notes,
+    })
 }
 
 /// Refuses other series than accelerations; the line above the values names the series.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
-    let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
+    let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else {
+        return Ok(());
+    };
     let lower = title.key.to_ascii_lowercase();
-    if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
-        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&title.key));
+    if ["veloc", "displ", "spectr"]
+        .iter()
+        .any(|word| lower.contains(word))
+    {
+        let message = format!(
+            "holds \"{}\"; an acceleration record is expected",
+            shorten(&title.key)
+        );
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(title.line)
             .hint("use the acceleration file (.acc) of the same record"));

@@ -31,7 +31,11 @@ fn kind(line: &Line<'_>) -> Option<Kind> {
     match number {
         "1" if words.starts_with("UNCORRECTED") => Some(Kind::Acceleration("SMC, uncorrected")),
         "2" if words.starts_with("CORRECTED") => Some(Kind::Acceleration("SMC, corrected")),
-        "3" | "4" | "5" | "6" if ["VELOCITY", "DISPLACEMENT", "RESPONSE"].iter().any(|w| words.starts_with(w)) => {
+        "3" | "4" | "5" | "6"
+            if ["VELOCITY", "DISPLACEMENT", "RESPONSE"]
+                .iter()
+                .any(|w| words.starts_with(w)) =>
+        {
             Some(Kind::Other)
         }
         _ => None,
@@ -42,17 +46,27 @@ fn kind(line: &Line<'_>) -> Option<Kind> {
 pub(super) fn is_smc(bytes: &[u8]) -> bool {
     let mut head = lines(bytes);
     let kind = head.next().and_then(|line| kind(&line));
-    kind.is_some() && head.next().is_some_and(|line| line.bytes.trim_ascii_start().starts_with(b"*"))
+    kind.is_some()
+        && head
+            .next()
+            .is_some_and(|line| line.bytes.trim_ascii_start().starts_with(b"*"))
 }
 
 /// Reads an SMC file: 11 lines of text, 48 integers, 50 reals, comments, the values.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
-    let text: Vec<String> = rest.by_ref().take(TEXT_LINES).map(|line| line.text()).collect();
+    let text: Vec<String> = rest
+        .by_ref()
+        .take(TEXT_LINES)
+        .map(|line| line.text())
+        .collect();
     let format = match lines(bytes).next().and_then(|line| kind(&line)) {
         Some(Kind::Acceleration(format)) => format,
         _ => {
-            let message = format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim()));
+            let message = format!(
+                "holds \"{}\"; an acceleration record is expected",
+                shorten(text[0].trim())
+            );
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(1)
                 .hint("use the acceleration file of the same record"));
@@ -90,9 +104,19 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     .component(options)?;
     // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.
-    let peak = reals.values[29..=31].iter().step_by(2).filter(|value| value.abs() < 1e30);
-    notes.extend(peak_note(&component, UNIT.to_si(peak.fold(0.0, |a: f64, b| a.max(b.abs())))));
-    Ok(Reading { format, components: vec![component], notes })
+    let peak = reals.values[29..=31]
+        .iter()
+        .step_by(2)
+        .filter(|value| value.abs() < 1e30);
+    notes.extend(peak_note(
+        &component,
+        UNIT.to_si(peak.fold(0.0, |a: f64, b| a.max(b.abs()))),
+    ));
+    Ok(Reading {
+        format,
+        components: vec![component],
+        notes,
+    })
 }
 
 /// `station = San Francisco, 1295 Shafter, F component=    360`.
@@ -102,9 +126,18 @@ fn station_and_component(text: &[String], path: &Path) -> (Option<String>, Strin
         return (None, crate::motion_file::file_stem(path));
     };
     let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
-    let station = value(station.trim_start().strip_prefix("station").unwrap_or(station));
+    let station = value(
+        station
+            .trim_start()
+            .strip_prefix("station")
+            .unwrap_or(station),
+    );
     let component = value(component);
-    let name = if component.is_empty() { crate::motion_file::file_stem(path) } else { component };
+    let name = if component.is_empty() {
+        crate::motion_file::file_stem(path)
+    } else {
+        component
+    };
     ((!station.is_empty()).then_some(station), name)
 }
 

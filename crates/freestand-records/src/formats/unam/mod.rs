@@ -23,11 +23,18 @@ const HEADER_LINES: usize = 300;
 pub(super) fn is_unam(bytes: &[u8]) -> bool {
     let has_list = |line: &Line<'_>| {
         let text = plain(&line.text());
-        ["NUM. TOTAL DE MUESTRAS", "INTERVALO DE MUESTREO", "ORIENTACION", "FORMATO DATOS"]
-            .iter()
-            .any(|key| text.trim_start().starts_with(key))
+        [
+            "NUM. TOTAL DE MUESTRAS",
+            "INTERVALO DE MUESTREO",
+            "ORIENTACION",
+            "FORMATO DATOS",
+        ]
+        .iter()
+        .any(|key| text.trim_start().starts_with(key))
     };
-    lines(bytes).take(TITLE_LINES).any(|line| plain(&line.text()).contains("ARCHIVO ESTANDAR DE ACELERACION"))
+    lines(bytes)
+        .take(TITLE_LINES)
+        .any(|line| plain(&line.text()).contains("ARCHIVO ESTANDAR DE ACELERACION"))
         && lines(bytes).take(HEADER_LINES).any(|line| has_list(&line))
 }
 
@@ -53,11 +60,16 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let format = header.format(&rest)?;
     let columns = format.per_line;
     let (dt_line, dt_s) = header.step(columns)?;
-    let (unit_line, unit_text) = header.value("UNIDADES DE LOS DATOS").unwrap_or((dt_line, ""));
+    let (unit_line, unit_text) = header
+        .value("UNIDADES DE LOS DATOS")
+        .unwrap_or((dt_line, ""));
     let stated = unit_text
         .split(|c: char| c.is_whitespace() || "(),;".contains(c))
         .find_map(record_unit)
-        .map(|unit| Stated { unit, line: unit_line });
+        .map(|unit| Stated {
+            unit,
+            line: unit_line,
+        });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
     let names = header.names(columns)?;
 
@@ -65,9 +77,19 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let mut rows = rows::read(&mut rest, format, &mut notes)?;
     header.check_counts(&mut rows.columns, &names, &mut notes)?;
     header.check_durations(dt_s, &rows.columns, &mut notes)?;
-    let peaks = header.list("ACEL. MAX.(GAL)").map(|(_, peaks)| peaks).unwrap_or_default();
-    let station = [header.value("NOMBRE DE LA ESTACION"), header.value("CLAVE DE LA ESTACION")];
-    let station = station.into_iter().flatten().map(|(_, name)| name.to_owned()).find(|name| !name.is_empty());
+    let peaks = header
+        .list("ACEL. MAX.(GAL)")
+        .map(|(_, peaks)| peaks)
+        .unwrap_or_default();
+    let station = [
+        header.value("NOMBRE DE LA ESTACION"),
+        header.value("CLAVE DE LA ESTACION"),
+    ];
+    let station = station
+        .into_iter()
+        .flatten()
+        .map(|(_, name)| name.to_owned())
+        .find(|name| !name.is_empty());
     let mut components = Vec::new();
     for (i, (name, values)) in names.into_iter().zip(rows.columns).enumerate() {
         let component = Found {
@@ -88,7 +110,11 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         }
         components.push(component);
     }
-    Ok(Reading { format: "ASA", components, notes })
+    Ok(Reading {
+        format: "ASA",
+        components,
+        notes,
+    })
 }
 
 /// `N00E`, `V`, `N90W;-`: the bearing and, after the semicolon, the sign.
@@ -112,20 +138,33 @@ impl Header {
     /// Takes the lines down to the first row: the first line of numbers below the heading of the
     /// data or, without a heading, below the line that states their format.
     fn read(rest: &mut Lines<'_>) -> Self {
-        let begins = |line: &Line<'_>, name: &str| plain(line.text().trim_start()).starts_with(name);
-        let last_before = |name: &str| rest.clone().take(HEADER_LINES).find(|line| begins(line, name));
+        let begins =
+            |line: &Line<'_>, name: &str| plain(line.text().trim_start()).starts_with(name);
+        let last_before = |name: &str| {
+            rest.clone()
+                .take(HEADER_LINES)
+                .find(|line| begins(line, name))
+        };
         let above = last_before("DATOS DE ACELERACION").or_else(|| last_before("FORMATO DATOS"));
         let above = above.map_or(usize::MAX, |line| line.number);
         let is_row = |line: &Line<'_>| !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
-        Self(Head::take(rest, HEADER_LINES, |line| line.number > above && is_row(line)))
+        Self(Head::take(rest, HEADER_LINES, |line| {
+            line.number > above && is_row(line)
+        }))
     }
 
     /// The text after the first colon of the line whose name begins with `name`.
     fn value(&self, name: &str) -> Result<(usize, &str), Problem> {
-        self.0.find(name, "the header is incomplete: fetch the file again", |text| {
-            let (own, value) = text.split_once(':')?;
-            plain(own.trim_start()).starts_with(name).then_some(value.trim())
-        })
+        self.0.find(
+            name,
+            "the header is incomplete: fetch the file again",
+            |text| {
+                let (own, value) = text.split_once(':')?;
+                plain(own.trim_start())
+                    .starts_with(name)
+                    .then_some(value.trim())
+            },
+        )
     }
 
     /// `/N00E/V/N90W/`: one entry for each channel; a second list continues from the seventh
@@ -141,7 +180,13 @@ impl Header {
                 let value = value.trim();
                 let value = value.strip_prefix('/').unwrap_or(value);
                 // An empty entry keeps its place: the next belongs to the next column.
-                entries.extend(value.strip_suffix('/').unwrap_or(value).split('/').map(str::trim));
+                entries.extend(
+                    value
+                        .strip_suffix('/')
+                        .unwrap_or(value)
+                        .split('/')
+                        .map(str::trim),
+                );
             }
         }
         while entries.last().is_some_and(|entry| entry.is_empty()) {
@@ -153,8 +198,11 @@ impl Header {
     /// The numbers of a list, for the channels that have a column.
     fn numbers(&self, name: &str, columns: usize) -> Result<(usize, Vec<f64>), Problem> {
         let (line, entries) = self.list(name)?;
-        let numbers: Option<Vec<f64>> =
-            entries.iter().take(columns).map(|entry| scan(entry.as_bytes()).map(|number| number.value)).collect();
+        let numbers: Option<Vec<f64>> = entries
+            .iter()
+            .take(columns)
+            .map(|entry| scan(entry.as_bytes()).map(|number| number.value))
+            .collect();
         match numbers {
             Some(numbers) if numbers.len() == columns => Ok((line, numbers)),
             _ => Err(Problem::new(
@@ -173,9 +221,12 @@ impl Header {
         {
             let format = Format::parse(text).filter(|format| format.per_line <= 24);
             return format.ok_or_else(|| {
-                Problem::new(ProblemKind::Format, format!("the format of the data is \"{}\"", shorten(text)))
-                    .at_line(line)
-                    .hint("it should read like 3F10.3: one number for each channel")
+                Problem::new(
+                    ProblemKind::Format,
+                    format!("the format of the data is \"{}\"", shorten(text)),
+                )
+                .at_line(line)
+                .hint("it should read like 3F10.3: one number for each channel")
             });
         }
         let mut columns = 0;
@@ -193,33 +244,56 @@ impl Header {
         let (line, steps) = self.numbers("INTERVALO DE MUESTREO", columns)?;
         match steps.first() {
             // One part in a million is a difference in printing.
-            Some(&dt_s) if dt_s > 0.0 && steps.iter().all(|other| (other - dt_s).abs() <= 1e-6 * dt_s) => {
+            Some(&dt_s)
+                if dt_s > 0.0
+                    && steps
+                        .iter()
+                        .all(|other| (other - dt_s).abs() <= 1e-6 * dt_s) =>
+            {
                 Ok((line, dt_s))
             }
-            _ => Err(Problem::new(ProblemKind::Format, "the channels have different time steps, or none")
-                .at_line(line)
-                .hint("put each channel into a file of its own")),
+            _ => Err(Problem::new(
+                ProblemKind::Format,
+                "the channels have different time steps, or none",
+            )
+            .at_line(line)
+            .hint("put each channel into a file of its own")),
         }
     }
 
     /// The orientations, in the order of the columns. The text above the columns must not
     /// contradict them.
     fn names(&self, columns: usize) -> Result<Vec<String>, Problem> {
-        let listed = self.list("ORIENTACION").map(|(_, names)| names).unwrap_or_default();
-        let mut names: Vec<String> = listed.into_iter().take(columns).map(str::to_owned).collect();
-        for (i, name) in names.iter_mut().enumerate().filter(|(_, name)| name.is_empty()) {
+        let listed = self
+            .list("ORIENTACION")
+            .map(|(_, names)| names)
+            .unwrap_or_default();
+        let mut names: Vec<String> = listed
+            .into_iter()
+            .take(columns)
+            .map(str::to_owned)
+            .collect();
+        for (i, name) in names
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, name)| name.is_empty())
+        {
             *name = format!("component {}", i + 1);
         }
         names.extend((names.len()..columns).map(|i| format!("component {}", i + 1)));
         for (line, text) in self.0.lines.iter().rev().take(5) {
             let above: Vec<&str> = text.split_whitespace().collect();
-            let contradicts = |(own, name): (&&str, &String)| match (direction(own), direction(name)) {
-                (Some(above), Some(listed)) => above != listed && !text.contains(':'),
-                _ => false,
-            };
+            let contradicts =
+                |(own, name): (&&str, &String)| match (direction(own), direction(name)) {
+                    (Some(above), Some(listed)) => above != listed && !text.contains(':'),
+                    _ => false,
+                };
             if above.len() == columns && above.iter().zip(&names).any(contradicts) {
-                let message =
-                    format!("the columns are \"{}\", but the header lists {}", shorten(text.trim()), names.join(", "));
+                let message = format!(
+                    "the columns are \"{}\", but the header lists {}",
+                    shorten(text.trim()),
+                    names.join(", ")
+                );
                 return Err(Problem::new(ProblemKind::Format, message)
                     .at_line(*line)
                     .hint("find out which is right, and correct the other"));
@@ -230,7 +304,12 @@ impl Header {
 
     /// The number of rows is the largest of the channels' numbers. Rows after the end of a shorter
     /// channel are ignored for it.
-    fn check_counts(&self, columns: &mut [Vec<f64>], names: &[String], notes: &mut Vec<Note>) -> Result<(), Problem> {
+    fn check_counts(
+        &self,
+        columns: &mut [Vec<f64>],
+        names: &[String],
+        notes: &mut Vec<Note>,
+    ) -> Result<(), Problem> {
         let (line, counts) = self.numbers("NUM. TOTAL DE MUESTRAS", columns.len())?;
         let found = columns.first().map_or(0, Vec::len);
         let most = counts.iter().fold(0.0f64, |a, b| a.max(*b));
@@ -253,13 +332,22 @@ impl Header {
     }
 
     /// Checks the durations: they reveal a file that was decimated without correcting its step.
-    fn check_durations(&self, dt_s: f64, columns: &[Vec<f64>], notes: &mut Vec<Note>) -> Result<(), Problem> {
-        let Ok((line, durations)) = self.numbers("DURACION DEL REGISTRO", columns.len()) else { return Ok(()) };
-        let Some((column, &stated_s)) = columns.iter().zip(&durations).find(|(column, stated_s)| {
-            // Durations are printed with one or two digits, or rounded to the second.
-            let found_s = column.len() as f64 * dt_s;
-            (found_s - **stated_s).abs() > 1.0 + 0.01 * found_s
-        }) else {
+    fn check_durations(
+        &self,
+        dt_s: f64,
+        columns: &[Vec<f64>],
+        notes: &mut Vec<Note>,
+    ) -> Result<(), Problem> {
+        let Ok((line, durations)) = self.numbers("DURACION DEL REGISTRO", columns.len()) else {
+            return Ok(());
+        };
+        let Some((column, &stated_s)) =
+            columns.iter().zip(&durations).find(|(column, stated_s)| {
+                // Durations are printed with one or two digits, or rounded to the second.
+                let found_s = column.len() as f64 * dt_s;
+                (found_s - **stated_s).abs() > 1.0 + 0.01 * found_s
+            })
+        else {
             return Ok(());
         };
         let message = format!(
@@ -267,7 +355,10 @@ impl Header {
             column.len(),
             column.len() as f64 * dt_s
         );
-        let thinned = self.value("FACTOR DE DECIMACION").ok().and_then(|(_, text)| scan(text.as_bytes()));
+        let thinned = self
+            .value("FACTOR DE DECIMACION")
+            .ok()
+            .and_then(|(_, text)| scan(text.as_bytes()));
         if thinned.is_some_and(|factor| factor.value > 1.0) {
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(line)

@@ -21,7 +21,11 @@ pub(super) struct Header {
 
 /// Digits, blanks and signs only.
 fn is_integer_row(line: &Line<'_>) -> bool {
-    !line.is_blank() && line.bytes.iter().all(|b| b.is_ascii_digit() || matches!(b, b' ' | b'-' | b'\t' | 0x0C))
+    !line.is_blank()
+        && line
+            .bytes
+            .iter()
+            .all(|b| b.is_ascii_digit() || matches!(b, b' ' | b'-' | b'\t' | 0x0C))
 }
 
 /// The first row of integers is full; a line of text with a lone number is shorter.
@@ -40,12 +44,19 @@ pub(super) fn read_header(
     may_end: bool,
     notes: &mut Vec<Note>,
 ) -> Result<Option<Header>, Problem> {
-    let mut header = Header { text: Vec::new(), first_line: 0, integers: Vec::new() };
+    let mut header = Header {
+        text: Vec::new(),
+        first_line: 0,
+        integers: Vec::new(),
+    };
     let start = rest.clone();
     loop {
         let before = rest.clone();
         let line = rest.next();
-        if line.as_ref().is_some_and(|line| is_full_integer_row(line) && (header.first_line > 0 || !may_end)) {
+        if line
+            .as_ref()
+            .is_some_and(|line| is_full_integer_row(line) && (header.first_line > 0 || !may_end))
+        {
             *rest = before;
             break;
         }
@@ -59,16 +70,30 @@ pub(super) fn read_header(
                 }
                 // Blank lines above a channel do not belong to it.
                 if header.first_line > 0 {
-                    header.text.push(line.text().chars().filter(|c| *c != '\x0C').take(columns).collect());
+                    header.text.push(
+                        line.text()
+                            .chars()
+                            .filter(|c| *c != '\x0C')
+                            .take(columns)
+                            .collect(),
+                    );
                 }
             }
-            _ if may_end && !header.text.iter().any(|text| text.to_ascii_uppercase().contains("ACCELEROGRAM")) => {
+            _ if may_end
+                && !header
+                    .text
+                    .iter()
+                    .any(|text| text.to_ascii_uppercase().contains("ACCELEROGRAM")) =>
+            {
                 return end(start, rest, notes).map(|()| None);
             }
             _ => {
-                return Err(Problem::new(ProblemKind::Format, "no integer header follows the lines of text")
-                    .at_line(header.first_line.max(1))
-                    .hint("the file may be cut off or damaged: fetch it again"));
+                return Err(Problem::new(
+                    ProblemKind::Format,
+                    "no integer header follows the lines of text",
+                )
+                .at_line(header.first_line.max(1))
+                .hint("the file may be cut off or damaged: fetch it again"));
             }
         }
     }
@@ -76,7 +101,9 @@ pub(super) fn read_header(
     loop {
         let before = rest.clone();
         match rest.next() {
-            Some(line) if is_integer_row(&line) && rows.len() < MAX_REALS => rows.push(line.bytes.trim_ascii_end()),
+            Some(line) if is_integer_row(&line) && rows.len() < MAX_REALS => {
+                rows.push(line.bytes.trim_ascii_end())
+            }
             Some(line) if line.is_blank() => {}
             _ => {
                 *rest = before;
@@ -98,12 +125,20 @@ pub(super) fn read_header(
 ///
 /// # Errors
 /// Numbers, which may be a channel with a damaged header.
-fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<Note>) -> Result<(), Problem> {
+fn end<'a>(
+    mut tail: Lines<'a>,
+    rest: &mut Lines<'a>,
+    notes: &mut Vec<Note>,
+) -> Result<(), Problem> {
     if let Some(first) = tail.ahead() {
         if let Some(line) = tail.find(is_numbers) {
             return Err(unannounced(&line));
         }
-        notes.push(Note::at(first.number, NoteKind::TextIgnored, "the text after the last channel was ignored"));
+        notes.push(Note::at(
+            first.number,
+            NoteKind::TextIgnored,
+            "the text after the last channel was ignored",
+        ));
     }
     *rest = tail;
     Ok(())
@@ -117,7 +152,9 @@ pub(in crate::formats) fn first_integer(text: &str) -> Option<usize> {
 /// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`,
 /// `AT 100 PTS/SEC`.
 pub(in crate::formats) fn step_in(upper: &str) -> Option<f64> {
-    let step = ["SPACED AT", "INTERVALS OF", "INTERVAL OF"].iter().find_map(|words| number_after(upper, words));
+    let step = ["SPACED AT", "INTERVALS OF", "INTERVAL OF"]
+        .iter()
+        .find_map(|words| number_after(upper, words));
     step.or_else(|| {
         let rates = ["PTS/SEC", "POINTS/SEC", "SAMPLES/SEC", "SAMP/SEC", "SPS"];
         let rate = rates.iter().find_map(|words| {
@@ -143,24 +180,32 @@ pub(super) fn unit_of(text: &str, line: usize) -> Result<Option<Unit>, Problem> 
     if upper.contains("G/10") {
         return Ok(Some(TENTHS_OF_G));
     }
-    let stated = upper.split_once("SEC AND ").and_then(|(_, tail)| record_unit(tail.split_whitespace().next()?));
+    let stated = upper
+        .split_once("SEC AND ")
+        .and_then(|(_, tail)| record_unit(tail.split_whitespace().next()?));
     match stated.or_else(|| unit_in_prose(text)) {
         Some(unit) if unit.dimension == Dimension::Acceleration => Ok(Some(*unit)),
-        Some(unit) if unit.dimension != Dimension::Time => {
-            Err(not_acceleration(&format!("values in {}", unit.symbol), line))
-        }
+        Some(unit) if unit.dimension != Dimension::Time => Err(not_acceleration(
+            &format!("values in {}", unit.symbol),
+            line,
+        )),
         _ => Ok(None),
     }
 }
 
 impl Header {
     pub(super) fn lines_with<'a>(&'a self, word: &'a str) -> impl Iterator<Item = String> + 'a {
-        self.text.iter().map(|line| line.to_ascii_uppercase()).filter(move |line| line.contains(word))
+        self.text
+            .iter()
+            .map(|line| line.to_ascii_uppercase())
+            .filter(move |line| line.contains(word))
     }
 
     /// The step that the text states.
     pub(super) fn step(&self) -> Option<f64> {
-        self.text.iter().find_map(|line| step_in(&line.to_ascii_uppercase()))
+        self.text
+            .iter()
+            .find_map(|line| step_in(&line.to_ascii_uppercase()))
     }
 
     /// The unit of volume I: from the line with the word, else from one that names tenths of g.
@@ -190,35 +235,69 @@ impl Header {
     /// integer 53; there `NO. OF POINTS` is the number of digitised points.
     pub(super) fn other_count(&self, count: usize, is_volume_two: bool) -> Option<f64> {
         let of_text = || {
-            let line =
-                self.lines_with("CORRECTED").find(|line| line.contains("DATA") && first_integer(line).is_some())?;
+            let line = self
+                .lines_with("CORRECTED")
+                .find(|line| line.contains("DATA") && first_integer(line).is_some())?;
             first_integer(&line).map(|count| count as f64)
         };
-        let stated =
-            if is_volume_two { [of_text(), self.integers.get(52).copied().flatten()] } else { [self.points(), None] };
-        stated.into_iter().flatten().find(|other| *other > 0.0 && *other != count as f64)
+        let stated = if is_volume_two {
+            [of_text(), self.integers.get(52).copied().flatten()]
+        } else {
+            [self.points(), None]
+        };
+        stated
+            .into_iter()
+            .flatten()
+            .find(|other| *other > 0.0 && *other != count as f64)
     }
 
     /// `RECORD LENGTH = 65.000 SEC`, `DURATION =  37.714 SEC`.
     pub(super) fn length_s(&self) -> Option<f64> {
-        ["RECORD LENGTH", "DURATION"].iter().find_map(|words| number_after(&self.lines_with(words).next()?, words))
+        ["RECORD LENGTH", "DURATION"]
+            .iter()
+            .find_map(|words| number_after(&self.lines_with(words).next()?, words))
     }
 
     /// `CHAN  1:  90 DEG` or `COMP N08W`.
     pub(super) fn name(&self, channel: usize) -> String {
         let of_channel = self.text.iter().find_map(|line| {
             let upper = line.trim_start().to_ascii_uppercase();
-            let starts = upper.starts_with("CHAN") || upper.starts_with("STA CHAN") || upper.starts_with("CANAL");
+            let starts = upper.starts_with("CHAN")
+                || upper.starts_with("STA CHAN")
+                || upper.starts_with("CANAL");
             let (_, name) = line.split_once(':').filter(|_| starts)?;
-            Some(name.split('(').next()?.trim().split("   ").next()?.trim().to_owned())
+            Some(
+                name.split('(')
+                    .next()?
+                    .trim()
+                    .split("   ")
+                    .next()?
+                    .trim()
+                    .to_owned(),
+            )
         });
         let of_component = || {
-            let line = self.text.iter().find(|line| line.trim_start().starts_with("COMP"))?;
-            let name = line.trim_start().trim_start_matches("COMPONENT").trim_start_matches("COMP");
-            Some(name.trim_matches(['=', ':', ' ']).split("   ").next()?.trim().to_owned())
+            let line = self
+                .text
+                .iter()
+                .find(|line| line.trim_start().starts_with("COMP"))?;
+            let name = line
+                .trim_start()
+                .trim_start_matches("COMPONENT")
+                .trim_start_matches("COMP");
+            Some(
+                name.trim_matches(['=', ':', ' '])
+                    .split("   ")
+                    .next()?
+                    .trim()
+                    .to_owned(),
+            )
         };
-        let name = of_channel.filter(|name| !name.is_empty()).or_else(of_component);
-        name.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("channel {channel}"))
+        let name = of_channel
+            .filter(|name| !name.is_empty())
+            .or_else(of_component);
+        name.filter(|name| !name.is_empty())
+            .unwrap_or_else(|| format!("channel {channel}"))
     }
 
     /// The line below the one with the station's number and place.

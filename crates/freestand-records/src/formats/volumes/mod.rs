@@ -11,7 +11,8 @@ mod header;
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note,
+    peak_note,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
@@ -47,7 +48,11 @@ const MAX_REALS: usize = 20;
 
 /// The first lines that are not blank, in capitals.
 pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
-    lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
+    lines(bytes)
+        .filter(|line| !line.is_blank())
+        .take(count)
+        .map(|line| line.text().to_ascii_uppercase())
+        .collect()
 }
 
 /// Refuses volume III, which holds response and Fourier spectra.
@@ -64,7 +69,11 @@ pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
 }
 
 /// Reads the channels of a file.
-pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Result<Reading, Problem> {
+pub(super) fn read(
+    bytes: &[u8],
+    options: &ReadOptions,
+    network: &Network,
+) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let (mut components, mut notes, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut format = network.volume_one;
@@ -85,7 +94,11 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
             }?;
             notes.extend(said);
             notes.extend(peak_of(&header, format == network.volume_two, &component));
-            notes.extend(header.length_s().and_then(|stated_s| length_note(&component, stated_s)));
+            notes.extend(
+                header
+                    .length_s()
+                    .and_then(|stated_s| length_note(&component, stated_s)),
+            );
             components.push(component);
         }
         last_text = header.text;
@@ -94,24 +107,37 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
         return Err(not_acceleration(what, *line));
     }
-    let left_out = left_out.iter().map(|(what, line)| (line, format!("a channel that holds {what} was left out")));
+    let left_out = left_out
+        .iter()
+        .map(|(what, line)| (line, format!("a channel that holds {what} was left out")));
     notes.extend(left_out.map(|(line, words)| Note::at(*line, NoteKind::ChannelLeftOut, words)));
     notes.extend(channels_note(&last_text, channel));
     notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
     crate::motion_file::tell_apart(&mut components);
-    Ok(Reading { format, components, notes })
+    Ok(Reading {
+        format,
+        components,
+        notes,
+    })
 }
 
 fn not_acceleration(what: &str, line: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
-        .at_line(line)
-        .hint("use the acceleration file of the same record")
+    Problem::new(
+        ProblemKind::Format,
+        format!("holds {what}; an acceleration record is expected"),
+    )
+    .at_line(line)
+    .hint("use the acceleration file of the same record")
 }
 
 /// Volume II names the uncorrected record too, from which it was made.
 fn is_volume_two(text: &[String]) -> bool {
-    let first = text.first().map_or_else(String::new, |line| line.to_ascii_uppercase());
-    first.replace("UNCORRECTED", "").contains("CORRECTED ACCELEROGRAM")
+    let first = text
+        .first()
+        .map_or_else(String::new, |line| line.to_ascii_uppercase());
+    first
+        .replace("UNCORRECTED", "")
+        .contains("CORRECTED ACCELEROGRAM")
 }
 
 /// Skips the reals, to the title of a series or to the first pairs.
@@ -119,12 +145,20 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
     let mut ahead = rest.clone();
     let mut after_reals = None;
     for _ in 0..MAX_REALS {
-        let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
+        let Some(line) = ahead.find(|line| !line.is_blank()) else {
+            break;
+        };
         if line.is_text() {
             let text = line.text();
-            let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else { break };
+            let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else {
+                break;
+            };
             *rest = ahead;
-            return Ok(Some(Title { line: line.number, text, count }));
+            return Ok(Some(Title {
+                line: line.number,
+                text,
+                count,
+            }));
         }
         // 50 and 100 are not multiples of 8, so the last row of reals is short.
         if after_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
@@ -132,9 +166,11 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
         }
     }
     let Some(after) = after_reals else {
-        return Err(Problem::new(ProblemKind::Format, "the real header does not end")
-            .at_line(rest.line_number())
-            .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"));
+        return Err(
+            Problem::new(ProblemKind::Format, "the real header does not end")
+                .at_line(rest.line_number())
+                .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"),
+        );
     };
     *rest = after;
     Ok(None)
@@ -142,15 +178,26 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
 
 fn is_title(text: &str) -> bool {
     let upper = text.to_ascii_uppercase();
-    ["POINT", "PTS", "FORMAT", "UNIT", "DATA"].iter().any(|word| upper.contains(word))
+    ["POINT", "PTS", "FORMAT", "UNIT", "DATA"]
+        .iter()
+        .any(|word| upper.contains(word))
 }
 
 type Read = Result<(Component, Vec<Note>), Problem>;
 
-fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
+fn read_series(
+    header: &Header,
+    title: &Title,
+    channel: usize,
+    rest: &mut Lines<'_>,
+    options: &ReadOptions,
+) -> Read {
     let upper = title.text.to_ascii_uppercase();
     if !upper.contains("ACC") && ["VEL", "DIS"].iter().any(|word| upper.contains(word)) {
-        return Err(not_acceleration(&format!("\"{}\"", shorten(title.text.trim())), title.line));
+        return Err(not_acceleration(
+            &format!("\"{}\"", shorten(title.text.trim())),
+            title.line,
+        ));
     }
     let format = format_of(title, rest);
     let block = format.read(rest, title.count, "acceleration")?;
@@ -158,17 +205,30 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("more values follow than the {} that are declared", title.count),
+            format!(
+                "more values follow than the {} that are declared",
+                title.count
+            ),
         )
         .at_line(line.number)
-        .hint(format!("the number of values on line {} does not match the file: fetch it again", title.line)));
+        .hint(format!(
+            "the number of values on line {} does not match the file: fetch it again",
+            title.line
+        )));
     }
     let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
     let at_title = |dt_s| (dt_s, title.line);
-    let Some(step) = step_in(&upper).map(at_title).or_else(of_header).or(options.dt_s.map(at_title)) else {
-        return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
-            .at_line(title.line)
-            .hint("give the time step, such as `dt = \"0.02 s\"`"));
+    let Some(step) = step_in(&upper)
+        .map(at_title)
+        .or_else(of_header)
+        .or(options.dt_s.map(at_title))
+    else {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "the time step is not stated above the values",
+        )
+        .at_line(title.line)
+        .hint("give the time step, such as `dt = \"0.02 s\"`"));
     };
     let unit = match unit_of(&title.text, title.line)? {
         None if !is_volume_two(&header.text) => header.unit()?,
@@ -182,8 +242,12 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
     let (dt_s, _) = step;
-    if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
-        let words = format!("the time step is {dt_s} s above the values, but {other_s} s in the header");
+    if let Some(other_s) = header
+        .step()
+        .filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s)
+    {
+        let words =
+            format!("the time step is {dt_s} s above the values, but {other_s} s in the header");
         notes.push(Note::of(&name, NoteKind::StepDiffers, words));
     }
     found(header, channel, unit, step, block, options).map(|component| (component, notes))
@@ -192,11 +256,20 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
 /// How many samples interpolation may still make. All channels together may have as many as one
 /// motion, because a short file can have many channels with damaged times.
 fn room(components: &[Component]) -> usize {
-    let taken: usize = components.iter().map(|one| one.motion.accel_m_s2().len()).sum();
+    let taken: usize = components
+        .iter()
+        .map(|one| one.motion.accel_m_s2().len())
+        .sum();
     MAX_SAMPLES.saturating_sub(taken)
 }
 
-fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions, room: usize) -> Read {
+fn read_pairs(
+    header: &Header,
+    channel: usize,
+    rest: &mut Lines<'_>,
+    options: &ReadOptions,
+    room: usize,
+) -> Read {
     let mut pairs = pairs::read(rest)?;
     let notes = std::mem::take(&mut pairs.notes);
     let count = pairs.times_s.len();
@@ -204,7 +277,9 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let of_text = header.points();
     // Programs write the count in integer 28, in integer 33 or in the text.
     if count == 0 || ![of_text, of_integers[0], of_integers[1]].contains(&Some(count as f64)) {
-        let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
+        let declared = of_text
+            .or(of_integers[0])
+            .map_or_else(|| "no".to_owned(), |count| count.to_string());
         return Err(Problem::new(
             ProblemKind::Format,
             format!("the header declares {declared} points, but the channel has {count}"),
@@ -217,8 +292,15 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let (dt_s, values, note) = pairs.evenly(&name, options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
     // A step from the user is for files that do not state one; here the times do.
-    found(header, channel, header.unit()?, (dt_s, first_line), block, options)
-        .map(|component| (component, notes.into_iter().chain(note).collect()))
+    found(
+        header,
+        channel,
+        header.unit()?,
+        (dt_s, first_line),
+        block,
+        options,
+    )
+    .map(|component| (component, notes.into_iter().chain(note).collect()))
 }
 
 fn found(
@@ -252,8 +334,17 @@ fn found(
 /// The format in the title; without one, eight equal fields per line.
 fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
     Format::named_in(&title.text).unwrap_or_else(|| {
-        let length = rest.ahead().map_or(0, |line| line.bytes.trim_ascii_end().len());
-        Format::new(8, if title.count >= 8 && length.is_multiple_of(8) { (length / 8).clamp(1, 20) } else { 10 })
+        let length = rest
+            .ahead()
+            .map_or(0, |line| line.bytes.trim_ascii_end().len());
+        Format::new(
+            8,
+            if title.count >= 8 && length.is_multiple_of(8) {
+                (length / 8).clamp(1, 20)
+            } else {
+                10
+            },
+        )
     })
 }
 
@@ -307,7 +398,11 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
                 return Ok(());
             }
             Some(count) if is_title(text) => {
-                let title = Title { line: line.number, text: upper, count };
+                let title = Title {
+                    line: line.number,
+                    text: upper,
+                    count,
+                };
                 skip_series(&title, rest)?;
             }
             _ => {
@@ -324,7 +419,9 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
 /// Whether a line has only numbers, even if they touch.
 fn is_numbers(line: &Line<'_>) -> bool {
     let is_of_number = |b: &u8| {
-        b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
+        b.is_ascii_digit()
+            || b.is_ascii_whitespace()
+            || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
     };
     line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
 }
@@ -388,7 +485,8 @@ fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Optio
     }
     let line = header.lines_with("MAX").next()?;
     let (_, tail) = line.split_once("MAX")?;
-    let stated = number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
+    let stated =
+        number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
     // Printed to 0.001 g: rounding is half of that.
     let rounding = 6e-4 * G0_M_S2;
     let is_near = (component.motion.peak_m_s2() - stated.abs()).abs() <= rounding;

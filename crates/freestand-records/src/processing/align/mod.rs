@@ -39,7 +39,9 @@ pub(super) fn aligned(
     let later = later_by((first, second), names, &mut both)?;
     let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
     let (skip_1, skip_2) = (skipped(later), skipped(-later));
-    let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
+    let left = |component: &Component, skip: usize| {
+        component.motion.accel_m_s2().len().saturating_sub(skip)
+    };
     let (left_1, left_2) = (left(first, skip_1), left(second, skip_2));
     let length = left_1.min(left_2);
     let mut one = cut(first, names.0, skip_1..skip_1 + length, keep_mean)?;
@@ -64,20 +66,31 @@ fn later_by(
     names: (&str, &str),
     both: &mut Vec<Note>,
 ) -> Result<i64, Problem> {
-    let (Some(start_1), Some(start_2)) = (first.start, second.start) else { return Ok(0) };
+    let (Some(start_1), Some(start_2)) = (first.start, second.start) else {
+        return Ok(0);
+    };
     let (start_1_s, start_2_s) = (start_1.seconds(), start_2.seconds());
     let later = (start_2_s - start_1_s) / first.motion.dt_s();
     let whole = later.round();
-    let longest = first.motion.accel_m_s2().len().max(second.motion.accel_m_s2().len());
+    let longest = first
+        .motion
+        .accel_m_s2()
+        .len()
+        .max(second.motion.accel_m_s2().len());
     if whole.abs() >= longest as f64 {
         let after_s = number(start_2_s - start_1_s, 6);
-        let message =
-            format!("component {} begins {after_s} s after {}: they have no time in common", names.1, names.0);
+        let message = format!(
+            "component {} begins {after_s} s after {}: they have no time in common",
+            names.1, names.0
+        );
         return Err(Problem::value(message, ONE_RECORD));
     }
     if (later - whole).abs() > SAME_TIME {
         let part = number((later - whole).abs(), 2);
-        let words = format!("components {} and {} are {part} of a sample apart", names.0, names.1);
+        let words = format!(
+            "components {} and {} are {part} of a sample apart",
+            names.0, names.1
+        );
         both.push(Note::new(NoteKind::Apart, words));
     }
     Ok(whole as i64)
@@ -103,24 +116,39 @@ fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<Note> {
 }
 
 /// The samples of a component that are kept, without the mean for a raw one, and what was done.
-fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mean: bool) -> Result<Aligned, Problem> {
+fn cut(
+    component: &Component,
+    name: &str,
+    kept: std::ops::Range<usize>,
+    keep_mean: bool,
+) -> Result<Aligned, Problem> {
     let mut notes = Vec::new();
     let mut motion = component.motion.clone();
     let samples = motion.accel_m_s2();
     let (skip, surplus) = (kept.start, samples.len().saturating_sub(kept.end));
     if skip > 0 || surplus > 0 {
         let within = samples.get(kept).unwrap_or_default().to_vec();
-        motion =
-            Motion::new(motion.dt_s(), within).map_err(|error| refused("the time in common", error, ONE_RECORD))?;
+        motion = Motion::new(motion.dt_s(), within)
+            .map_err(|error| refused("the time in common", error, ONE_RECORD))?;
         let samples = |count: usize, end: &str| {
-            if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
+            if count == 1 {
+                format!("{end} sample")
+            } else {
+                format!("{end} {count} samples")
+            }
         };
         if skip > 0 {
-            let words = format!("{} of {name} left out: the other component begins later", samples(skip, "first"));
+            let words = format!(
+                "{} of {name} left out: the other component begins later",
+                samples(skip, "first")
+            );
             notes.push(Note::new(NoteKind::Trimmed, words));
         }
         if surplus > 0 {
-            let words = format!("{} of {name} left out: the other component ends earlier", samples(surplus, "last"));
+            let words = format!(
+                "{} of {name} left out: the other component ends earlier",
+                samples(surplus, "last")
+            );
             notes.push(Note::new(NoteKind::Trimmed, words));
         }
     }

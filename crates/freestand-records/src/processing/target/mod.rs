@@ -66,7 +66,8 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
     let file = InputFile::new(&source.path, &bytes);
     let in_file = |problem: Problem| problem.in_file(&source.path);
     let mut rows = parse_spectrum(bytes).map_err(in_file)?;
-    let (damping_ratio, left_out) = take_damping(&mut rows, source.damping_ratio).map_err(in_file)?;
+    let (damping_ratio, left_out) =
+        take_damping(&mut rows, source.damping_ratio).map_err(in_file)?;
     let name = name_of(&source.path);
     let note = left_out.map(|others| {
         format!(
@@ -76,7 +77,8 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
         )
     });
     // All of it, so that a range of periods does not hide a problem.
-    let (periods_s, psa_m_s2): (Vec<f64>, Vec<f64>) = rows.iter().map(|row| (row.period_s, row.psa_m_s2)).unzip();
+    let (periods_s, psa_m_s2): (Vec<f64>, Vec<f64>) =
+        rows.iter().map(|row| (row.period_s, row.psa_m_s2)).unzip();
     if let Some((row, problem)) = fault(&periods_s, &psa_m_s2) {
         let line = rows.get(row).map_or(1, |row| row.line);
         return Err(in_file(problem.at_line(line)));
@@ -86,7 +88,11 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
         rows.retain(|row| within.contains(&row.period_s));
         if rows.is_empty() {
             let (first, last) = ends(&periods_s);
-            let message = format!("the spectrum has no period from {} s to {} s", number(from_s, 6), number(to_s, 6));
+            let message = format!(
+                "the spectrum has no period from {} s to {} s",
+                number(from_s, 6),
+                number(to_s, 6)
+            );
             return Err(in_file(wrong(message).hint(format!(
                 "choose a range within its periods, {} s to {} s",
                 number(first, 6),
@@ -114,16 +120,24 @@ fn percents<'a>(ratios: impl Iterator<Item = &'a f64>) -> String {
 }
 
 fn name_of(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+    path.file_name()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// The damping to use. In a file with several, the rows of the others are removed; if none was
 /// requested, the others are returned as text.
-fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64, Option<String>), Problem> {
+fn take_damping(
+    rows: &mut Vec<SpectrumRow>,
+    asked: Option<f64>,
+) -> Result<(f64, Option<String>), Problem> {
     let is = |one: f64, other: f64| (one - other).abs() <= SAME;
     let mut stated: Vec<f64> = Vec::new();
     for row in rows.iter() {
-        let Some(ratio) = row.damping_ratio else { continue };
+        let Some(ratio) = row.damping_ratio else {
+            continue;
+        };
         if !(0.0..1.0).contains(&ratio) {
             let message = format!("{ratio} is not a damping ratio");
             return Err(wrong(message)
@@ -140,14 +154,25 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
         (None, _) => DAMPING_RATIO,
     };
     if !stated.is_empty() {
-        rows.retain(|row| row.damping_ratio.is_some_and(|ratio| is(ratio, damping_ratio)));
+        rows.retain(|row| {
+            row.damping_ratio
+                .is_some_and(|ratio| is(ratio, damping_ratio))
+        });
         if rows.is_empty() {
-            let message = format!("the spectrum has no values for {} damping", percent(damping_ratio));
-            return Err(wrong(message)
-                .hint(format!("write one of its dampings after the file name: {}", percents(stated.iter()))));
+            let message = format!(
+                "the spectrum has no values for {} damping",
+                percent(damping_ratio)
+            );
+            return Err(wrong(message).hint(format!(
+                "write one of its dampings after the file name: {}",
+                percents(stated.iter())
+            )));
         }
     }
-    let mut others = stated.iter().filter(|&&ratio| !is(ratio, damping_ratio)).peekable();
+    let mut others = stated
+        .iter()
+        .filter(|&&ratio| !is(ratio, damping_ratio))
+        .peekable();
     let left_out = (asked.is_none() && others.peek().is_some()).then(|| percents(others));
     Ok((damping_ratio, left_out))
 }
@@ -157,18 +182,30 @@ fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
     for (row, (&period_s, &psa_m_s2)) in periods_s.iter().zip(psa_m_s2).enumerate() {
         if !(period_s >= 0.0 && period_s.is_finite()) {
             let message = format!("a period must be 0 s or more, not {period_s} s");
-            return Some((row, wrong(message).hint("correct it; 0 s is the peak acceleration")));
+            return Some((
+                row,
+                wrong(message).hint("correct it; 0 s is the peak acceleration"),
+            ));
         }
         if !(psa_m_s2 > 0.0 && psa_m_s2.is_finite()) {
-            let message = format!("the acceleration of a target must be above 0, not {psa_m_s2} m/s2");
+            let message =
+                format!("the acceleration of a target must be above 0, not {psa_m_s2} m/s2");
             return Some((row, wrong(message).hint("correct it, or remove the period")));
         }
     }
     let mut order: Vec<usize> = (0..periods_s.len()).collect();
     let period = |row: usize| periods_s.get(row).copied().unwrap_or(0.0);
     // Zeros of both signs are one period.
-    order.sort_by(|&a, &b| (period(a) + 0.0).total_cmp(&(period(b) + 0.0)).then(a.cmp(&b)));
-    let again = order.windows(2).filter(|pair| period(pair[0]) == period(pair[1])).map(|pair| pair[1]).min()?;
+    order.sort_by(|&a, &b| {
+        (period(a) + 0.0)
+            .total_cmp(&(period(b) + 0.0))
+            .then(a.cmp(&b))
+    });
+    let again = order
+        .windows(2)
+        .filter(|pair| period(pair[0]) == period(pair[1]))
+        .map(|pair| pair[1])
+        .min()?;
     let message = format!("the period {} s is listed twice", period(again));
     Some((again, wrong(message).hint("keep only one of them")))
 }
@@ -189,9 +226,17 @@ impl TargetSpectrum {
         let (first, last) = ends(&self.periods_s);
         let periods = match self.periods_s.len() {
             1 => format!("1 period of {} s", number(first, 6)),
-            count => format!("{count} periods from {} s to {} s", number(first, 6), number(last, 6)),
+            count => format!(
+                "{count} periods from {} s to {} s",
+                number(first, 6),
+                number(last, 6)
+            ),
         };
-        format!("{} ({periods}, {} % damping", self.name, number(100.0 * self.damping_ratio, 6))
+        format!(
+            "{} ({periods}, {} % damping",
+            self.name,
+            number(100.0 * self.damping_ratio, 6)
+        )
     }
 }
 

@@ -26,11 +26,16 @@ pub struct ForceDisplacement {
 
 /// `# key: value` lines of a text, keys in lower case.
 pub fn comments(bytes: &[u8]) -> Vec<(String, String, usize)> {
-    let said = lines(bytes).take_while(|line| line.is_comment() || line.is_blank() || line.number == 1);
+    let said =
+        lines(bytes).take_while(|line| line.is_comment() || line.is_blank() || line.number == 1);
     said.filter_map(|line| {
         let text = line.text();
         let (key, value) = text.trim_start().strip_prefix('#')?.split_once(':')?;
-        Some((key.trim().to_lowercase(), value.trim().to_owned(), line.number))
+        Some((
+            key.trim().to_lowercase(),
+            value.trim().to_owned(),
+            line.number,
+        ))
     })
     .collect()
 }
@@ -55,7 +60,10 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Problem> {
 ///
 /// # Errors
 /// A file that is not such a table.
-pub fn load_static(path: &Path, sensitivities: &[Sensitivity]) -> Result<ForceDisplacement, Problem> {
+pub fn load_static(
+    path: &Path,
+    sensitivities: &[Sensitivity],
+) -> Result<ForceDisplacement, Problem> {
     read_static(&load(path)?, sensitivities).map_err(|problem| problem.in_file(path))
 }
 
@@ -69,30 +77,56 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
     let has = |dimension: Dimension| headings.iter().any(|heading| heading.measures(dimension));
     // A column in volts is what the other columns are not, or what its name says where there are two.
     let is_in_volts = |heading: &Heading, dimension: Dimension| {
-        let other = if dimension == Dimension::Force { Dimension::Length } else { Dimension::Force };
+        let other = if dimension == Dimension::Force {
+            Dimension::Length
+        } else {
+            Dimension::Force
+        };
         is_volts(heading) && (has(other) || heading.is_force() == (dimension == Dimension::Force))
     };
     let column = |dimension: Dimension, what: &str, example: &str| -> Result<Vec<f64>, Problem> {
         let what_it_is = format!("a {what}");
-        let sensor = sensitivities.iter().find(|one| one.dimension() == dimension);
-        if let Some(index) = only(&headings, line, |heading| heading.measures(dimension), &what_it_is)? {
+        let sensor = sensitivities
+            .iter()
+            .find(|one| one.dimension() == dimension);
+        if let Some(index) = only(
+            &headings,
+            line,
+            |heading| heading.measures(dimension),
+            &what_it_is,
+        )? {
             if sensor.is_some() {
                 return Err(not_in_volts(&format!("the {what}")).at_line(line));
             }
             return Ok(in_si(&table, &headings, index));
         }
-        let Some(index) = only(&headings, line, |heading| is_in_volts(heading, dimension), &what_it_is)? else {
+        let Some(index) = only(
+            &headings,
+            line,
+            |heading| is_in_volts(heading, dimension),
+            &what_it_is,
+        )?
+        else {
             let message = format!("no column holds a {what} with its unit");
-            return Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(wanted));
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(line)
+                .hint(wanted));
         };
         let (Some(sensor), Some(volts)) = (sensor, volts_of_heading(&headings[index])) else {
             return Err(no_sensitivity(&headings[index], line, example));
         };
-        Ok(in_si(&table, &headings, index).into_iter().map(|value| sensor.si_of(value * volts)).collect())
+        Ok(in_si(&table, &headings, index)
+            .into_iter()
+            .map(|value| sensor.si_of(value * volts))
+            .collect())
     };
     let force_n = column(Dimension::Force, "force", "2 mV/N")?;
     let displacement_m = column(Dimension::Length, "displacement", "1 V/mm")?;
-    Ok(ForceDisplacement { force_n, displacement_m, said: comments(bytes) })
+    Ok(ForceDisplacement {
+        force_n,
+        displacement_m,
+        said: comments(bytes),
+    })
 }
 
 #[cfg(test)]
@@ -104,10 +138,23 @@ mod tests {
     fn columns_are_found_by_their_units() {
         let text = "# impactor: sphere\n# Boundary: glued\ntime [s],Load [kN],LVDT [mm]\n0,0,0\n1,0.5,0.25\n";
         let read = read_static(text.as_bytes(), &[]).unwrap();
-        assert_eq!((read.force_n, read.displacement_m), (vec![0.0, 500.0], vec![0.0, 0.25e-3]));
+        assert_eq!(
+            (read.force_n, read.displacement_m),
+            (vec![0.0, 500.0], vec![0.0, 0.25e-3])
+        );
         assert_eq!(read.said[1], ("boundary".to_owned(), "glued".to_owned(), 2));
-        for text in ["0,0\n1,2\n", "force [N],x\n0,0\n1,1\n", "force [N],load [kN],d [mm]\n0,0,0\n1,1,1\n"] {
-            assert!(read_static(text.as_bytes(), &[]).unwrap_err().hint.is_some(), "{text}");
+        for text in [
+            "0,0\n1,2\n",
+            "force [N],x\n0,0\n1,1\n",
+            "force [N],load [kN],d [mm]\n0,0,0\n1,1,1\n",
+        ] {
+            assert!(
+                read_static(text.as_bytes(), &[])
+                    .unwrap_err()
+                    .hint
+                    .is_some(),
+                "{text}"
+            );
         }
     }
     /// 2 mV/N and 0.5 V/mm: 10 mV are 5 N, 0.25 V are 0.5 mm.
@@ -124,9 +171,17 @@ mod tests {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{text}: {found}");
             }
             let problem = read_static(text.as_bytes(), &[]).unwrap_err();
-            assert!(problem.message.contains("is in volts") && problem.line == Some(1), "{problem:?}");
+            assert!(
+                problem.message.contains("is in volts") && problem.line == Some(1),
+                "{problem:?}"
+            );
         }
         // A sensitivity without effect.
-        assert!(read_static(b"d [mm],load [N]\n0,0\n0.5,5\n", &sensors).unwrap_err().message.contains("not in volts"));
+        assert!(
+            read_static(b"d [mm],load [N]\n0,0\n0.5,5\n", &sensors)
+                .unwrap_err()
+                .message
+                .contains("not in volts")
+        );
     }
 }

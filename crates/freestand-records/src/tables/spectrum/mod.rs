@@ -50,20 +50,30 @@ pub fn load_spectrum(path: &Path) -> Result<Vec<u8>, Problem> {
 pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     check_text(&mut bytes)?;
     let table = table::read(&bytes).map_err(|problem| problem.hint(HINT))?;
-    let wrong =
-        |message: &str| Problem::new(ProblemKind::Format, message).at_line(table.line_of_first_value).hint(HINT);
+    let wrong = |message: &str| {
+        Problem::new(ProblemKind::Format, message)
+            .at_line(table.line_of_first_value)
+            .hint(HINT)
+    };
     if table.has_row_of_counts || table.columns.len() < 2 {
         return Err(wrong("is not a table of periods and accelerations"));
     }
     let Some((mut headings, line)) = headings_of(&table) else {
-        return Err(wrong("the units of period and acceleration are not stated: there are no headings"));
+        return Err(wrong(
+            "the units of period and acceleration are not stated: there are no headings",
+        ));
     };
     headings.iter_mut().for_each(complete);
     let (period, damping) = (period_column(&headings), damping_column(&headings));
     let at_headings = |problem: Problem| problem.at_line(line);
     let period = period.map_err(at_headings)?;
     let psa = acceleration_column(&headings).map_err(at_headings)?;
-    Ok(rows(&table, &bytes, &headings, [Some(period), Some(psa), damping]))
+    Ok(rows(
+        &table,
+        &bytes,
+        &headings,
+        [Some(period), Some(psa), damping],
+    ))
 }
 
 /// Adds the unit at the end of a heading: `period_s`, `psa_g`, `rotd50_g`.
@@ -81,7 +91,12 @@ fn complete(heading: &mut Heading) {
 
 /// The places of the headings for which `holds` is true.
 fn places(headings: &[Heading], holds: impl Fn(&Heading) -> bool) -> Vec<usize> {
-    headings.iter().enumerate().filter(|(_, heading)| holds(heading)).map(|(i, _)| i).collect()
+    headings
+        .iter()
+        .enumerate()
+        .filter(|(_, heading)| holds(heading))
+        .map(|(i, _)| i)
+        .collect()
 }
 
 fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
@@ -105,51 +120,81 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
             _ => Ok(one),
         },
         [] => {
-            if let Some(heading) = headings.iter().find(|heading| heading.unit.is_none() && named(heading)) {
+            if let Some(heading) = headings
+                .iter()
+                .find(|heading| heading.unit.is_none() && named(heading))
+            {
                 return Err(unit_is_open(heading, "T [s]"));
             }
             Err(Problem::new(ProblemKind::Format, "no column holds periods")
                 .hint("write the periods under a heading such as \"T [s]\"; convert frequencies to periods"))
         }
-        _ => Err(Problem::new(ProblemKind::Format, "several columns hold a time; one column of periods is expected")
-            .hint("keep only one column of periods")),
+        _ => Err(Problem::new(
+            ProblemKind::Format,
+            "several columns hold a time; one column of periods is expected",
+        )
+        .hint("keep only one column of periods")),
     }
 }
 
 /// The column called PSA, else Sa, else the one that is an acceleration.
 fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
     let lower = |heading: &Heading| heading.name.to_ascii_lowercase();
-    let is_sa = |name: &str| name.strip_prefix("sa").is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
+    let is_sa = |name: &str| {
+        name.strip_prefix("sa")
+            .is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+    };
     let found = [
         places(headings, |heading| lower(heading).starts_with("psa")),
         places(headings, |heading| is_sa(&lower(heading))),
-        places(headings, |heading| heading.measures(Dimension::Acceleration)),
+        places(headings, |heading| {
+            heading.measures(Dimension::Acceleration)
+        }),
     ];
-    let found = found.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+    let found = found
+        .into_iter()
+        .find(|found| !found.is_empty())
+        .unwrap_or_default();
     let chosen: Vec<&Heading> = found.iter().filter_map(|&i| headings.get(i)).collect();
     match chosen[..] {
         [heading] => match heading.unit {
-            Some(unit) if unit.dimension == Dimension::Acceleration => Ok(found.first().copied().unwrap_or_default()),
+            Some(unit) if unit.dimension == Dimension::Acceleration => {
+                Ok(found.first().copied().unwrap_or_default())
+            }
             Some(unit) => {
                 let (name, other) = (shorten(&heading.name), unit.dimension.with_article());
                 Err(Problem::new(
                     ProblemKind::Format,
-                    format!("\"{name}\" is {other} ({}); an acceleration is expected", unit.symbol),
+                    format!(
+                        "\"{name}\" is {other} ({}); an acceleration is expected",
+                        unit.symbol
+                    ),
                 )
                 .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\""))
             }
             None => Err(unit_is_open(heading, "PSA [g]")),
         },
-        [] => match headings.iter().find(|heading| heading.unit.is_none() && !is_damping(heading)) {
+        [] => match headings
+            .iter()
+            .find(|heading| heading.unit.is_none() && !is_damping(heading))
+        {
             Some(heading) => Err(unit_is_open(heading, "PSA [g]")),
-            None => Err(Problem::new(ProblemKind::Format, "no column holds an acceleration")
-                .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\"")),
+            None => Err(
+                Problem::new(ProblemKind::Format, "no column holds an acceleration")
+                    .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\""),
+            ),
         },
         _ => {
-            let names: Vec<String> = chosen.iter().map(|heading| shorten(&heading.name)).collect();
+            let names: Vec<String> = chosen
+                .iter()
+                .map(|heading| shorten(&heading.name))
+                .collect();
             Err(Problem::new(
                 ProblemKind::Format,
-                format!("several columns hold a spectral acceleration: {}", names.join(", ")),
+                format!(
+                    "several columns hold a spectral acceleration: {}",
+                    names.join(", ")
+                ),
             )
             .hint("keep the right one, or call it PSA"))
         }
@@ -162,7 +207,10 @@ fn is_damping(heading: &Heading) -> bool {
 
 fn damping_column(headings: &[Heading]) -> Option<usize> {
     places(headings, |heading| {
-        is_damping(heading) && heading.unit.is_none_or(|unit| unit.dimension == Dimension::Ratio)
+        is_damping(heading)
+            && heading
+                .unit
+                .is_none_or(|unit| unit.dimension == Dimension::Ratio)
     })
     .first()
     .copied()
@@ -170,19 +218,38 @@ fn damping_column(headings: &[Heading]) -> Option<usize> {
 
 fn unit_is_open(heading: &Heading, example: &str) -> Problem {
     let name = shorten(&heading.name);
-    Problem::new(ProblemKind::Value, format!("the unit of \"{name}\" is not stated"))
-        .hint(format!("write it in the heading, such as \"{example}\""))
+    Problem::new(
+        ProblemKind::Value,
+        format!("the unit of \"{name}\" is not stated"),
+    )
+    .hint(format!("write it in the heading, such as \"{example}\""))
 }
 
 /// Three columns row by row, in SI; a ratio may be a bare number.
-fn rows(table: &Table, bytes: &[u8], headings: &[Heading], places: [Option<usize>; 3]) -> Vec<SpectrumRow> {
+fn rows(
+    table: &Table,
+    bytes: &[u8],
+    headings: &[Heading],
+    places: [Option<usize>; 3],
+) -> Vec<SpectrumRow> {
     let column = |place: Option<usize>| place.map(|index| in_si(table, headings, index));
     let [periods, accelerations, dampings] = places.map(column);
-    let values = periods.unwrap_or_default().into_iter().zip(accelerations.unwrap_or_default());
+    let values = periods
+        .unwrap_or_default()
+        .into_iter()
+        .zip(accelerations.unwrap_or_default());
     let rows = table.lines_of_rows(bytes).zip(values).enumerate();
     rows.map(|(row, (line, (period_s, psa_m_s2)))| {
-        let damping_ratio = dampings.as_ref().and_then(|dampings| dampings.get(row)).copied();
-        SpectrumRow { line, period_s, psa_m_s2, damping_ratio }
+        let damping_ratio = dampings
+            .as_ref()
+            .and_then(|dampings| dampings.get(row))
+            .copied();
+        SpectrumRow {
+            line,
+            period_s,
+            psa_m_s2,
+            damping_ratio,
+        }
     })
     .collect()
 }

@@ -29,20 +29,32 @@ pub(crate) struct Header {
 pub(crate) fn entry(line: &Line<'_>) -> Entry {
     let text = line.text();
     let (key, value) = text.split_once(':').unwrap_or((&text, ""));
-    Entry { line: line.number, key: key.trim().to_owned(), value: value.trim().to_owned() }
+    Entry {
+        line: line.number,
+        key: key.trim().to_owned(),
+        value: value.trim().to_owned(),
+    }
 }
 
 impl Entry {
     /// Whether its key is `key`, ignoring capitals and a unit in brackets after it.
     pub(crate) fn is(&self, key: &str) -> bool {
-        self.key.split('(').next().unwrap_or("").trim().eq_ignore_ascii_case(key)
+        self.key
+            .split('(')
+            .next()
+            .unwrap_or("")
+            .trim()
+            .eq_ignore_ascii_case(key)
     }
 
     fn problem(&self, what: &str) -> Problem {
         let (key, value) = (shorten(&self.key), shorten(&self.value));
-        Problem::new(ProblemKind::Format, format!("{key} is \"{value}\"; {what} is expected"))
-            .at_line(self.line)
-            .hint("correct the header if it is wrong, or fetch the file again")
+        Problem::new(
+            ProblemKind::Format,
+            format!("{key} is \"{value}\"; {what} is expected"),
+        )
+        .at_line(self.line)
+        .hint("correct the header if it is wrong, or fetch the file again")
     }
 }
 
@@ -52,7 +64,9 @@ impl Header {
         let mut entries = Vec::new();
         loop {
             let before = rest.clone();
-            let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else { break };
+            let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
+                break;
+            };
             if is_row(&line) {
                 *rest = before;
                 break;
@@ -66,7 +80,9 @@ impl Header {
 
     /// The line of a key whose value is not empty.
     pub(crate) fn get(&self, key: &str) -> Option<&Entry> {
-        self.entries.iter().find(|entry| entry.is(key) && !entry.value.is_empty())
+        self.entries
+            .iter()
+            .find(|entry| entry.is(key) && !entry.value.is_empty())
     }
 
     /// The value of a key; empty if the key is missing.
@@ -79,8 +95,12 @@ impl Header {
     /// # Errors
     /// A value that is not a number.
     pub(crate) fn number(&self, key: &str) -> Result<Option<(f64, usize)>, Problem> {
-        let Some(entry) = self.get(key) else { return Ok(None) };
-        let value = number(entry.value.as_bytes()).ok_or_else(|| entry.problem("a number"))?.value;
+        let Some(entry) = self.get(key) else {
+            return Ok(None);
+        };
+        let value = number(entry.value.as_bytes())
+            .ok_or_else(|| entry.problem("a number"))?
+            .value;
         Ok(Some((value, entry.line)))
     }
 
@@ -92,17 +112,31 @@ impl Header {
     pub(crate) fn step_s(&self, key: &str, given_s: Option<f64>) -> Result<(f64, usize), Problem> {
         let Some((value, line)) = self.number(key)? else {
             return given_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
-                Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
-                    .hint("give the time step, such as `dt = \"0.01 s\"`")
+                Problem::new(
+                    ProblemKind::Value,
+                    format!("the header has no time step ({key})"),
+                )
+                .hint("give the time step, such as `dt = \"0.01 s\"`")
             });
         };
-        let unit = self.get(key).and_then(|entry| entry.key.split_once('(')).map_or("s", |(_, unit)| unit);
-        match unit.trim_end_matches(')').trim().to_ascii_lowercase().as_str() {
+        let unit = self
+            .get(key)
+            .and_then(|entry| entry.key.split_once('('))
+            .map_or("s", |(_, unit)| unit);
+        match unit
+            .trim_end_matches(')')
+            .trim()
+            .to_ascii_lowercase()
+            .as_str()
+        {
             "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
             "ms" | "msec" => Ok((value / 1000.0, line)),
-            other => Err(Problem::new(ProblemKind::Format, format!("\"{}\" is not a unit of time", shorten(other)))
-                .at_line(line)
-                .hint("the step must be in s or ms")),
+            other => Err(Problem::new(
+                ProblemKind::Format,
+                format!("\"{}\" is not a unit of time", shorten(other)),
+            )
+            .at_line(line)
+            .hint("the step must be in s or ms")),
         }
     }
 
@@ -111,7 +145,9 @@ impl Header {
     /// # Errors
     /// A value that is not a whole number.
     pub(crate) fn count(&self, key: &str) -> Result<Option<(usize, usize)>, Problem> {
-        let Some(entry) = self.get(key) else { return Ok(None) };
+        let Some(entry) = self.get(key) else {
+            return Ok(None);
+        };
         let value = number(entry.value.as_bytes()).map(|number| number.value);
         match value.filter(|value| (0.0..1e9).contains(value) && value.fract() == 0.0) {
             Some(value) => Ok(Some((value as usize, entry.line))),
@@ -127,7 +163,10 @@ fn is_row(line: &Line<'_>) -> bool {
     if fields(line.bytes, |_| values += 1).is_ok() {
         return values > 0;
     }
-    let mut words = line.bytes.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let mut words = line
+        .bytes
+        .split(u8::is_ascii_whitespace)
+        .filter(|word| !word.is_empty());
     words.all(|word| is_missing_word(word) || number(word).is_some())
 }
 
@@ -157,7 +196,10 @@ pub(crate) fn read_rows(
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
                 notes.push(Note::new(
                     NoteKind::TextIgnored,
-                    format!("line {} follows the last value and was ignored", line.number),
+                    format!(
+                        "line {} follows the last value and was ignored",
+                        line.number
+                    ),
                 ));
                 break;
             }
@@ -168,30 +210,48 @@ pub(crate) fn read_rows(
     notes.extend(rows.judge()?);
     notes.extend(digit_styles.iter().filter_map(DigitStyle::note));
     match declared {
-        Some((count, line)) if count != rows.count() => Err(wrong_count(count, rows.count()).at_line(line)),
+        Some((count, line)) if count != rows.count() => {
+            Err(wrong_count(count, rows.count()).at_line(line))
+        }
         _ => rows.not_empty(rest),
     }
 }
 
 /// The problem that the header states another number of values than the file has.
 fn wrong_count(declared: usize, found: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the header declares {declared} values, but the file has {found}"))
-        .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
+    Problem::new(
+        ProblemKind::Format,
+        format!("the header declares {declared} values, but the file has {found}"),
+    )
+    .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
 }
 
 /// Refuses numbers after the last value that the header declares, and notes other text there.
 ///
 /// # Errors
 /// A row of numbers.
-pub(crate) fn refuse_more_values(rest: &mut Lines<'_>, notes: &mut Vec<Note>) -> Result<(), Problem> {
-    let Some(line) = rest.by_ref().find(|line| !line.is_blank()) else { return Ok(()) };
+pub(crate) fn refuse_more_values(
+    rest: &mut Lines<'_>,
+    notes: &mut Vec<Note>,
+) -> Result<(), Problem> {
+    let Some(line) = rest.by_ref().find(|line| !line.is_blank()) else {
+        return Ok(());
+    };
     if is_row(&line) {
-        return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
-            .at_line(line.number)
-            .hint("correct the number in the header if the values belong to the record"));
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "there are more values than the header declares",
+        )
+        .at_line(line.number)
+        .hint("correct the number in the header if the values belong to the record"));
     }
-    notes
-        .push(Note::new(NoteKind::TextIgnored, format!("line {} follows the last value and was ignored", line.number)));
+    notes.push(Note::new(
+        NoteKind::TextIgnored,
+        format!(
+            "line {} follows the last value and was ignored",
+            line.number
+        ),
+    ));
     Ok(())
 }
 

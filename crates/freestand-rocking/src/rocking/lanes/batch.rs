@@ -1,7 +1,10 @@
 //! Takes lanes from their place in a step to their next event, several vectors of lanes at a time,
 //! so that their chains of operations overlap.
 
-#![expect(clippy::absurd_extreme_comparisons, reason = "loops are unrolled with constants, one of which is zero")]
+#![expect(
+    clippy::absurd_extreme_comparisons,
+    reason = "loops are unrolled with constants, one of which is zero"
+)]
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -52,7 +55,10 @@ pub(super) struct Batch {
 impl Batch {
     /// A batch of lanes of which some may have walls, or none has.
     pub(super) fn new(walled: bool) -> Self {
-        Self { walled, ..Self::default() }
+        Self {
+            walled,
+            ..Self::default()
+        }
     }
 
     #[inline(always)]
@@ -70,14 +76,20 @@ impl Batch {
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
             // Padding: a block that does not move and has no event.
-            (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+            (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) =
+                (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
             self.ceiling[i] = FRAC_PI_2;
         }
     }
 
     /// Takes each of the first `lanes` lanes to its next event, or to the end of the step.
     #[inline(always)]
-    pub(super) fn solve<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: &Interval, lanes: usize) {
+    pub(super) fn solve<S: Simd, const K: usize>(
+        &mut self,
+        m: Math<S>,
+        ground: &Interval,
+        lanes: usize,
+    ) {
         let vectors = lanes.div_ceil(2 * S::F64_LANES);
         for i in 0..vectors {
             self.expand::<S, K>(m, ground, i);
@@ -108,8 +120,15 @@ impl Batch {
         let (tau, best) = (self.tau.get::<S>(i), self.best.get::<S>(i));
         let rest = m.sub(one, tau);
         let rest2 = m.mul(rest, rest);
-        let (alpha, x2, side) = (self.alpha.get::<S>(i), self.x2.get::<S>(i), self.side.get::<S>(i));
-        let edge = Edge { alpha, x2: m.mul(rest2, x2) };
+        let (alpha, x2, side) = (
+            self.alpha.get::<S>(i),
+            self.x2.get::<S>(i),
+            self.side.get::<S>(i),
+        );
+        let edge = Edge {
+            alpha,
+            x2: m.mul(rest2, x2),
+        };
         let local = Ground {
             su: m.mul(side, m.fma(tau, u_change, u_start)),
             su_change: m.mul(side, m.mul(rest, u_change)),
@@ -169,10 +188,17 @@ impl Batch {
         let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
         let hidden = m.and(turning, m.not(m.or(concave, climbs)));
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
-        let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
+        let summit = m.and(
+            m.and(simple, turning),
+            m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))),
+        );
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
         // Where it is too high, and nothing else is in the way, a wall decides (`at_walls`).
-        let ahead = m.select(m.or(simple, hidden), m.splat(INTRICATE), m.add(event, m.splat(AHEAD)));
+        let ahead = m.select(
+            m.or(simple, hidden),
+            m.splat(INTRICATE),
+            m.add(event, m.splat(AHEAD)),
+        );
         let ahead = m.select(m.or(calm, landing), ahead, m.splat(INTRICATE));
         self.event.set::<S>(i, m.select(simple, event, ahead));
         self.summit.set::<S>(i, m.select(summit, one, zero));
@@ -191,7 +217,10 @@ impl Batch {
     fn at_walls<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let zero = m.splat(0.0);
         let (ceiling, event) = (self.ceiling.get::<S>(i), self.event.get::<S>(i));
-        let mut series = Series::<S, K> { c: [zero; TERMS], slope: [zero; TERMS] };
+        let mut series = Series::<S, K> {
+            c: [zero; TERMS],
+            slope: [zero; TERMS],
+        };
         unroll!(N, {
             if N <= K {
                 series.c[N] = self.c[N].get::<S>(i);
@@ -201,7 +230,10 @@ impl Batch {
         let (y, w) = (series.c[0], series.c[1]);
         let (y1, w1) = series.end(m);
         let (bend, concave, convex) = (series.bend(m), series.is_concave(m), series.is_convex(m));
-        let open = m.and(m.gt(m.splat(FRAC_PI_2), ceiling), m.ge(event, m.splat(INTRICATE)));
+        let open = m.and(
+            m.gt(m.splat(FRAC_PI_2), ceiling),
+            m.ge(event, m.splat(INTRICATE)),
+        );
         let (up, below) = (m.gt(w, zero), m.gt(ceiling, y));
         let (reaches, stays_below) = (m.ge(y1, ceiling), m.gt(ceiling, y1));
         // Up throughout, or up to a maximum: one impact at most.
@@ -210,14 +242,25 @@ impl Batch {
         let sinks = m.and(m.ge(zero, w), m.or(m.gt(m.sub(zero, w), bend), concave));
         // It leaves the wall and is pressed back to it; the curve is above its first tangent, which
         // is above the floor.
-        let pressed = m.and(m.and(m.ge(y, ceiling), m.gt(zero, w)), m.and(convex, m.gt(m.add(y, w), zero)));
+        let pressed = m.and(
+            m.and(m.ge(y, ceiling), m.gt(zero, w)),
+            m.and(convex, m.gt(m.add(y, w), zero)),
+        );
         let strikes = m.and(open, m.and(reaches, m.or(pressed, m.or(rises, arches))));
         let passes = m.and(stays_below, m.or(rises, m.and(arches, m.gt(w1, zero))));
         // Without an impact on the wall it is as if there were none.
-        let clear = m.and(m.and(open, m.ge(event, m.splat(AHEAD))), m.or(sinks, passes));
+        let clear = m.and(
+            m.and(open, m.ge(event, m.splat(AHEAD))),
+            m.or(sinks, passes),
+        );
         let event = m.select(clear, m.sub(event, m.splat(AHEAD)), event);
-        let event = m.select(m.and(open, m.and(pressed, stays_below)), m.splat(CALM), event);
-        self.event.set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
+        let event = m.select(
+            m.and(open, m.and(pressed, stays_below)),
+            m.splat(CALM),
+            event,
+        );
+        self.event
+            .set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
         unroll!(N, {
             if N <= K {
                 let from = if N == 0 { ceiling } else { zero };
@@ -246,14 +289,19 @@ impl Batch {
             }
         });
         let best = self.best.get::<S>(i);
-        self.best.set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
+        self.best
+            .set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
     }
 
     /// Takes a vector of lanes to the landing, to the wall, or to the end of the step.
     #[inline(always)]
     fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
-        let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
+        let (event, rest, tau) = (
+            self.event.get::<S>(i),
+            self.rest.get::<S>(i),
+            self.tau.get::<S>(i),
+        );
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
         let ends = m.or(landing, m.ge(event, m.splat(STRIKE)));
         let mut q = [zero; TERMS];
@@ -271,7 +319,11 @@ impl Batch {
             }
         });
         // Rounding may take y below the floor where the root lies just past the end of the step.
-        let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
+        let event = m.select(
+            m.or(m.ge(event, one), m.gt(y, zero)),
+            event,
+            m.splat(INTRICATE),
+        );
         // A maximum exactly at the end belongs to this step.
         let best = self.best.get::<S>(i);
         self.best.set::<S>(i, m.select(m.gt(y, best), y, best));
@@ -294,7 +346,11 @@ const LAST_MOVE: f64 = 3e-6;
 /// `wanted` lanes, by Halley's method within a bracket. A lane that has converged does not change
 /// while its neighbours continue.
 #[inline(always)]
-fn root<S: Simd, const K: usize>(m: Math<S>, q: &[Numbers<S>; TERMS], wanted: Masks<S>) -> Numbers<S> {
+fn root<S: Simd, const K: usize>(
+    m: Math<S>,
+    q: &[Numbers<S>; TERMS],
+    wanted: Masks<S>,
+) -> Numbers<S> {
     /// Largest number of steps: 60 halvings alone reduce the bracket to 2⁻⁶⁰ of a step.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
@@ -328,7 +384,10 @@ fn root<S: Simd, const K: usize>(m: Math<S>, q: &[Numbers<S>; TERMS], wanted: Ma
         let next = m.select(inside, halley, m.mul(half, m.add(low, high)));
         let moved = m.abs(m.sub(next, x));
         let last = m.splat(LAST_MOVE);
-        let near = m.and(m.ge(m.mul(last, x), moved), m.ge(m.mul(last, m.abs(slope)), m.mul(moved, m.abs(half_bend))));
+        let near = m.and(
+            m.ge(m.mul(last, x), moved),
+            m.ge(m.mul(last, m.abs(slope)), m.mul(moved, m.abs(half_bend))),
+        );
         let near = m.and(inside, near);
         x = m.select(open, next, x);
         open = m.and(open, m.not(near));

@@ -78,12 +78,18 @@ impl Acting {
         // At the landing y/x is zero, and dy/dx is x times the slope of y/x, which the step of
         // Newton's method has changed.
         let slope = slope - step * (2.0 * c2 + 6.0 * c3 * x);
-        Some(Flight { time: x, speed: -x * slope })
+        Some(Flight {
+            time: x,
+            speed: -x * slope,
+        })
     }
 
     /// The same, `time` later.
     pub(super) fn after(self, time: f64) -> Self {
-        Self { e: self.e.after(time), d: self.d.after(time) }
+        Self {
+            e: self.e.after(time),
+            d: self.d.after(time),
+        }
     }
 }
 
@@ -110,7 +116,10 @@ impl Pull {
     }
 
     fn after(self, time: f64) -> Self {
-        Self { now: self.now + time * self.slope, ..self }
+        Self {
+            now: self.now + time * self.slope,
+            ..self
+        }
     }
 }
 
@@ -174,7 +183,8 @@ fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
             return followed;
         }
         let [first, other] = edges;
-        let small = |pull: Pull| (pull.slope * w).abs() <= SMALL_CHANGE * (1.0 - r) * pull.now * pull.now;
+        let small =
+            |pull: Pull| (pull.slope * w).abs() <= SMALL_CHANGE * (1.0 - r) * pull.now * pull.now;
         if small(first) && small(other) {
             let impacts = ((w / rest).ln() + growth(edges, r, w)) / -r.ln();
             return followed + impacts.ceil().max(1.0) as usize;
@@ -197,7 +207,10 @@ fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
 fn growth([first, other]: [Pull; 2], r: f64, w: f64) -> f64 {
     let q = r * r;
     // ε of the first two flights, their durations, and E′/E.
-    let (e0, e1) = (first.slope * w / (first.now * first.now), other.slope * w * r / (other.now * other.now));
+    let (e0, e1) = (
+        first.slope * w / (first.now * first.now),
+        other.slope * w * r / (other.now * other.now),
+    );
     let (t0, t1) = (2.0 * w / first.now, 2.0 * w * r / other.now);
     let (k0, k1) = (first.slope / first.now, other.slope / other.now);
     let gained = 2.0 / 3.0 * (e0 + e1) / (1.0 - q);
@@ -219,7 +232,10 @@ mod tests {
             // w t = E t²/2 + E′ t³/6.
             let flight = 2.0 * w / (0.5 * e + (0.25 * e * e + 2.0 / 3.0 * s * w).sqrt());
             w = r * (e * flight + 0.5 * s * flight * flight - w);
-            edges = [edges[1], edges[0]].map(|pull| Pull { now: pull.now + pull.slope * flight, ..pull });
+            edges = [edges[1], edges[0]].map(|pull| Pull {
+                now: pull.now + pull.slope * flight,
+                ..pull
+            });
             count += 1;
         }
         (count, w)
@@ -229,9 +245,12 @@ mod tests {
     fn impacts_to_rest_are_those_of_flights_followed_one_by_one() {
         let mut cases = 0;
         for r in [0.3, 0.7, 0.9, 0.97] {
-            for (e0, e1, s0, s1) in
-                [(1.0, 1.0, 0.0, 0.0), (1.0, 0.4, 0.3, -0.3), (0.5, 2.0, -0.4, 0.3), (1.0, 0.7, -0.3, -0.1)]
-            {
+            for (e0, e1, s0, s1) in [
+                (1.0, 1.0, 0.0, 0.0),
+                (1.0, 0.4, 0.3, -0.3),
+                (0.5, 2.0, -0.4, 0.3),
+                (1.0, 0.7, -0.3, -0.1),
+            ] {
                 for i in 0..10 {
                     // All flights together take at most a tenth of the step, and less each time.
                     let w = 0.02 * (1.0 - r) * 0.61_f64.powi(i);
@@ -241,7 +260,11 @@ mod tests {
                     // The last speed must be further from the threshold than the third order can
                     // take it.
                     if (rest / last).ln() > 3e-6 && (last / (r * rest)).ln() > 3e-6 {
-                        assert_eq!(count(edges, r, w, rest), impacts, "{r} {e0} {e1} {s0} {s1} {w}");
+                        assert_eq!(
+                            count(edges, r, w, rest),
+                            impacts,
+                            "{r} {e0} {e1} {s0} {s1} {w}"
+                        );
                         cases += 1;
                     }
                 }
@@ -254,7 +277,16 @@ mod tests {
     /// of the change.
     #[test]
     fn the_growth_is_right_to_the_second_order() {
-        let edges = [Pull { now: 1.0, slope: 0.8 }, Pull { now: 0.6, slope: -0.5 }];
+        let edges = [
+            Pull {
+                now: 1.0,
+                slope: 0.8,
+            },
+            Pull {
+                now: 0.6,
+                slope: -0.5,
+            },
+        ];
         let error = |w: f64| {
             let r: f64 = 0.8;
             let (count, last) = followed(edges, r, w, 1e-12 * w);

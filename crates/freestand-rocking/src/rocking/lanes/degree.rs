@@ -22,12 +22,21 @@ pub(super) struct Degree {
 }
 
 /// Degrees that the kernel is compiled for.
-pub(super) const DEGREES: [Degree; 5] =
-    [Degree::of::<5>(), Degree::of::<6>(), Degree::of::<7>(), Degree::of::<8>(), Degree::of::<11>()];
+pub(super) const DEGREES: [Degree; 5] = [
+    Degree::of::<5>(),
+    Degree::of::<6>(),
+    Degree::of::<7>(),
+    Degree::of::<8>(),
+    Degree::of::<11>(),
+];
 
 impl Degree {
     const fn of<const K: usize>() -> Self {
-        Self { degree: K, advance: [advance::<K, false>, advance::<K, true>], solve: solve::<K> }
+        Self {
+            degree: K,
+            advance: [advance::<K, false>, advance::<K, true>],
+            solve: solve::<K>,
+        }
     }
 }
 
@@ -37,7 +46,11 @@ fn advance<const K: usize, const VERTICAL: bool>(
     ground: &Interval,
     queue: &mut Vec<u32>,
 ) {
-    arch.dispatch(Advance::<K, VERTICAL> { ranks, ground, queue });
+    arch.dispatch(Advance::<K, VERTICAL> {
+        ranks,
+        ground,
+        queue,
+    });
 }
 
 struct Advance<'a, const K: usize, const VERTICAL: bool> {
@@ -53,7 +66,11 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
     /// on the floor without velocity, and are never certain to stay above it.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { ranks, ground, queue } = self;
+        let Self {
+            ranks,
+            ground,
+            queue,
+        } = self;
         let m = Math(simd);
         let (u, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
@@ -61,10 +78,26 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
         let pairs = Column::<ABREAST>::pairs::<S>();
         for rank in &mut *ranks {
             for i in 0..pairs {
-                let (y, w, best) = (rank.y.get::<S>(i), rank.w.get::<S>(i), rank.best.get::<S>(i));
-                let (alpha, x2, side) = (rank.alpha.get::<S>(i), rank.x2.get::<S>(i), rank.side.get::<S>(i));
-                let local = Ground { su: m.mul(side, u), su_change: m.mul(side, u_change), v, v_change };
-                let series = Series::<S, K>::new::<VERTICAL>(m, y, w, Edge { alpha, x2 }, local, |pull| pull);
+                let (y, w, best) = (
+                    rank.y.get::<S>(i),
+                    rank.w.get::<S>(i),
+                    rank.best.get::<S>(i),
+                );
+                let (alpha, x2, side) = (
+                    rank.alpha.get::<S>(i),
+                    rank.x2.get::<S>(i),
+                    rank.side.get::<S>(i),
+                );
+                let local = Ground {
+                    su: m.mul(side, u),
+                    su_change: m.mul(side, u_change),
+                    v,
+                    v_change,
+                };
+                let series =
+                    Series::<S, K>::new::<VERTICAL>(m, y, w, Edge { alpha, x2 }, local, |pull| {
+                        pull
+                    });
                 let (y1, w1) = series.end(m);
                 let bend = series.bend(m);
                 let half_bend = m.mul(half, bend);
@@ -101,7 +134,11 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
 }
 
 fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: &Interval, lanes: usize) {
-    arch.dispatch(Solve::<K> { batch, ground, lanes });
+    arch.dispatch(Solve::<K> {
+        batch,
+        ground,
+        lanes,
+    });
 }
 
 struct Solve<'a, const K: usize> {
@@ -115,6 +152,7 @@ impl<const K: usize> WithSimd for Solve<'_, K> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        self.batch.solve::<S, K>(Math(simd), self.ground, self.lanes);
+        self.batch
+            .solve::<S, K>(Math(simd), self.ground, self.lanes);
     }
 }

@@ -30,8 +30,8 @@ use std::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use super::{
-    Accuracy, Base, Outcome, Restitution, RockingError, RockingModel, RockingOptions, RockingSummary, SideExtremes,
-    StopReason, Until, rock,
+    Accuracy, Base, Outcome, Restitution, RockingError, RockingModel, RockingOptions,
+    RockingSummary, SideExtremes, StopReason, Until, rock,
 };
 use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
@@ -81,7 +81,11 @@ const SMALL_TILE: usize = 128;
 /// assert_eq!(found[1]?.outcome, Outcome::NoUplift);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn rock_many(blocks: &[Block], base: Base, options: &RockingOptions) -> Vec<Result<RockingSummary, RockingError>> {
+pub fn rock_many(
+    blocks: &[Block],
+    base: Base,
+    options: &RockingOptions,
+) -> Vec<Result<RockingSummary, RockingError>> {
     rock_many_on(pulp::Arch::new(), blocks, base, options)
 }
 
@@ -153,7 +157,8 @@ pub fn rock_between(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let own = |&(block, restitution, walls): &(Block, Restitution, Walls)| (block, (restitution, walls));
+    let own =
+        |&(block, restitution, walls): &(Block, Restitution, Walls)| (block, (restitution, walls));
     let (blocks, own): (Vec<Block>, Vec<Own>) = objects.iter().map(own).unzip();
     follow(pulp::Arch::new(), &blocks, &own, base, options)
 }
@@ -170,19 +175,32 @@ fn follow(
 ) -> Vec<Result<RockingSummary, RockingError>> {
     let own = |index: usize| {
         let (restitution, walls) = own[index];
-        RockingOptions { restitution, walls, ..*options }
+        RockingOptions {
+            restitution,
+            walls,
+            ..*options
+        }
     };
-    let scalar = |index: usize| rock(&blocks[index], base, &own(index)).map(|rocking| RockingSummary::from(&rocking));
+    let scalar = |index: usize| {
+        rock(&blocks[index], base, &own(index)).map(|rocking| RockingSummary::from(&rocking))
+    };
     let Some((shaking, wait)) = prepare(base, options) else {
         return (0..blocks.len()).into_par_iter().map(scalar).collect();
     };
-    let plans: Vec<Option<(Plan, Rocker, WallRecord)>> =
-        blocks.par_iter().enumerate().map(|(index, block)| plan(block, &shaking, &own(index))).collect();
-    let of_plan =
-        |(block, planned): (usize, &Option<(Plan, Rocker, WallRecord)>)| planned.map(|(plan, ..)| (plan, block));
+    let plans: Vec<Option<(Plan, Rocker, WallRecord)>> = blocks
+        .par_iter()
+        .enumerate()
+        .map(|(index, block)| plan(block, &shaking, &own(index)))
+        .collect();
+    let of_plan = |(block, planned): (usize, &Option<(Plan, Rocker, WallRecord)>)| {
+        planned.map(|(plan, ..)| (plan, block))
+    };
     let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
     order.sort_unstable();
-    let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
+    let tiles: Vec<Vec<(Plan, usize)>> = order
+        .chunk_by(|(a, _), (b, _)| a == b)
+        .flat_map(tiles)
+        .collect();
     let done: Vec<Vec<(Record, WallRecord)>> = tiles
         .par_iter()
         // One tile per job: a thread that has finished one takes the next.
@@ -190,9 +208,18 @@ fn follow(
         .map(|tile| {
             let plan = tile[0].0;
             // A block of a tile has a plan.
-            let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) =
-                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker, walls)| (rocker, walls))).unzip();
-            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, walls, plan.parts);
+            let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) = tile
+                .iter()
+                .filter_map(|(_, block)| plans[*block].map(|(_, rocker, walls)| (rocker, walls)))
+                .unzip();
+            let mut tile = Tile::new(
+                arch,
+                DEGREES[plan.degree],
+                &shaking,
+                &rockers,
+                walls,
+                plan.parts,
+            );
             tile.run(wait);
             tile.records.into_iter().zip(tile.walls).collect()
         })
@@ -209,9 +236,13 @@ fn follow(
         .zip(records)
         .zip(&plans)
         .map(|(((index, block), record), plan)| match plan {
-            Some((plan, rocker, _)) if record.0.state != State::GivenUp => {
-                Ok(summary(block, rocker, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
-            }
+            Some((plan, rocker, _)) if record.0.state != State::GivenUp => Ok(summary(
+                block,
+                rocker,
+                &record,
+                shaking.dt_s / plan.parts as f64,
+                wait.is_some(),
+            )),
             _ => scalar(index),
         })
         .collect()
@@ -223,7 +254,9 @@ fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
     let threads = rayon::current_num_threads();
     let even = group.len().div_ceil(TILE).next_multiple_of(threads);
     let count = even.min(group.len().div_ceil(SMALL_TILE));
-    (0..count).map(|first| group.iter().skip(first).step_by(count).copied().collect()).collect()
+    (0..count)
+        .map(|first| group.iter().skip(first).step_by(count).copied().collect())
+        .collect()
 }
 
 /// The motion for the kernel, and the number of intervals after it in which a block may come to
@@ -245,14 +278,21 @@ fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usiz
     {
         return None;
     }
-    if !(options.gravity_m_s2 > 0.0 && options.gravity_m_s2.is_finite() && options.accuracy.is_valid()) {
+    if !(options.gravity_m_s2 > 0.0
+        && options.gravity_m_s2.is_finite()
+        && options.accuracy.is_valid())
+    {
         return None;
     }
     let shaking = Shaking::new(base, options.gravity_m_s2, wait_s.is_some())?;
-    let Some(wait_s) = wait_s else { return Some((shaking, None)) };
+    let Some(wait_s) = wait_s else {
+        return Some((shaking, None));
+    };
     // The base comes to rest in the first interval; of the others only whole ones are used here.
     let wait = (wait_s / shaking.dt_s - 1.0).floor();
-    (1.0..1e9).contains(&wait).then_some((shaking, Some(wait as usize)))
+    (1.0..1e9)
+        .contains(&wait)
+        .then_some((shaking, Some(wait as usize)))
 }
 
 /// Degree of the series, as an index into [`DEGREES`], and number of steps in an interval.
@@ -272,14 +312,22 @@ const MOST_ELASTIC: f64 = 0.9997;
 
 /// The series and the constants of a block. `None`: the scalar solver calculates the response or
 /// reports the error.
-fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker, WallRecord)> {
+fn plan(
+    block: &Block,
+    shaking: &Shaking,
+    options: &RockingOptions,
+) -> Option<(Plan, Rocker, WallRecord)> {
     let restitution = options.restitution.ratios(block).ok()?;
     if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
     }
     let right = block.right_pivot();
     // Both edges are alike, unless the centre of gravity is off the middle.
-    let left = if block.cg_from_left_m() == block.cg_from_right_m() { right } else { block.pivot() };
+    let left = if block.cg_from_left_m() == block.cg_from_right_m() {
+        right
+    } else {
+        block.pivot()
+    };
     let x = |pivot: Pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2) * shaking.dt_s;
     let fastest = x(right).max(x(left));
     let plan = steps(fastest * fastest, shaking, options.accuracy)?;
@@ -288,19 +336,38 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
         let x = x(pivot) / plan.parts as f64;
         let (alpha, x2) = (pivot.slenderness_angle_rad, x * x);
         let touches = wall.is_some_and(|wall| wall.touches());
-        let threshold = if touches { f64::INFINITY } else { from_edge_m / block.cg_height_m() };
+        let threshold = if touches {
+            f64::INFINITY
+        } else {
+            from_edge_m / block.cg_height_m()
+        };
         let ceiling = wall.map_or(FRAC_PI_2, |wall| wall.angle_rad);
         let b = x2 * block.cg_height_m() / pivot.half_diagonal_m;
-        EdgeTerms { alpha, x2, threshold, b, ceiling }
+        EdgeTerms {
+            alpha,
+            x2,
+            threshold,
+            b,
+            ceiling,
+        }
     };
-    let edges = [edge(right, block.cg_from_right_m(), contacts[0]), edge(left, block.cg_from_left_m(), contacts[1])];
-    let restitutions = contacts.map(|contact| contact.map_or(0.0, |contact| contact.restitution_ratio));
+    let edges = [
+        edge(right, block.cg_from_right_m(), contacts[0]),
+        edge(left, block.cg_from_left_m(), contacts[1]),
+    ];
+    let restitutions =
+        contacts.map(|contact| contact.map_or(0.0, |contact| contact.restitution_ratio));
     // A ceiling of π/2 means that there is no wall.
-    let is_extreme = |contact: Contact| contact.angle_rad >= FRAC_PI_2 || contact.restitution_ratio > MOST_ELASTIC;
+    let is_extreme = |contact: Contact| {
+        contact.angle_rad >= FRAC_PI_2 || contact.restitution_ratio > MOST_ELASTIC
+    };
     if contacts.into_iter().flatten().any(is_extreme) {
         return None;
     }
-    let walls = WallRecord { restitution: restitutions, ..WallRecord::default() };
+    let walls = WallRecord {
+        restitution: restitutions,
+        ..WallRecord::default()
+    };
     Some((plan, Rocker { edges, restitution }, walls))
 }
 
@@ -310,7 +377,11 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
 /// [`Accuracy`] lists.
 fn tolerance(accuracy: Accuracy) -> f64 {
     let tolerance = accuracy.tolerance();
-    if tolerance <= Accuracy::Tight.tolerance() { 3e-15 } else { 300.0 * tolerance }
+    if tolerance <= Accuracy::Tight.tolerance() {
+        3e-15
+    } else {
+        300.0 * tolerance
+    }
 }
 
 /// The cheapest combination of a series and a number of steps in an interval whose first omitted
@@ -324,7 +395,12 @@ fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
         }
         let c = terms(x2, shaking, parts);
         // c₂ is half of the largest acceleration.
-        let Some(degree) = DEGREES.iter().position(|d| c[d.degree + 1] <= 2.0 * c[2] * tolerance) else { continue };
+        let Some(degree) = DEGREES
+            .iter()
+            .position(|d| c[d.degree + 1] <= 2.0 * c[2] * tolerance)
+        else {
+            continue;
+        };
         let cost = cost(DEGREES[degree].degree, parts);
         if best.is_none_or(|(least, _)| cost < least) {
             best = Some((cost, Plan { degree, parts }));
@@ -363,14 +439,23 @@ fn summary(
     step_s: f64,
     settle: bool,
 ) -> RockingSummary {
-    let over = if settle { StopReason::Settled } else { StopReason::EndOfMotion };
+    let over = if settle {
+        StopReason::Settled
+    } else {
+        StopReason::EndOfMotion
+    };
     let (outcome, stop) = match record.state {
-        State::Bouncing | State::Leaning { past_balance: true, .. } => (Outcome::Leaned, over),
+        State::Bouncing
+        | State::Leaning {
+            past_balance: true, ..
+        } => (Outcome::Leaned, over),
         State::Untouched => (Outcome::NoUplift, over),
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
         // It is followed no further than the last sample.
         State::Moving if !settle => (Outcome::Unresolved, over),
-        State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
+        State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => {
+            (Outcome::Rocked, over)
+        }
     };
     let sides = [0, 1].map(|side| SideExtremes {
         // No further than the wall, whatever rounding yields.
@@ -383,7 +468,8 @@ fn summary(
     let cg_rise_m = if outcome == Outcome::NoUplift {
         0.0
     } else {
-        let rise_m = |pivot: Pivot, side: SideExtremes| pivot.largest_rise_m(side.peak_rotation_rad);
+        let rise_m =
+            |pivot: Pivot, side: SideExtremes| pivot.largest_rise_m(side.peak_rotation_rad);
         rise_m(block.right_pivot(), sides[0]).max(rise_m(block.pivot(), sides[1]))
     };
     RockingSummary {

@@ -27,10 +27,15 @@ const LEAST_SINE: f64 = 1e-3;
 pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) -> Option<Tail> {
     let mut tail = Tail::default();
     let terms = &rocker.edges[edge];
-    let highest = if w > 0.0 { turning_point(terms, y, w)? } else { y };
+    let highest = if w > 0.0 {
+        turning_point(terms, y, w)?
+    } else {
+        y
+    };
     let clear = |terms: &EdgeTerms, highest: f64| (highest < terms.ceiling).then_some(());
     clear(terms, highest)?;
-    let mut speed = (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt();
+    let mut speed =
+        (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt();
     tail.steps = (w.abs() + speed) / least_pull(terms, highest)?;
     tail.sides[edge].height = highest;
     loop {
@@ -92,7 +97,12 @@ mod tests {
         let still = Motion::new(0.01, vec![0.0; 2]).unwrap();
         let pivot = block.pivot();
         let alpha = pivot.slenderness_angle_rad;
-        for (y, omega) in [(0.5 * alpha, 0.0), (0.2 * alpha, 0.3), (0.6 * alpha, -0.2), (0.01 * alpha, 0.01)] {
+        for (y, omega) in [
+            (0.5 * alpha, 0.0),
+            (0.2 * alpha, 0.3),
+            (0.6 * alpha, -0.2),
+            (0.01 * alpha, 0.01),
+        ] {
             let options = RockingOptions {
                 accuracy: Accuracy::Tight,
                 initial_rotation_rad: y,
@@ -100,12 +110,28 @@ mod tests {
                 until: Until::Settled { at_most_s: 60.0 },
                 ..RockingOptions::default()
             };
-            let expected = rock(&block, Base { horizontal: Some(&still), vertical: None }, &options).unwrap();
+            let expected = rock(
+                &block,
+                Base {
+                    horizontal: Some(&still),
+                    vertical: None,
+                },
+                &options,
+            )
+            .unwrap();
             let h = 0.01;
             let x = pivot.frequency_parameter_rad_s(options.gravity_m_s2) * h;
-            let terms =
-                EdgeTerms { alpha, x2: x * x, threshold: alpha.tan(), b: x * x * alpha.cos(), ceiling: FRAC_PI_2 };
-            let rocker = Rocker { edges: [terms; 2], restitution: [block.landing_ratio(); 2] };
+            let terms = EdgeTerms {
+                alpha,
+                x2: x * x,
+                threshold: alpha.tan(),
+                b: x * x * alpha.cos(),
+                ceiling: FRAC_PI_2,
+            };
+            let rocker = Rocker {
+                edges: [terms; 2],
+                restitution: [block.landing_ratio(); 2],
+            };
             let got = tail(&rocker, 0, y, omega * h, 1e-9 * h).unwrap();
             assert_eq!(got.impacts, expected.impacts.len());
             for (got, expected) in got.sides.iter().zip(expected.sides) {
@@ -114,7 +140,11 @@ mod tests {
                 assert!((got.speed / h / expected.impact_omega_rad_s - 1.0).abs() < 1e-13);
             }
             let rest_s = expected.rest_time_s.unwrap();
-            assert!(got.steps * h >= rest_s && got.steps * h < 10.0 * rest_s, "{} {rest_s}", got.steps * h);
+            assert!(
+                got.steps * h >= rest_s && got.steps * h < 10.0 * rest_s,
+                "{} {rest_s}",
+                got.steps * h
+            );
         }
     }
 
@@ -122,8 +152,17 @@ mod tests {
     #[test]
     fn a_block_near_its_balance_point_has_no_tail() {
         let alpha = 0.25;
-        let terms = EdgeTerms { alpha, x2: 1e-4, threshold: 0.0, b: 0.0, ceiling: FRAC_PI_2 };
-        let rocker = Rocker { edges: [terms; 2], restitution: [0.9; 2] };
+        let terms = EdgeTerms {
+            alpha,
+            x2: 1e-4,
+            threshold: 0.0,
+            b: 0.0,
+            ceiling: FRAC_PI_2,
+        };
+        let rocker = Rocker {
+            edges: [terms; 2],
+            restitution: [0.9; 2],
+        };
         let barrier = 2.0 * 1e-2 * (0.5_f64 * alpha).sin();
         assert!(tail(&rocker, 0, 0.0, 1.0001 * barrier, 1e-11).is_none());
         assert!(tail(&rocker, 0, 0.0, (1.0 - 1e-9) * barrier, 1e-11).is_none());

@@ -104,7 +104,14 @@ impl Ranks {
     pub(super) fn get(&self, lane: usize) -> Moving {
         let (rank, i) = self.rank(lane);
         let edge = usize::from(rank.side[i] < 0.0);
-        Moving { block: rank.block[i], edge, y: rank.y[i], w: rank.w[i], best: rank.best[i], tau: rank.tau[i] }
+        Moving {
+            block: rank.block[i],
+            edge,
+            y: rank.y[i],
+            w: rank.w[i],
+            best: rank.best[i],
+            tau: rank.tau[i],
+        }
     }
 
     #[inline(always)]

@@ -1,6 +1,9 @@
 //! The Taylor series of the equation of motion over a step, in every lane.
 
-#![expect(clippy::absurd_extreme_comparisons, reason = "loops are unrolled with constants, one of which is zero")]
+#![expect(
+    clippy::absurd_extreme_comparisons,
+    reason = "loops are unrolled with constants, one of which is zero"
+)]
 
 use super::unroll::{unroll, unroll_down};
 use crate::vector::{Masks, Math, Numbers};
@@ -89,7 +92,11 @@ impl<S: Simd, const K: usize> Series<S, K> {
                 // −ÿ; the newest term is added last, so that the chain from one term to the next
                 // but one is short.
                 let f = if N == 0 {
-                    let vertical = if VERTICAL { m.mul(ground.v, sin[0]) } else { sin[0] };
+                    let vertical = if VERTICAL {
+                        m.mul(ground.v, sin[0])
+                    } else {
+                        sin[0]
+                    };
                     m.fma(ground.su, cos[0], vertical)
                 } else {
                     let mut before = m.mul(ground.su_change, cos[N - 1]);

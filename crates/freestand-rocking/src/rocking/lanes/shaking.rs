@@ -37,10 +37,13 @@ impl Shaking {
         let given = base.horizontal.or(base.vertical)?;
         let per_g = 1.0 / gravity_m_s2;
         let samples = given.accel_m_s2().len();
-        let mut u: Vec<f64> =
-            base.horizontal.map_or_else(|| vec![0.0; samples], |h| h.accel_m_s2().iter().map(|a| a * per_g).collect());
-        let mut v: Vec<f64> =
-            base.vertical.map_or_else(Vec::new, |v| v.accel_m_s2().iter().map(|a| 1.0 + a * per_g).collect());
+        let mut u: Vec<f64> = base.horizontal.map_or_else(
+            || vec![0.0; samples],
+            |h| h.accel_m_s2().iter().map(|a| a * per_g).collect(),
+        );
+        let mut v: Vec<f64> = base.vertical.map_or_else(Vec::new, |v| {
+            v.accel_m_s2().iter().map(|a| 1.0 + a * per_g).collect()
+        });
         if and_back {
             u.push(0.0);
             if !v.is_empty() {
@@ -50,19 +53,45 @@ impl Shaking {
         if v.iter().any(|v| *v <= 0.0) {
             return None;
         }
-        let lifting: Vec<f64> = if v.is_empty() { u.clone() } else { u.iter().zip(&v).map(|(u, v)| u / v).collect() };
-        let peaks = [Peaks::new(lifting.iter().map(|a| -a).collect()), Peaks::new(lifting)];
-        let largest = (0..u.len()).map(|k| u[k].abs() + v.get(k).copied().unwrap_or(1.0)).fold(1.0, f64::max);
-        let change = |values: &[f64]| values.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
+        let lifting: Vec<f64> = if v.is_empty() {
+            u.clone()
+        } else {
+            u.iter().zip(&v).map(|(u, v)| u / v).collect()
+        };
+        let peaks = [
+            Peaks::new(lifting.iter().map(|a| -a).collect()),
+            Peaks::new(lifting),
+        ];
+        let largest = (0..u.len())
+            .map(|k| u[k].abs() + v.get(k).copied().unwrap_or(1.0))
+            .fold(1.0, f64::max);
+        let change = |values: &[f64]| {
+            values
+                .windows(2)
+                .map(|w| (w[1] - w[0]).abs())
+                .fold(0.0, f64::max)
+        };
         let steepest = change(&u) + change(&v);
-        Some(Self { dt_s: given.dt_s(), u, v, peaks, largest, steepest })
+        Some(Self {
+            dt_s: given.dt_s(),
+            u,
+            v,
+            peaks,
+            largest,
+            steepest,
+        })
     }
 
     /// Base acceleration at the start of interval `k` and its change over it.
     #[inline(always)]
     pub(super) fn interval(&self, k: usize) -> Interval {
         let (u, v) = (self.u[k], self.v.get(k).copied().unwrap_or(1.0));
-        Interval { u, u_change: self.u[k + 1] - u, v, v_change: self.v.get(k + 1).copied().unwrap_or(1.0) - v }
+        Interval {
+            u,
+            u_change: self.u[k + 1] - u,
+            v,
+            v_change: self.v.get(k + 1).copied().unwrap_or(1.0) - v,
+        }
     }
 
     /// Number of intervals between samples.
@@ -97,7 +126,10 @@ impl Interval {
     /// ü_h/g and 1 + ü_v/g at a ratio of the interval.
     #[inline(always)]
     pub(super) fn at(&self, ratio: f64) -> (f64, f64) {
-        (self.u + ratio * self.u_change, self.v + ratio * self.v_change)
+        (
+            self.u + ratio * self.u_change,
+            self.v + ratio * self.v_change,
+        )
     }
 }
 
@@ -106,7 +138,11 @@ impl Peaks {
         let largest = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let by_span: Vec<f64> = values.chunks(SPAN).map(largest).collect();
         let by_square = by_span.chunks(SPAN).map(largest).collect();
-        Self { values, by_span, by_square }
+        Self {
+            values,
+            by_span,
+            by_square,
+        }
     }
 
     fn first_above(&self, threshold: f64, from: usize) -> Option<usize> {

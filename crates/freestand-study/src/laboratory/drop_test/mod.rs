@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, PAD_STIFFNESS_N_M};
 use freestand::identify::{
-    Candidate, DropOfRecord, DropSetup, DropTest, FittedLaw, Identified, ImpactVelocity, LoopPoint, NORMAL_975,
-    StiffnessEstimates, drop_tests as drops_of,
+    Candidate, DropOfRecord, DropSetup, DropTest, FittedLaw, Identified, ImpactVelocity, LoopPoint,
+    NORMAL_975, StiffnessEstimates, drop_tests as drops_of,
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
@@ -40,9 +40,17 @@ pub const LAWS: Choices<FittedLaw> = &[
     (FittedLaw::Linear, "linear", "F = k d"),
     (FittedLaw::Power, "power", "F = K dⁿ"),
     (FittedLaw::KelvinVoigt, "kelvin-voigt", "F = k d + c ḋ"),
-    (FittedLaw::HuntCrossley, "hunt-crossley", "F = K dⁿ (1 + Λḋ)"),
+    (
+        FittedLaw::HuntCrossley,
+        "hunt-crossley",
+        "F = K dⁿ (1 + Λḋ)",
+    ),
     (FittedLaw::Cubic, "cubic", "F = k d + k₃ d³"),
-    (FittedLaw::Tabulated, "tabulated", "a smooth curve without a formula"),
+    (
+        FittedLaw::Tabulated,
+        "tabulated",
+        "a smooth curve without a formula",
+    ),
 ];
 
 /// A request to evaluate drop tests: values for all files; the comments of a file supply those that
@@ -145,9 +153,15 @@ impl DropsReport {
     /// The document of `freestand cushion drop`.
     pub fn facts(&self) -> Facts<'_> {
         Facts::default()
-            .key("tests", self.tests.iter().map(DropReport::facts).collect::<Vec<_>>())
+            .key(
+                "tests",
+                self.tests.iter().map(DropReport::facts).collect::<Vec<_>>(),
+            )
             .key("pooled", self.pooled.facts())
-            .key("failed", self.failed.iter().map(Failed::facts).collect::<Vec<_>>())
+            .key(
+                "failed",
+                self.failed.iter().map(Failed::facts).collect::<Vec<_>>(),
+            )
     }
 }
 
@@ -156,11 +170,20 @@ impl DropsReport {
 /// # Errors
 /// No file could be read, or a flat impactor has a radius.
 pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
-    if request.sphere_radius_m.is_some() && Impactor::of(request.impactor.as_deref()) == Impactor::Flat {
+    if request.sphere_radius_m.is_some()
+        && Impactor::of(request.impactor.as_deref()) == Impactor::Flat
+    {
         let hint = "leave out `sphere_radius` or `impactor`";
-        return Err(value("`sphere_radius` is given for a flat impactor").hint(hint).of(&["sphere_radius"]).into());
+        return Err(value("`sphere_radius` is given for a flat impactor")
+            .hint(hint)
+            .of(&["sphere_radius"])
+            .into());
     }
-    check_sensors(request.read.sensitivity.as_slice(), &[Dimension::Acceleration], "10 mV/g")?;
+    check_sensors(
+        request.read.sensitivity.as_slice(),
+        &[Dimension::Acceleration],
+        "10 mV/g",
+    )?;
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request, &mut warnings) {
@@ -172,24 +195,46 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
         return Err(failed.into_iter().map(|one| one.problem).collect());
     }
     let pooled = pool::pooled(&tests, request.seed, &mut warnings);
-    Ok(DropsReport { tests, pooled, failed, warnings })
+    Ok(DropsReport {
+        tests,
+        pooled,
+        failed,
+        warnings,
+    })
 }
 
 /// The drops of a file.
-fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result<Vec<DropReport>, Problem> {
+fn one(
+    path: &Path,
+    request: &DropRequest,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<DropReport>, Problem> {
     let in_file = |problem: Problem| problem.in_file(path);
     let bytes = load(path)?;
     let said = Said::of(&bytes).map_err(in_file)?;
-    warnings.extend(said.replaced_by(request).iter().map(|what| format!("{}: {what}", path.display())));
-    let read = ReadOptions { is_shock: true, ..request.read.clone() };
-    let file = parse_motions(bytes, path, &read)
-        .map_err(|error| error.problems.into_iter().next().unwrap_or_else(|| value("the file cannot be read")))?;
+    warnings.extend(
+        said.replaced_by(request)
+            .iter()
+            .map(|what| format!("{}: {what}", path.display())),
+    );
+    let read = ReadOptions {
+        is_shock: true,
+        ..request.read.clone()
+    };
+    let file = parse_motions(bytes, path, &read).map_err(|error| {
+        error
+            .problems
+            .into_iter()
+            .next()
+            .unwrap_or_else(|| value("the file cannot be read"))
+    })?;
     let name = path.to_string_lossy().into_owned();
     warnings.extend(file.notes.iter().map(|note| format!("{name}: {note}")));
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
-            value("the mass is not given").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
+            value("the mass is not given")
+                .hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
         ));
     };
     let (impact_velocity, velocity_source) = impact_velocity(request, &said).map_err(in_file)?;
@@ -204,18 +249,29 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
         law: request.law,
     };
     let sign = if request.inverted { -1.0 } else { 1.0 };
-    let samples: Vec<f64> = component.motion.accel_m_s2().iter().map(|a| sign * a).collect();
-    let found =
-        drops_of(&samples, component.motion.dt_s(), &setup).map_err(|error| in_file(value(error.to_string())))?;
+    let samples: Vec<f64> = component
+        .motion
+        .accel_m_s2()
+        .iter()
+        .map(|a| sign * a)
+        .collect();
+    let found = drops_of(&samples, component.motion.dt_s(), &setup)
+        .map_err(|error| in_file(value(error.to_string())))?;
     if found.len() > 1 {
-        warnings.push(format!("{name}: the record has {}, each evaluated by itself", counted(found.len(), "drop")));
+        warnings.push(format!(
+            "{name}: the record has {}, each evaluated by itself",
+            counted(found.len(), "drop")
+        ));
     }
     // Only a sphere has a radius.
     let sphere = request.sphere_radius_m.map(|_| "sphere".to_owned());
     let impactor = request.impactor.clone().or(sphere).or(said.impactor);
     let boundary = request.boundary.clone().or(said.boundary);
     let report = |(index, DropOfRecord { start_time_s, test }): (usize, DropOfRecord)| {
-        let has_gravity = test.identified.as_ref().is_none_or(|found| found.has_gravity);
+        let has_gravity = test
+            .identified
+            .as_ref()
+            .is_none_or(|found| found.has_gravity);
         DropReport {
             path: name.clone(),
             drop: index + 1,
@@ -225,14 +281,23 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
             impactor: impactor.clone(),
             sphere_radius_m: request.sphere_radius_m.or(said.sphere_radius_m),
             boundary: boundary.clone(),
-            gravity_m_s2: if has_gravity { request.gravity_m_s2 } else { 0.0 },
+            gravity_m_s2: if has_gravity {
+                request.gravity_m_s2
+            } else {
+                0.0
+            },
             test,
         }
     };
     let is_one_of_several = found.len() > 1;
     let reports: Vec<DropReport> = found.into_iter().enumerate().map(report).collect();
     for report in &reports {
-        notes(report, is_one_of_several, request.thickness_m.or(said.thickness_m), warnings);
+        notes(
+            report,
+            is_one_of_several,
+            request.thickness_m.or(said.thickness_m),
+            warnings,
+        );
     }
     Ok(reports)
 }
@@ -254,13 +319,22 @@ fn fall(height_m: f64) -> f64 {
     (2.0 * G0_M_S2 * height_m).sqrt()
 }
 
-fn impact_velocity(request: &DropRequest, said: &Said) -> Result<(ImpactVelocity, VelocitySource), Problem> {
-    let known = |speed_m_s| ImpactVelocity::Known { speed_m_s, error_ratio: request.velocity_error_ratio };
+fn impact_velocity(
+    request: &DropRequest,
+    said: &Said,
+) -> Result<(ImpactVelocity, VelocitySource), Problem> {
+    let known = |speed_m_s| ImpactVelocity::Known {
+        speed_m_s,
+        error_ratio: request.velocity_error_ratio,
+    };
     let (speed_m_s, height_m) = match (request.impact_velocity_m_s, request.height_m) {
         (None, None) => {
             said.check_velocity()?;
             // Where both agree, the height counts: it is measured with a ruler.
-            (said.velocity_m_s.filter(|_| said.height_m.is_none()), said.height_m)
+            (
+                said.velocity_m_s.filter(|_| said.height_m.is_none()),
+                said.height_m,
+            )
         }
         given => given,
     };
@@ -288,8 +362,11 @@ impl Said {
     fn of(bytes: &[u8]) -> Result<Self, Problem> {
         let mut said = Self::default();
         for (key, text, line) in comments(bytes) {
-            let quantity =
-                |dimension| parse_positive(&text, dimension, &key).map(Some).map_err(|problem| problem.at_line(line));
+            let quantity = |dimension| {
+                parse_positive(&text, dimension, &key)
+                    .map(Some)
+                    .map_err(|problem| problem.at_line(line))
+            };
             match key.as_str() {
                 "mass" => said.mass_kg = quantity(Dimension::Mass)?,
                 "height" | "drop height" => said.height_m = quantity(Dimension::Length)?,
@@ -307,11 +384,14 @@ impl Said {
 
     /// Refuses a height and a velocity of which only one can be right.
     fn check_velocity(&self) -> Result<(), Problem> {
-        let Some((height_m, velocity_m_s)) = self.height_m.zip(self.velocity_m_s) else { return Ok(()) };
+        let Some((height_m, velocity_m_s)) = self.height_m.zip(self.velocity_m_s) else {
+            return Ok(());
+        };
         if is_after_fall(velocity_m_s, height_m) {
             return Ok(());
         }
-        let [height, velocity, after] = [height_m, velocity_m_s, fall(height_m)].map(|one| words::number(one, 4));
+        let [height, velocity, after] =
+            [height_m, velocity_m_s, fall(height_m)].map(|one| words::number(one, 4));
         let message = format!(
             "the file says an impact velocity of {velocity} m/s, and a drop height of {height} m, which gives {after} m/s"
         );
@@ -324,27 +404,58 @@ impl Said {
         let number = |key: &str, unit: &str, given: Option<f64>, said: Option<f64>| {
             let (given, said) = given.zip(said).filter(is_other)?;
             let [given, said] = [given, said].map(shortest);
-            Some(format!("the file says {key} {said} {unit}; the `{key}` that was given, {given} {unit}, is used"))
+            Some(format!(
+                "the file says {key} {said} {unit}; the `{key}` that was given, {given} {unit}, is used"
+            ))
         };
         let text = |key: &str, given: &Option<String>, said: &Option<String>| {
-            let (given, said) = given.as_ref().zip(said.as_ref()).filter(|(given, said)| given != said)?;
-            Some(format!("the file says {key} {said}; the `{key}` that was given, {given}, is used"))
+            let (given, said) = given
+                .as_ref()
+                .zip(said.as_ref())
+                .filter(|(given, said)| given != said)?;
+            Some(format!(
+                "the file says {key} {said}; the `{key}` that was given, {given}, is used"
+            ))
         };
         let crossed = |is_other: bool, given: &str, said: &str| {
-            is_other.then(|| format!("the {said} in the file contradicts the `{given}` that was given, which is used"))
+            is_other.then(|| {
+                format!(
+                    "the {said} in the file contradicts the `{given}` that was given, which is used"
+                )
+            })
         };
         let other_fall = |velocity: Option<f64>, height: Option<f64>| {
-            velocity.zip(height).is_some_and(|(velocity_m_s, height_m)| !is_after_fall(velocity_m_s, height_m))
+            velocity
+                .zip(height)
+                .is_some_and(|(velocity_m_s, height_m)| !is_after_fall(velocity_m_s, height_m))
         };
         let all = [
-            crossed(other_fall(request.impact_velocity_m_s, self.height_m), "impact_velocity", "drop height"),
-            crossed(other_fall(self.velocity_m_s, request.height_m), "height", "impact velocity"),
+            crossed(
+                other_fall(request.impact_velocity_m_s, self.height_m),
+                "impact_velocity",
+                "drop height",
+            ),
+            crossed(
+                other_fall(self.velocity_m_s, request.height_m),
+                "height",
+                "impact velocity",
+            ),
             number("mass", "kg", request.mass_kg, self.mass_kg),
             number("height", "m", request.height_m, self.height_m),
-            number("impact_velocity", "m/s", request.impact_velocity_m_s, self.velocity_m_s),
+            number(
+                "impact_velocity",
+                "m/s",
+                request.impact_velocity_m_s,
+                self.velocity_m_s,
+            ),
             number("corner", "Hz", request.filter_corner_hz, self.corner_hz),
             number("thickness", "m", request.thickness_m, self.thickness_m),
-            number("sphere_radius", "m", request.sphere_radius_m, self.sphere_radius_m),
+            number(
+                "sphere_radius",
+                "m",
+                request.sphere_radius_m,
+                self.sphere_radius_m,
+            ),
             text("impactor", &request.impactor, &self.impactor),
             text("boundary", &request.boundary, &self.boundary),
         ];
@@ -365,17 +476,32 @@ impl DropReport {
     pub fn facts(&self) -> Facts<'_> {
         let (test, found) = (&self.test, self.found());
         let reason = found.is_none().then(|| {
-            let remedies = test.flags.iter().map(|flag| flag.remedy()).collect::<Vec<_>>().join("; ");
-            if remedies.is_empty() { "no law could be fitted".to_owned() } else { remedies }
+            let remedies = test
+                .flags
+                .iter()
+                .map(|flag| flag.remedy())
+                .collect::<Vec<_>>()
+                .join("; ");
+            if remedies.is_empty() {
+                "no law could be fitted".to_owned()
+            } else {
+                remedies
+            }
         });
-        let interval =
-            |f: &Identified| [-NORMAL_975, NORMAL_975].map(|side| f.stiffness.fit_n_m * (side * f.error_ratio).exp());
+        let interval = |f: &Identified| {
+            [-NORMAL_975, NORMAL_975].map(|side| f.stiffness.fit_n_m * (side * f.error_ratio).exp())
+        };
         let (coefficient_n_mn, damping_n_s_m, dissipation_s_m) = numbers(found);
         let candidate = |c: &Candidate| {
-            let law = Facts::default().key("law", c.law.name()).key("stiffness_n_m", c.secant_n_m);
+            let law = Facts::default()
+                .key("law", c.law.name())
+                .key("stiffness_n_m", c.secant_n_m);
             law.and(facts!(c; exponent, damping_ratio, residual_ratio, chi_squared))
         };
-        let candidates = found.map_or(&[][..], |f| &f.candidates).iter().map(candidate);
+        let candidates = found
+            .map_or(&[][..], |f| &f.candidates)
+            .iter()
+            .map(candidate);
         let quality = facts!(test; samples_per_contact "samples per contact", zero_shift_ratio "zero shift over peak",
                 noise_ratio "noise over peak")
         .fact("residual_ratio", "residual of the fit over peak", found.map(|f| f.residual_ratio))
@@ -421,11 +547,31 @@ fn stiffness(found: Option<&Identified>) -> Facts<'static> {
     let estimate = |of: fn(&StiffnessEstimates) -> f64| found.map(|f| of(&f.stiffness));
     Facts::default()
         .fact("fit", "stiffness F/d, fitted", estimate(|k| k.fit_n_m))
-        .fact("integrated", "  F/d, integrated", found.and_then(|f| f.stiffness.integrated_n_m))
-        .fact("peak_over_velocity", "  m (a/v)²", estimate(|k| k.peak_over_velocity_n_m))
-        .fact("contact_time", "  m (π/tc)²", estimate(|k| k.contact_time_n_m))
-        .fact("velocity_over_compression", "  m (v/d)²", estimate(|k| k.velocity_over_compression_n_m))
-        .fact("acceleration_over_compression", "  m a/d", estimate(|k| k.acceleration_over_compression_n_m))
+        .fact(
+            "integrated",
+            "  F/d, integrated",
+            found.and_then(|f| f.stiffness.integrated_n_m),
+        )
+        .fact(
+            "peak_over_velocity",
+            "  m (a/v)²",
+            estimate(|k| k.peak_over_velocity_n_m),
+        )
+        .fact(
+            "contact_time",
+            "  m (π/tc)²",
+            estimate(|k| k.contact_time_n_m),
+        )
+        .fact(
+            "velocity_over_compression",
+            "  m (v/d)²",
+            estimate(|k| k.velocity_over_compression_n_m),
+        )
+        .fact(
+            "acceleration_over_compression",
+            "  m a/d",
+            estimate(|k| k.acceleration_over_compression_n_m),
+        )
         .fact("energy", "  2E/d²", estimate(|k| k.energy_n_m))
 }
 
@@ -433,25 +579,43 @@ fn stiffness(found: Option<&Identified>) -> Facts<'static> {
 pub(super) fn numbers(found: Option<&Identified>) -> (Option<f64>, Option<f64>, Option<f64>) {
     match found.map(|found| &found.law) {
         // k of k d + k₃ d³.
-        Some(ContactLaw::Tabulated { .. }) => {
-            (found.filter(|f| f.chosen == FittedLaw::Cubic).and_then(|f| f.initial_stiffness_n_m), None, None)
-        }
+        Some(ContactLaw::Tabulated { .. }) => (
+            found
+                .filter(|f| f.chosen == FittedLaw::Cubic)
+                .and_then(|f| f.initial_stiffness_n_m),
+            None,
+            None,
+        ),
         Some(ContactLaw::Linear { stiffness_n_m }) => (Some(*stiffness_n_m), None, None),
-        Some(ContactLaw::Power { coefficient_n_mn, .. }) => (Some(*coefficient_n_mn), None, None),
-        Some(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }) => {
-            (Some(*stiffness_n_m), Some(*damping_n_s_m), None)
-        }
-        Some(ContactLaw::HuntCrossley { coefficient_n_mn, dissipation_s_m, .. }) => {
-            (Some(*coefficient_n_mn), None, Some(*dissipation_s_m))
-        }
+        Some(ContactLaw::Power {
+            coefficient_n_mn, ..
+        }) => (Some(*coefficient_n_mn), None, None),
+        Some(ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        }) => (Some(*stiffness_n_m), Some(*damping_n_s_m), None),
+        Some(ContactLaw::HuntCrossley {
+            coefficient_n_mn,
+            dissipation_s_m,
+            ..
+        }) => (Some(*coefficient_n_mn), None, Some(*dissipation_s_m)),
         _ => (None, None, None),
     }
 }
 
 /// Warnings about a drop: its flags, and what else is doubtful.
-fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>, warnings: &mut Vec<String>) {
+fn notes(
+    report: &DropReport,
+    is_one_of_several: bool,
+    thickness_m: Option<f64>,
+    warnings: &mut Vec<String>,
+) {
     let (test, found) = (&report.test, report.found());
-    let drop = if is_one_of_several { format!(", drop {}", report.drop) } else { String::new() };
+    let drop = if is_one_of_several {
+        format!(", drop {}", report.drop)
+    } else {
+        String::new()
+    };
     let mut say = |text: String| warnings.push(format!("{}{drop}: {text}", report.path));
     for flag in &test.flags {
         say(format!("{}: {}", flag.name(), flag.remedy()));
@@ -460,7 +624,10 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
         && samples < GOOD_SAMPLES
         && found.is_some()
     {
-        say(format!("{} samples per contact: 50 or more are better", significant(samples, 3)));
+        say(format!(
+            "{} samples per contact: 50 or more are better",
+            significant(samples, 3)
+        ));
     }
     if found.is_some_and(|found| found.stiffness.fit_n_m > *PAD_STIFFNESS_N_M.end()) {
         say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the time step"
@@ -488,8 +655,13 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
             significant(1e3 * test.max_compression_m.unwrap_or(0.0), 3)
         ));
     }
-    if found.is_some_and(|found| !found.has_gravity) && report.velocity_source != VelocitySource::Impulse {
-        say("the pulse fits a contact without gravity: the zero line is not that of a free fall".to_owned());
+    if found.is_some_and(|found| !found.has_gravity)
+        && report.velocity_source != VelocitySource::Impulse
+    {
+        say(
+            "the pulse fits a contact without gravity: the zero line is not that of a free fall"
+                .to_owned(),
+        );
     }
     // Hertz's half space applies to round impactors only.
     if Impactor::of(report.impactor.as_deref()) != Impactor::Sphere
@@ -497,7 +669,10 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
     {
         return;
     }
-    let lengths = [("its thickness", thickness_m), ("the sphere's radius", report.sphere_radius_m)];
+    let lengths = [
+        ("its thickness", thickness_m),
+        ("the sphere's radius", report.sphere_radius_m),
+    ];
     for (name, length_m) in lengths {
         if let (Some(d), Some(length_m)) = (test.max_compression_m, length_m)
             && d > HALF_SPACE_SHARE * length_m
@@ -511,6 +686,17 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
 
 /// The loop of a test as CSV.
 pub fn loop_table(test: &DropTest) -> Table {
-    let row = |p: &LoopPoint| [p.time_s, p.acceleration_m_s2 / G0_M_S2, p.force_n, p.compression_m, p.speed_m_s];
-    table_of_numbers("time_s,acceleration_g,force_n,compression_m,speed_m_s", test.points.iter().map(row))
+    let row = |p: &LoopPoint| {
+        [
+            p.time_s,
+            p.acceleration_m_s2 / G0_M_S2,
+            p.force_n,
+            p.compression_m,
+            p.speed_m_s,
+        ]
+    };
+    table_of_numbers(
+        "time_s,acceleration_g,force_n,compression_m,speed_m_s",
+        test.points.iter().map(row),
+    )
 }

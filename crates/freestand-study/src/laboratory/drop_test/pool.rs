@@ -53,12 +53,25 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
             differences.join(" and ")
         );
         warnings.push(reason.clone());
-        return PooledReport { pad: None, reason: Some(reason) };
+        return PooledReport {
+            pad: None,
+            reason: Some(reason),
+        };
     }
-    let Some(law) = most_common(&given) else { return PooledReport::default() };
-    let alike: Vec<&DropReport> = given.iter().copied().filter(|test| law_of(test) == Some(law)).collect();
+    let Some(law) = most_common(&given) else {
+        return PooledReport::default();
+    };
+    let alike: Vec<&DropReport> = given
+        .iter()
+        .copied()
+        .filter(|test| law_of(test) == Some(law))
+        .collect();
     if alike.len() < given.len() {
-        let laws: Vec<&str> = given.iter().filter_map(|test| law_of(test)).map(FittedLaw::name).collect();
+        let laws: Vec<&str> = given
+            .iter()
+            .filter_map(|test| law_of(test))
+            .map(FittedLaw::name)
+            .collect();
         warnings.push(format!(
             "the drops fit different laws ({}): only those that fit {} are pooled ({} of {}); `law` sets one for all",
             laws.join(", "),
@@ -67,7 +80,11 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
             given.len()
         ));
     }
-    if is_curve(law) && alike.iter().any(|test| test.test.restitution_ratio.is_some_and(|e| e < ELASTIC)) {
+    if is_curve(law)
+        && alike
+            .iter()
+            .any(|test| test.test.restitution_ratio.is_some_and(|e| e < ELASTIC))
+    {
         warnings.push("the pad is damped, and the table in its cushion file is not".to_owned());
     }
     if !is_linear(law) && are_of_other_heights(&alike) {
@@ -77,7 +94,10 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
                 .to_owned(),
         );
     }
-    PooledReport { pad: of_repeats(&alike, law, seed), reason: None }
+    PooledReport {
+        pad: of_repeats(&alike, law, seed),
+        reason: None,
+    }
 }
 
 fn law_of(test: &DropReport) -> Option<FittedLaw> {
@@ -100,19 +120,30 @@ const POINTS: u32 = 32;
 /// The mean force of the drops up to the compression that all of them reached, so that its secant there is the pooled
 /// stiffness.
 fn mean_curve(tests: &[&DropReport], pooled: &Pooled) -> (Vec<f64>, Vec<f64>) {
-    let laws: Vec<Cushion> = tests.iter().filter_map(|test| Cushion::new(test.found()?.law.clone()).ok()).collect();
+    let laws: Vec<Cushion> = tests
+        .iter()
+        .filter_map(|test| Cushion::new(test.found()?.law.clone()).ok())
+        .collect();
     let depths = tests.iter().filter_map(|test| test.test.max_compression_m);
     let most_m = depths.fold(f64::INFINITY, f64::min);
-    let mean = |d: f64| laws.iter().map(|law| law.force_n(d, 0.0)).sum::<f64>() / laws.len().max(1) as f64;
+    let mean =
+        |d: f64| laws.iter().map(|law| law.force_n(d, 0.0)).sum::<f64>() / laws.len().max(1) as f64;
     let factor = pooled.stiffness_n_m * most_m / mean(most_m);
-    (0..=POINTS).map(|i| most_m * f64::from(i) / f64::from(POINTS)).map(|d| (d, factor * mean(d))).unzip()
+    (0..=POINTS)
+        .map(|i| most_m * f64::from(i) / f64::from(POINTS))
+        .map(|d| (d, factor * mean(d)))
+        .unzip()
 }
 
 fn of_repeats(tests: &[&DropReport], law: FittedLaw, seed: u64) -> Option<PooledPad> {
     let drops: Vec<PooledDrop> = tests
         .iter()
         .filter_map(|test| test.found())
-        .map(|f| PooledDrop { stiffness_n_m: f.stiffness.fit_n_m, error_ratio: f.error_ratio, exponent: f.exponent })
+        .map(|f| PooledDrop {
+            stiffness_n_m: f.stiffness.fit_n_m,
+            error_ratio: f.error_ratio,
+            exponent: f.exponent,
+        })
         .collect();
     let stiffness = pool_drops(&drops, seed)?;
     let mean = |of: fn(&DropReport) -> Option<f64>| {
@@ -137,17 +168,31 @@ impl PooledReport {
         let pad = self.pad.as_ref();
         let of = |value: fn(&Pooled) -> f64| pad.map(|pad| value(&pad.stiffness));
         Facts::default()
-            .fact("stiffness_n_m", "stiffness of the pad", of(|pooled| pooled.stiffness_n_m))
-            .fact("ci95_n_m", "  95 % interval", pad.map(|pad| <[f64; 2]>::from(pad.stiffness.ci95_n_m)))
+            .fact(
+                "stiffness_n_m",
+                "stiffness of the pad",
+                of(|pooled| pooled.stiffness_n_m),
+            )
+            .fact(
+                "ci95_n_m",
+                "  95 % interval",
+                pad.map(|pad| <[f64; 2]>::from(pad.stiffness.ci95_n_m)),
+            )
             .fact("exponent", "  exponent", of(|pooled| pooled.exponent))
-            .key("scatter_ratio", pad.and_then(|pad| pad.stiffness.scatter_ratio))
+            .key(
+                "scatter_ratio",
+                pad.and_then(|pad| pad.stiffness.scatter_ratio),
+            )
             .fact("count", "  drops", pad.map_or(0, |pad| pad.stiffness.count))
             .fact("law", "  law", pad.map(|pad| pad.law.name()))
             .key("coefficient_n_mn", pad.and_then(|pad| pad.coefficient_n_mn))
             .key("damping_ratio", pad.and_then(|pad| pad.damping_ratio))
             .key("damping_n_s_m", pad.and_then(|pad| pad.damping_n_s_m))
             .key("dissipation_s_m", pad.and_then(|pad| pad.dissipation_s_m))
-            .key("restitution_ratio", pad.and_then(|pad| pad.restitution_ratio))
+            .key(
+                "restitution_ratio",
+                pad.and_then(|pad| pad.restitution_ratio),
+            )
             .key("reason", self.reason.as_deref())
     }
 }
@@ -156,8 +201,11 @@ impl PooledReport {
 /// is not given counts as equal.
 fn differences(tests: &[&DropReport]) -> Vec<String> {
     let words = |name: &str, of: fn(&DropReport) -> Option<&str>| {
-        let mut said: Vec<String> =
-            tests.iter().filter_map(|test| of(test)).map(|text| text.trim().to_lowercase()).collect();
+        let mut said: Vec<String> = tests
+            .iter()
+            .filter_map(|test| of(test))
+            .map(|text| text.trim().to_lowercase())
+            .collect();
         said.sort_unstable();
         said.dedup();
         (said.len() > 1).then(|| format!("{name} ({})", said.join(", ")))
@@ -186,7 +234,9 @@ fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 fn are_of_other_heights(tests: &[&DropReport]) -> bool {
-    let speeds = tests.iter().filter_map(|test| test.test.impact_velocity_m_s);
+    let speeds = tests
+        .iter()
+        .filter_map(|test| test.test.impact_velocity_m_s);
     range(speeds).is_some_and(|(least, most)| most > (1.0 + SPEED_SHARE) * least)
 }
 
@@ -195,7 +245,10 @@ fn coefficient(tests: &[&DropReport], law: FittedLaw, pooled: &Pooled) -> f64 {
     if is_linear(law) {
         return pooled.stiffness_n_m;
     }
-    let depths: Vec<f64> = tests.iter().filter_map(|t| t.test.max_compression_m).collect();
+    let depths: Vec<f64> = tests
+        .iter()
+        .filter_map(|t| t.test.max_compression_m)
+        .collect();
     let depth_m = (depths.iter().map(|d| d.ln()).sum::<f64>() / depths.len().max(1) as f64).exp();
     pooled.stiffness_n_m * depth_m.powf(1.0 - pooled.exponent)
 }
@@ -215,13 +268,18 @@ pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
         return Some(table_toml(compressions_m, forces_n));
     }
     let (coefficient, n) = (pad.coefficient_n_mn?, pad.stiffness.exponent);
-    let mut text = String::from("# One pad, from drop tests; pads_per_edge is the number of pads under one edge.\n");
+    let mut text = String::from(
+        "# One pad, from drop tests; pads_per_edge is the number of pads under one edge.\n",
+    );
     // Writing to a String cannot fail.
     let _ = writeln!(text, "law = \"{}\"", pad.law.name());
     let _ = if is_linear(pad.law) {
         writeln!(text, "stiffness = \"{} N/mm\"", coefficient / 1e3)
     } else {
-        writeln!(text, "stiffness = \"{coefficient} N/m^{n}\"\nexponent = {n}")
+        writeln!(
+            text,
+            "stiffness = \"{coefficient} N/m^{n}\"\nexponent = {n}"
+        )
     };
     if let Some(damping) = pad.damping_n_s_m {
         let _ = writeln!(text, "damping = \"{damping} N s/m\"");
@@ -234,7 +292,10 @@ pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
 
 fn table_toml(compressions_m: &[f64], forces_n: &[f64]) -> String {
     let list = |values: &[f64], scale: f64, unit: &str| {
-        let cells: Vec<String> = values.iter().map(|value| format!("\"{} {unit}\"", scale * value)).collect();
+        let cells: Vec<String> = values
+            .iter()
+            .map(|value| format!("\"{} {unit}\"", scale * value))
+            .collect();
         format!("[{}]", cells.join(", "))
     };
     format!(
@@ -279,12 +340,21 @@ mod tests {
             index: 0,
         };
         let path = folder.join(name);
-        std::fs::write(&path, format!("{said}{}", drop_file(cushion, &options).unwrap().0)).unwrap();
+        std::fs::write(
+            &path,
+            format!("{said}{}", drop_file(cushion, &options).unwrap().0),
+        )
+        .unwrap();
         path
     }
 
     fn of(files: Vec<PathBuf>) -> DropsReport {
-        let request = DropRequest { files, velocity_error_ratio: 0.01, gravity_m_s2: G0_M_S2, ..Default::default() };
+        let request = DropRequest {
+            files,
+            velocity_error_ratio: 0.01,
+            gravity_m_s2: G0_M_S2,
+            ..Default::default()
+        };
         drop_tests(&request).unwrap()
     }
 
@@ -309,15 +379,23 @@ mod tests {
         ];
         let report = of(vec![plain.clone(), glued.clone()]);
         assert!(report.all_gave() && count(&report) == 2 && report.pooled.reason.is_none());
-        for (files, word) in
-            [([glued.clone(), unglued], "boundary (glued, unglued)"), ([glued, sphere], "impactor (flat, sphere)")]
-        {
+        for (files, word) in [
+            ([glued.clone(), unglued], "boundary (glued, unglued)"),
+            ([glued, sphere], "impactor (flat, sphere)"),
+        ] {
             let report = of(files.to_vec());
             assert!(report.tests.iter().all(|test| test.found().is_some()));
-            assert!(!report.all_gave() && report.pooled.pad.is_none(), "{:?}", report.pooled);
+            assert!(
+                !report.all_gave() && report.pooled.pad.is_none(),
+                "{:?}",
+                report.pooled
+            );
             assert_eq!(cushion_toml(&report.pooled), None);
             let said = report.warnings.join("; ");
-            assert!(said.contains(word) && said.contains("evaluate each set on its own"), "{said}");
+            assert!(
+                said.contains(word) && said.contains("evaluate each set on its own"),
+                "{said}"
+            );
             assert!(!said.contains(" and "), "one tag alone differs: {said}");
         }
     }
@@ -327,11 +405,21 @@ mod tests {
     #[test]
     fn other_heights_matter_where_the_pad_is_curved() {
         let folder = tempfile::tempdir().unwrap();
-        let hertz = Cushion::new(ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 }).unwrap();
+        let hertz = Cushion::new(ContactLaw::Power {
+            coefficient_n_mn: 2e7,
+            exponent: 1.5,
+        })
+        .unwrap();
         for (pad, is_warned) in [(Cushion::linear(2.19e6).unwrap(), false), (hertz, true)] {
             let files = [0.05, 0.2].map(|h| write(folder.path(), &format!("{h}.csv"), &pad, h, ""));
             let report = of(files.to_vec());
-            assert_eq!(report.warnings.iter().any(|text| text.contains("different heights")), is_warned);
+            assert_eq!(
+                report
+                    .warnings
+                    .iter()
+                    .any(|text| text.contains("different heights")),
+                is_warned
+            );
             assert_eq!(count(&report), 2);
         }
     }
@@ -340,15 +428,30 @@ mod tests {
     #[test]
     fn all_pooled_numbers_are_of_the_same_drops() {
         let folder = tempfile::tempdir().unwrap();
-        let hertz = Cushion::new(ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 }).unwrap();
-        let linear = write(folder.path(), "linear.csv", &Cushion::linear(2.19e6).unwrap(), 0.1, "");
+        let hertz = Cushion::new(ContactLaw::Power {
+            coefficient_n_mn: 2e7,
+            exponent: 1.5,
+        })
+        .unwrap();
+        let linear = write(
+            folder.path(),
+            "linear.csv",
+            &Cushion::linear(2.19e6).unwrap(),
+            0.1,
+            "",
+        );
         let curved = write(folder.path(), "hertz.csv", &hertz, 0.1, "");
-        let (mixed, two) =
-            (of(vec![linear.clone(), curved.clone(), curved.clone()]), of(vec![curved.clone(), curved.clone()]));
+        let (mixed, two) = (
+            of(vec![linear.clone(), curved.clone(), curved.clone()]),
+            of(vec![curved.clone(), curved.clone()]),
+        );
         assert_eq!(mixed.pooled, two.pooled);
         assert_eq!((law(&mixed), count(&mixed)), (FittedLaw::Power, 2));
         assert!(
-            mixed.warnings.iter().any(|text| text.contains("only those that fit power are pooled (2 of 3)")),
+            mixed
+                .warnings
+                .iter()
+                .any(|text| text.contains("only those that fit power are pooled (2 of 3)")),
             "{:?}",
             mixed.warnings
         );

@@ -4,7 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::CompliantWorld;
 use super::stand::rocking_frequency_hz;
-use crate::compliant::{CompliantBase, CompliantError, MAX_STEPS, equilibrium::equilibrium, not_negative, positive};
+use crate::compliant::{
+    CompliantBase, CompliantError, MAX_STEPS, equilibrium::equilibrium, not_negative, positive,
+};
 use crate::cushion::{ContactLaw, Cushion};
 use crate::motion::Motion;
 
@@ -60,8 +62,18 @@ pub(super) struct Rest {
 }
 
 impl Body {
-    pub(super) fn new(world: &CompliantWorld, motion: &Motion, gravity: f64) -> Result<Self, CompliantError> {
-        let CompliantWorld { block, mass_kg, stiffness_n_m, damping_n_s_m, .. } = *world;
+    pub(super) fn new(
+        world: &CompliantWorld,
+        motion: &Motion,
+        gravity: f64,
+    ) -> Result<Self, CompliantError> {
+        let CompliantWorld {
+            block,
+            mass_kg,
+            stiffness_n_m,
+            damping_n_s_m,
+            ..
+        } = *world;
         positive("mass", mass_kg)?;
         positive("stiffness", stiffness_n_m)?;
         positive("gravity", gravity)?;
@@ -74,18 +86,28 @@ impl Body {
         })?;
         let (spring, dashpot) = (stiffness_n_m / mass_kg, damping_n_s_m / mass_kg);
         let turning = block.gyration_radius_m().powi(-2);
-        let (height, edges) = (block.cg_height_m(), [-block.cg_from_left_m(), block.cg_from_right_m()]);
+        let (height, edges) = (
+            block.cg_height_m(),
+            [-block.cg_from_left_m(), block.cg_from_right_m()],
+        );
         let fastest = fastest_rad_s(spring, dashpot, turning, height, edges);
         let steps = (motion.dt_s() * fastest / STEP_RAD).ceil().max(1.0);
         let all = steps * motion.accel_m_s2().len() as f64;
         if all.is_nan() || all > MAX_STEPS as f64 {
-            return Err(CompliantError::TooManySteps { time_s: 0.0, limit: MAX_STEPS });
+            return Err(CompliantError::TooManySteps {
+                time_s: 0.0,
+                limit: MAX_STEPS,
+            });
         }
         let alpha = [block.pivot(), block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);
         Ok(Self {
             spring,
             dashpot,
-            recovery: if dashpot > 0.0 { (spring / dashpot).min(AT_ONCE) } else { AT_ONCE },
+            recovery: if dashpot > 0.0 {
+                (spring / dashpot).min(AT_ONCE)
+            } else {
+                AT_ONCE
+            },
             turning,
             gravity,
             height,
@@ -94,7 +116,9 @@ impl Body {
             parts: steps as usize,
             event_s: EVENT_RAD / fastest,
             calm_s: 0.5 / f_hz,
-            fallen_rad: FALLEN_RAD.max(0.5 * (alpha[0].max(alpha[1]) + FRAC_PI_2)).min(FRAC_PI_2),
+            fallen_rad: FALLEN_RAD
+                .max(0.5 * (alpha[0].max(alpha[1]) + FRAC_PI_2))
+                .min(FRAC_PI_2),
             rest,
         })
     }
@@ -104,7 +128,10 @@ impl Rest {
     fn new(world: &CompliantWorld, gravity: f64) -> Result<Self, CompliantError> {
         let (stiffness_n_m, damping_n_s_m) = (world.stiffness_n_m, world.damping_n_s_m);
         let law = if damping_n_s_m > 0.0 {
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            }
         } else {
             ContactLaw::Linear { stiffness_n_m }
         };
@@ -113,17 +140,25 @@ impl Rest {
             requirement: "that of a pad",
             value: stiffness_n_m,
         })?;
-        let found = equilibrium(&world.block, &CompliantBase::new(world.mass_kg, cushion), gravity)?;
+        let found = equilibrium(
+            &world.block,
+            &CompliantBase::new(world.mass_kg, cushion),
+            gravity,
+        )?;
         let (theta, z) = (found.rotation_rad, -found.settlement_m);
         let (sin, cos) = theta.sin_cos();
-        let (height, edges) =
-            (world.block.cg_height_m(), [-world.block.cg_from_left_m(), world.block.cg_from_right_m()]);
+        let (height, edges) = (
+            world.block.cg_height_m(),
+            [-world.block.cg_from_left_m(), world.block.cg_from_right_m()],
+        );
         Ok(Self {
             theta,
             z,
             arm_x: edges.map(|edge| edge * cos - height * sin),
             arm_z: edges.map(|edge| -edge * sin - height * cos),
-            loads: found.compressions_m.map(|d| stiffness_n_m / world.mass_kg * d),
+            loads: found
+                .compressions_m
+                .map(|d| stiffness_n_m / world.mass_kg * d),
             compressions: found.compressions_m,
         })
     }
@@ -133,7 +168,10 @@ impl Rest {
 /// dashpots alone are not faster than c/m takes to the place of k/m.
 fn fastest_rad_s(spring: f64, dashpot: f64, turning: f64, height: f64, edges: [f64; 2]) -> f64 {
     let norm = |across: f64, up: f64| {
-        let (sum, squares) = (edges[0] + edges[1], edges[0] * edges[0] + edges[1] * edges[1]);
+        let (sum, squares) = (
+            edges[0] + edges[1],
+            edges[0] * edges[0] + edges[1] * edges[1],
+        );
         let rotation = turning * (up * squares + 2.0 * across * height * height);
         let mixed = turning * ((2.0 * across * height).powi(2) + (up * sum).powi(2));
         let (sway, bounce) = (2.0 * across, 2.0 * up);

@@ -21,12 +21,24 @@ pub(super) fn run(arch: Arch, worlds: &mut [World]) {
     }
     let mut loose = Loose::default();
     loop {
-        let fullest = firm.iter().map(|(parts, firm)| (firm.ready(), *parts)).max();
-        let Some((ready, parts)) = fullest.filter(|(ready, _)| *ready > 0 || loose.ready() > 0) else { break };
+        let fullest = firm
+            .iter()
+            .map(|(parts, firm)| (firm.ready(), *parts))
+            .max();
+        let Some((ready, parts)) = fullest.filter(|(ready, _)| *ready > 0 || loose.ready() > 0)
+        else {
+            break;
+        };
         if ready >= loose.ready() {
-            let others = firm.iter().filter(|(other, _)| **other != parts).map(|(_, firm)| firm.ready()).max();
+            let others = firm
+                .iter()
+                .filter(|(other, _)| **other != parts)
+                .map(|(_, firm)| firm.ready())
+                .max();
             let others = others.unwrap_or(0);
-            let Some(firm) = firm.get_mut(&parts) else { break };
+            let Some(firm) = firm.get_mut(&parts) else {
+                break;
+            };
             while firm.ready() > 0 && firm.ready() >= others.max(loose.ready()) {
                 firm.run(arch, worlds, parts, &mut loose.waiting);
             }
@@ -68,15 +80,33 @@ impl Firm {
                 && let Some(world) = self.waiting.pop()
             {
                 worlds[world].press(&mut self.lanes, lane);
-                *seat = Some(Seat { world, index: worlds[world].index(), left_block: None });
+                *seat = Some(Seat {
+                    world,
+                    index: worlds[world].index(),
+                    left_block: None,
+                });
             }
         }
         let left = |seat: &Seat| worlds[seat.world].intervals() - seat.index;
-        let block = self.seats.iter().flatten().map(left).min().unwrap_or(0).min(BLOCK);
+        let block = self
+            .seats
+            .iter()
+            .flatten()
+            .map(left)
+            .min()
+            .unwrap_or(0)
+            .min(BLOCK);
         self.ground.fill(worlds, &self.seats, block);
         pressed::follow(arch, &mut self.lanes, &self.ground, parts);
         for (lane, seat) in self.seats.iter_mut().enumerate() {
-            let Some(Seat { world: place, index, left_block }) = seat else { continue };
+            let Some(Seat {
+                world: place,
+                index,
+                left_block,
+            }) = seat
+            else {
+                continue;
+            };
             let world = &mut worlds[*place];
             if self.lanes.holds[lane] == 0.0 && left_block.is_none() {
                 *left_block = Some(*index);
@@ -96,12 +126,20 @@ impl Firm {
 impl Ground {
     /// The base acceleration at the samples of a block, lane by lane.
     fn fill(&mut self, worlds: &[World], seats: &[Option<Seat>; LANES], block: usize) {
-        let moves_up = seats.iter().flatten().any(|seat| worlds[seat.world].is_vertical());
+        let moves_up = seats
+            .iter()
+            .flatten()
+            .any(|seat| worlds[seat.world].is_vertical());
         self.horizontal.resize(block + 1, Default::default());
-        self.vertical.resize(if moves_up { block + 1 } else { 0 }, Default::default());
+        self.vertical
+            .resize(if moves_up { block + 1 } else { 0 }, Default::default());
         for (lane, seat) in seats.iter().enumerate() {
-            for (way, columns) in [&mut self.horizontal, &mut self.vertical].into_iter().enumerate() {
-                let samples = seat.map_or(&[][..], |seat| worlds[seat.world].samples(way, seat.index));
+            for (way, columns) in [&mut self.horizontal, &mut self.vertical]
+                .into_iter()
+                .enumerate()
+            {
+                let samples =
+                    seat.map_or(&[][..], |seat| worlds[seat.world].samples(way, seat.index));
                 let samples = samples.iter().copied().chain(std::iter::repeat(0.0));
                 for (column, sample) in columns.iter_mut().zip(samples) {
                     column[lane] = sample;
@@ -125,7 +163,11 @@ impl Default for Loose {
         for lane in 0..LANES {
             lanes.leave(lane);
         }
-        Self { waiting: Vec::new(), lanes, seats: [None; LANES] }
+        Self {
+            waiting: Vec::new(),
+            lanes,
+            seats: [None; LANES],
+        }
     }
 }
 
@@ -152,9 +194,13 @@ impl Loose {
                 if self.lanes.flags[lane] == 0.0 {
                     continue;
                 }
-                let Some(place) = self.seats[lane] else { continue };
+                let Some(place) = self.seats[lane] else {
+                    continue;
+                };
                 let world = &mut worlds[place];
-                let Some(next) = world.after_step(&mut self.lanes, lane) else { continue };
+                let Some(next) = world.after_step(&mut self.lanes, lane) else {
+                    continue;
+                };
                 if next == Next::Pressed {
                     firm.entry(world.parts()).or_default().waiting.push(place);
                 }

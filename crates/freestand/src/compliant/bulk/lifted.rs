@@ -101,10 +101,22 @@ impl Lifted {
 
     /// Takes a world out of a lane: no step, no flags.
     pub(super) fn leave(&mut self, lane: usize) {
-        for column in self.y.iter_mut().chain(&mut self.base).chain(&mut self.slope).chain(&mut self.on) {
+        for column in self
+            .y
+            .iter_mut()
+            .chain(&mut self.base)
+            .chain(&mut self.slope)
+            .chain(&mut self.on)
+        {
             column[lane] = 0.0;
         }
-        for column in [&mut self.spring, &mut self.dashpot, &mut self.gravity, &mut self.step, &mut self.longest] {
+        for column in [
+            &mut self.spring,
+            &mut self.dashpot,
+            &mut self.gravity,
+            &mut self.step,
+            &mut self.longest,
+        ] {
             column[lane] = 0.0;
         }
         for column in self.surface.iter_mut().chain(&mut self.edges) {
@@ -183,8 +195,17 @@ fn feet<S: Simd>(m: Math<S>, p: &Parts<S>, y: &[Numbers<S>; 6]) -> Feet<S> {
     let arm_z = two!(edge, m.sub(m.sub(zero, fall[edge]), upright));
     let press = two!(edge, m.sub(fall[edge], risen));
     let pressing = two!(edge, m.fma(y[5], arm_x[edge], m.sub(zero, y[4])));
-    let load = two!(edge, m.fma(p.spring, press[edge], m.mul(p.dashpot, pressing[edge])));
-    Feet { arm_x, arm_z, press, pressing, load }
+    let load = two!(
+        edge,
+        m.fma(p.spring, press[edge], m.mul(p.dashpot, pressing[edge]))
+    );
+    Feet {
+        arm_x,
+        arm_z,
+        press,
+        pressing,
+        load,
+    }
 }
 
 /// ẍ, z̈ and θ̈, relative to the base, which moves with `base`.
@@ -201,7 +222,14 @@ fn accelerations<S: Simd>(
     // Backwards.
     let stretch = two!(edge, m.sub(m.add(x, feet.arm_x[edge]), p.anchor[edge]));
     let drag = two!(edge, m.mul(m.mul(p.spring, stretch[edge]), p.on[edge]));
-    let turn = two!(edge, m.fma(feet.arm_z[edge], drag[edge], m.mul(feet.arm_x[edge], load[edge])));
+    let turn = two!(
+        edge,
+        m.fma(
+            feet.arm_z[edge],
+            drag[edge],
+            m.mul(feet.arm_x[edge], load[edge])
+        )
+    );
     [
         m.sub(zero, m.add(m.add(drag[0], drag[1]), base[0])),
         m.sub(m.sub(m.add(load[0], load[1]), p.gravity), base[1]),
@@ -219,7 +247,14 @@ fn edges_up<S: Simd>(
     base_up: Numbers<S>,
 ) -> [Numbers<S>; 2] {
     let (square, lift) = (m.mul(omega, omega), m.add(bent[1], base_up));
-    two!(edge, m.fnma(square, feet.arm_z[edge], m.fnma(bent[2], feet.arm_x[edge], lift)))
+    two!(
+        edge,
+        m.fnma(
+            square,
+            feet.arm_z[edge],
+            m.fnma(bent[2], feet.arm_x[edge], lift)
+        )
+    )
 }
 
 #[inline(always)]
@@ -242,7 +277,13 @@ fn stage<S: Simd>(
 
 /// a + 2b + 2c + d.
 #[inline(always)]
-fn mean<S: Simd>(m: Math<S>, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>, d: Numbers<S>) -> Numbers<S> {
+fn mean<S: Simd>(
+    m: Math<S>,
+    a: Numbers<S>,
+    b: Numbers<S>,
+    c: Numbers<S>,
+    d: Numbers<S>,
+) -> Numbers<S> {
     let inner = m.add(b, c);
     m.add(m.add(a, d), m.add(inner, inner))
 }
@@ -267,7 +308,11 @@ impl Lifted {
             on: pair::<S>(&self.on, i),
         };
         let (base, slope) = (pair::<S>(&self.base, i), pair::<S>(&self.slope, i));
-        let (h, rest, longest) = (self.step.get::<S>(i), self.rest.get::<S>(i), self.longest.get::<S>(i));
+        let (h, rest, longest) = (
+            self.step.get::<S>(i),
+            self.rest.get::<S>(i),
+            self.longest.get::<S>(i),
+        );
         let y = six!(k, self.y[k].get::<S>(i));
         let on = two!(edge, m.gt(p.on[edge], zero));
 
@@ -345,7 +390,8 @@ impl Lifted {
         let next = m.select(m.ge(longest, left), left, next);
         self.step.set::<S>(i, m.select(accepted, next, shorter));
         let (old, older) = (self.taken.get::<S>(i), self.taken_before.get::<S>(i));
-        self.taken_before.set::<S>(i, m.select(accepted, old, older));
+        self.taken_before
+            .set::<S>(i, m.select(accepted, old, older));
         self.taken.set::<S>(i, m.select(accepted, h, old));
 
         // What is kept of the step.
@@ -353,7 +399,12 @@ impl Lifted {
         let (mut lift, mut pressed) = (self.lift.get::<S>(i), self.most_pressed.get::<S>(i));
         let mut calm = m.gt(one, zero);
         for edge in 0..2 {
-            flags = flag(m, flags, m.and(accepted, crossed[edge]), CONTACT_CHANGES[edge]);
+            flags = flag(
+                m,
+                flags,
+                m.and(accepted, crossed[edge]),
+                CONTACT_CHANGES[edge],
+            );
             // The highest or lowest point of an edge inside the step, as under a steady acceleration.
             let (slow, fast) = (start.pressing[edge], last.pressing[edge]);
             let turns = m.and(accepted, m.gt(zero, m.mul(slow, fast)));
@@ -364,22 +415,32 @@ impl Lifted {
             let deepest = m.larger(inside, outside);
             pressed = m.select(on[edge], m.larger(deepest, pressed), pressed);
 
-            let (up_before, pressing_before) = (self.up[edge].get::<S>(i), self.pressing[edge].get::<S>(i));
+            let (up_before, pressing_before) =
+                (self.up[edge].get::<S>(i), self.pressing[edge].get::<S>(i));
             let pulse = m.gt(self.pulse[edge].get::<S>(i), zero);
             let highest = m.larger(up[edge], up_half[edge]);
             let peak = self.peak[edge].get::<S>(i);
             let counts = m.and(accepted, on[edge]);
             self.peak[edge].set::<S>(i, m.select(counts, m.larger(highest, peak), peak));
             let peak = self.pulse_peak[edge].get::<S>(i);
-            self.pulse_peak[edge].set::<S>(i, m.select(m.and(counts, pulse), m.larger(highest, peak), peak));
+            self.pulse_peak[edge].set::<S>(
+                i,
+                m.select(m.and(counts, pulse), m.larger(highest, peak), peak),
+            );
             let ends = m.and(m.gt(up_before, zero), m.ge(zero, up[edge]));
-            flags = flag(m, flags, m.and(m.and(accepted, pulse), ends), PULSE_ENDS[edge]);
+            flags = flag(
+                m,
+                flags,
+                m.and(m.and(accepted, pulse), ends),
+                PULSE_ENDS[edge],
+            );
             let old = self.up_before[edge].get::<S>(i);
             self.up_before[edge].set::<S>(i, m.select(accepted, up_before, old));
             self.up[edge].set::<S>(i, m.select(accepted, up[edge], up_before));
             let old = self.pressing_before[edge].get::<S>(i);
             self.pressing_before[edge].set::<S>(i, m.select(accepted, pressing_before, old));
-            self.pressing[edge].set::<S>(i, m.select(accepted, start.pressing[edge], pressing_before));
+            self.pressing[edge]
+                .set::<S>(i, m.select(accepted, start.pressing[edge], pressing_before));
 
             self.press_end[edge].set::<S>(i, last.press[edge]);
             self.pressing_end[edge].set::<S>(i, last.pressing[edge]);
@@ -391,7 +452,10 @@ impl Lifted {
         self.lift.set::<S>(i, lift);
         self.most_pressed.set::<S>(i, pressed);
         let was = self.calm.get::<S>(i);
-        self.calm.set::<S>(i, m.select(accepted, m.select(calm, m.add(was, h), zero), was));
+        self.calm.set::<S>(
+            i,
+            m.select(accepted, m.select(calm, m.add(was, h), zero), was),
+        );
         flags = flag(m, flags, m.and(accepted, m.ge(zero, left)), SAMPLE_ENDS);
         let upright = m.ge(self.fallen.get::<S>(i), m.abs(end[2]));
         flags = flag(m, flags, m.and(accepted, m.not(upright)), FALLEN);

@@ -31,7 +31,11 @@ pub(super) struct Recursion {
 impl Recursion {
     pub(super) fn new(body: &Body) -> Self {
         let exponential = exponential(&rates(body));
-        let mut recursion = Self { state: [[0.0; STATES]; STATES], from: [[0.0; 2]; STATES], to: [[0.0; 2]; STATES] };
+        let mut recursion = Self {
+            state: [[0.0; STATES]; STATES],
+            from: [[0.0; 2]; STATES],
+            to: [[0.0; 2]; STATES],
+        };
         for (i, row) in exponential.iter().take(STATES).enumerate() {
             recursion.state[i].copy_from_slice(&row[..STATES]);
             for way in 0..2 {
@@ -45,16 +49,31 @@ impl Recursion {
 
 /// How θ̈ depends on x and θ, beside the loads of the edges.
 pub(super) fn righting(body: &Body) -> [f64; 2] {
-    let Body { spring, turning, rest, .. } = *body;
+    let Body {
+        spring,
+        turning,
+        rest,
+        ..
+    } = *body;
     let sum = rest.arm_z[0] + rest.arm_z[1];
     let squares = rest.arm_z[0] * rest.arm_z[0] + rest.arm_z[1] * rest.arm_z[1];
     let weight = rest.arm_z[0] * rest.loads[0] + rest.arm_z[1] * rest.loads[1];
-    [-turning * spring * sum, -turning * (spring * squares + weight)]
+    [
+        -turning * spring * sum,
+        -turning * (spring * squares + weight),
+    ]
 }
 
 /// dy/dτ over a step from τ = 0 to 1.
 fn rates(body: &Body) -> Matrix {
-    let Body { spring, dashpot, turning, step_s: h, rest, .. } = *body;
+    let Body {
+        spring,
+        dashpot,
+        turning,
+        step_s: h,
+        rest,
+        ..
+    } = *body;
     let mut a = [[0.0; ALL]; ALL];
     for i in 0..3 {
         a[i][3 + i] = 1.0;

@@ -188,9 +188,16 @@ pub fn rock_compliant_many_on(
     worlds: &[CompliantWorld],
     gravity_m_s2: f64,
 ) -> Vec<Result<CompliantSummary, CompliantError>> {
-    let even = worlds.len().div_ceil(rayon::current_num_threads().max(1)).next_multiple_of(LANES);
+    let even = worlds
+        .len()
+        .div_ceil(rayon::current_num_threads().max(1))
+        .next_multiple_of(LANES);
     let few = |worlds: &[CompliantWorld]| follow(arch, worlds, gravity_m_s2);
-    worlds.par_chunks(even.clamp(LANES, WORLDS)).with_max_len(1).flat_map_iter(few).collect()
+    worlds
+        .par_chunks(even.clamp(LANES, WORLDS))
+        .with_max_len(1)
+        .flat_map_iter(few)
+        .collect()
 }
 
 fn follow(
@@ -212,12 +219,20 @@ fn follow(
     crew::run(arch, &mut ready);
     let mut done = ready.into_iter().map(World::result);
     let missing = || Err(CompliantError::Duration { duration_s: 0.0 });
-    errors.into_iter().map(|error| error.map_or_else(|| done.next().unwrap_or_else(missing), Err)).collect()
+    errors
+        .into_iter()
+        .map(|error| error.map_or_else(|| done.next().unwrap_or_else(missing), Err))
+        .collect()
 }
 
 fn prepare<'a>(world: &CompliantWorld<'a>, gravity_m_s2: f64) -> Result<World<'a>, CompliantError> {
-    let Base { horizontal, vertical } = world.motion;
-    let longest = horizontal.or(vertical).filter(|motion| motion.duration_s() > 0.0);
+    let Base {
+        horizontal,
+        vertical,
+    } = world.motion;
+    let longest = horizontal
+        .or(vertical)
+        .filter(|motion| motion.duration_s() > 0.0);
     let motion = longest.ok_or(CompliantError::Duration { duration_s: 0.0 })?;
     if let (Some(h), Some(v)) = (horizontal, vertical)
         && (h.dt_s() != v.dt_s() || h.accel_m_s2().len() != v.accel_m_s2().len())
@@ -226,5 +241,10 @@ fn prepare<'a>(world: &CompliantWorld<'a>, gravity_m_s2: f64) -> Result<World<'a
     }
     let samples = |motion: Option<&'a Motion>| motion.map_or(&[][..], Motion::accel_m_s2);
     let body = Body::new(world, motion, gravity_m_s2)?;
-    Ok(World::new(body, motion, samples(horizontal), samples(vertical)))
+    Ok(World::new(
+        body,
+        motion,
+        samples(horizontal),
+        samples(vertical),
+    ))
 }

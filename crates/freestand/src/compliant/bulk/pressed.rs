@@ -50,14 +50,23 @@ pub(super) struct Pressed {
 
 impl Pressed {
     /// Puts a world into a lane, with what it has reached so far.
-    pub(super) fn enter(&mut self, lane: usize, body: &Body, recursion: &Recursion, y: &[f64; STATES]) {
+    pub(super) fn enter(
+        &mut self,
+        lane: usize,
+        body: &Body,
+        recursion: &Recursion,
+        y: &[f64; STATES],
+    ) {
         let h = body.step_s;
         for (columns, row) in self.state.iter_mut().zip(&recursion.state) {
             for (column, value) in columns.iter_mut().zip(row) {
                 column[lane] = *value;
             }
         }
-        let ways = [(&mut self.from, &recursion.from), (&mut self.to, &recursion.to)];
+        let ways = [
+            (&mut self.from, &recursion.from),
+            (&mut self.to, &recursion.to),
+        ];
         for (columns, rows) in ways {
             for (column, value) in columns.iter_mut().flatten().zip(rows.iter().flatten()) {
                 column[lane] = *value;
@@ -96,7 +105,14 @@ impl Pressed {
                 column[lane] = 0.0;
             }
         }
-        for column in self.from.iter_mut().chain(&mut self.to).flatten().chain(&mut self.y).chain(&mut self.relief) {
+        for column in self
+            .from
+            .iter_mut()
+            .chain(&mut self.to)
+            .flatten()
+            .chain(&mut self.y)
+            .chain(&mut self.relief)
+        {
             column[lane] = 0.0;
         }
         self.holds[lane] = 0.0;
@@ -113,7 +129,11 @@ pub(super) struct Ground {
 
 /// Follows all lanes through a block of samples, `parts` steps from one to the next.
 pub(super) fn follow(arch: Arch, pressed: &mut Pressed, ground: &Ground, parts: usize) {
-    arch.dispatch(Follow { pressed, ground, parts });
+    arch.dispatch(Follow {
+        pressed,
+        ground,
+        parts,
+    });
 }
 
 struct Follow<'a> {
@@ -137,7 +157,11 @@ impl WithSimd for Follow<'_> {
 /// A value in the middle of a step, from it and its rate at both ends.
 #[inline(always)]
 fn middle<S: Simd>(m: Math<S>, from: [Numbers<S>; 2], to: [Numbers<S>; 2]) -> Numbers<S> {
-    m.fma(m.splat(0.125), m.sub(from[1], to[1]), m.mul(m.splat(0.5), m.add(from[0], to[0])))
+    m.fma(
+        m.splat(0.125),
+        m.sub(from[1], to[1]),
+        m.mul(m.splat(0.5), m.add(from[0], to[0])),
+    )
 }
 
 impl Pressed {
@@ -146,9 +170,15 @@ impl Pressed {
         let (zero, one, limit) = (m.splat(0.0), m.splat(1.0), m.splat(FIRM_RATIO));
         let share = 1.0 / parts as f64;
         let moves_up = !ground.vertical.is_empty();
-        let (spring, dashpot, inertial) =
-            (self.spring.get::<S>(i), self.dashpot.get::<S>(i), self.inertial.get::<S>(i));
-        let (turning, arms) = (self.turning.get::<S>(i), [self.arms[0].get::<S>(i), self.arms[1].get::<S>(i)]);
+        let (spring, dashpot, inertial) = (
+            self.spring.get::<S>(i),
+            self.dashpot.get::<S>(i),
+            self.inertial.get::<S>(i),
+        );
+        let (turning, arms) = (
+            self.turning.get::<S>(i),
+            [self.arms[0].get::<S>(i), self.arms[1].get::<S>(i)],
+        );
         let mut y = six!(k, self.y[k].get::<S>(i));
         let mut step = 0.0;
         for (sample, ends) in ground.horizontal.windows(2).enumerate() {
@@ -160,7 +190,10 @@ impl Pressed {
             }
             let v_change = m.sub(v_to, v_from);
             for part in 0..parts {
-                let (start, end) = (m.splat(part as f64 * share), m.splat((part + 1) as f64 * share));
+                let (start, end) = (
+                    m.splat(part as f64 * share),
+                    m.splat((part + 1) as f64 * share),
+                );
                 let (a, a_end) = (m.fma(start, change, a_from), m.fma(end, change, a_from));
                 let (v, v_end) = (m.fma(start, v_change, v_from), m.fma(end, v_change, v_from));
                 let before = y;
@@ -183,10 +216,17 @@ impl Pressed {
                 // What each edge carries more than at rest, and the accelerations that follow.
                 let press = two!(edge, m.fma(arms[edge], y[2], m.sub(zero, y[1])));
                 let pressing = two!(edge, m.fma(arms[edge], y[5], m.sub(zero, y[4])));
-                let load = two!(edge, m.fma(spring, press[edge], m.mul(dashpot, pressing[edge])));
+                let load = two!(
+                    edge,
+                    m.fma(spring, press[edge], m.mul(dashpot, pressing[edge]))
+                );
                 let lift = m.add(load[0], load[1]);
                 let couple = m.fma(arms[0], load[0], m.mul(arms[1], load[1]));
-                let righting = m.fma(self.righting[0].get::<S>(i), y[0], m.mul(self.righting[1].get::<S>(i), y[2]));
+                let righting = m.fma(
+                    self.righting[0].get::<S>(i),
+                    y[0],
+                    m.mul(self.righting[1].get::<S>(i), y[2]),
+                );
                 let spin = m.fnma(turning, couple, righting);
                 let open = m.gt(self.holds.get::<S>(i), zero);
                 let mut most = self.most_lost.get::<S>(i);
@@ -202,7 +242,10 @@ impl Pressed {
                     let lost_before = [self.lost[edge].get::<S>(i), self.losing[edge].get::<S>(i)];
                     let inside = middle(m, lost_before, [lost, losing]);
                     now = m.larger(now, m.larger(lost, inside));
-                    let press_before = [self.press[edge].get::<S>(i), self.pressing[edge].get::<S>(i)];
+                    let press_before = [
+                        self.press[edge].get::<S>(i),
+                        self.pressing[edge].get::<S>(i),
+                    ];
                     let inside = middle(m, press_before, [press[edge], pressing[edge]]);
                     let deepest = m.add(self.sunk[edge].get::<S>(i), m.larger(press[edge], inside));
                     pressed = m.larger(deepest, pressed);
@@ -221,7 +264,8 @@ impl Pressed {
                     column.set::<S>(i, m.select(counts, m.larger(rising, peak), peak));
                 }
                 let old = self.most_pressed.get::<S>(i);
-                self.most_pressed.set::<S>(i, m.select(counts, pressed, old));
+                self.most_pressed
+                    .set::<S>(i, m.select(counts, pressed, old));
                 let leaves = m.and(open, m.gt(now, limit));
                 if m.any(leaves) {
                     for (column, before) in self.left.iter_mut().zip(before) {
@@ -229,7 +273,8 @@ impl Pressed {
                         column.set::<S>(i, m.select(leaves, before, old));
                     }
                     let old = self.left_at.get::<S>(i);
-                    self.left_at.set::<S>(i, m.select(leaves, m.splat(step), old));
+                    self.left_at
+                        .set::<S>(i, m.select(leaves, m.splat(step), old));
                     let old = self.holds.get::<S>(i);
                     self.holds.set::<S>(i, m.select(leaves, zero, old));
                 }

@@ -29,7 +29,12 @@ pub fn stands_on_pads(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m
 /// assert!((f_hz - 5.2235).abs() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn rocking_frequency_hz(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m_s2: f64) -> Option<f64> {
+pub fn rocking_frequency_hz(
+    block: &Block,
+    mass_kg: f64,
+    stiffness_n_m: f64,
+    gravity_m_s2: f64,
+) -> Option<f64> {
     let righting = righting_n_m(block, mass_kg, stiffness_n_m, gravity_m_s2);
     let inertia = mass_kg * (block.gyration_radius_m().powi(2) + block.cg_height_m().powi(2));
     let square = righting / inertia;
@@ -56,7 +61,12 @@ pub fn rocking_frequency_hz(block: &Block, mass_kg: f64, stiffness_n_m: f64, gra
 /// assert!((up_m_s2 - 4.3845).abs() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn pad_uplift_threshold_m_s2(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m_s2: f64) -> f64 {
+pub fn pad_uplift_threshold_m_s2(
+    block: &Block,
+    mass_kg: f64,
+    stiffness_n_m: f64,
+    gravity_m_s2: f64,
+) -> f64 {
     let width = block.base_width_m();
     let nearer = block.cg_from_left_m().min(block.cg_from_right_m());
     let righting = righting_n_m(block, mass_kg, stiffness_n_m, gravity_m_s2).max(0.0);
@@ -87,8 +97,13 @@ mod tests {
         let least = 300.0 * G0_M_S2 * 2.0 / 0.25;
         assert!(!stands_on_pads(&block, 300.0, 0.999 * least, G0_M_S2) && up(0.999 * least) == 0.0);
         assert!(stands_on_pads(&block, 300.0, 1.001 * least, G0_M_S2) && up(1.001 * least) > 0.0);
-        assert_eq!(rocking_frequency_hz(&block, 300.0, 0.999 * least, G0_M_S2), None);
+        assert_eq!(
+            rocking_frequency_hz(&block, 300.0, 0.999 * least, G0_M_S2),
+            None
+        );
         let off = block.with_cg_offset(0.1).unwrap();
-        assert!((pad_uplift_threshold_m_s2(&off, 300.0, 2e6, G0_M_S2) / up(2e6) - 0.6).abs() < 1e-13);
+        assert!(
+            (pad_uplift_threshold_m_s2(&off, 300.0, 2e6, G0_M_S2) / up(2e6) - 0.6).abs() < 1e-13
+        );
     }
 }

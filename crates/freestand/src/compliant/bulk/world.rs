@@ -54,7 +54,12 @@ pub(super) struct World<'a> {
 }
 
 impl<'a> World<'a> {
-    pub(super) fn new(body: Body, motion: &Motion, horizontal: &'a [f64], vertical: &'a [f64]) -> Self {
+    pub(super) fn new(
+        body: Body,
+        motion: &Motion,
+        horizontal: &'a [f64],
+        vertical: &'a [f64],
+    ) -> Self {
         let deepest = body.rest.compressions[0].max(body.rest.compressions[1]);
         Self {
             recursion: Recursion::new(&body),
@@ -63,7 +68,8 @@ impl<'a> World<'a> {
             dt_s: motion.dt_s(),
             // To rest within one sample, and two half periods of rocking: the residual vibration is largest
             // within its first period.
-            intervals: motion.accel_m_s2().len() + (2.0 * body.calm_s / motion.dt_s()).ceil() as usize,
+            intervals: motion.accel_m_s2().len()
+                + (2.0 * body.calm_s / motion.dt_s()).ceil() as usize,
             state: State::Pressed([0.0; STATES]),
             index: 0,
             gone_s: 0.0,
@@ -119,7 +125,11 @@ impl<'a> World<'a> {
 
     /// Base accelerations one way from a sample on; none where it does not move that way.
     pub(super) fn samples(&self, way: usize, index: usize) -> &'a [f64] {
-        let samples = if way == 0 { self.horizontal } else { self.vertical };
+        let samples = if way == 0 {
+            self.horizontal
+        } else {
+            self.vertical
+        };
         samples.get(index..).unwrap_or_default()
     }
 
@@ -138,22 +148,35 @@ impl<'a> World<'a> {
 
     /// Out of such a lane, `done` samples after the start of the block in which the lane is; whether an edge
     /// has let go.
-    pub(super) fn after_pressed(&mut self, pressed: &Pressed, lane: usize, left_block: Option<usize>) -> bool {
+    pub(super) fn after_pressed(
+        &mut self,
+        pressed: &Pressed,
+        lane: usize,
+        left_block: Option<usize>,
+    ) -> bool {
         let summary = &mut self.summary;
         let first = !std::mem::replace(&mut self.is_screened, true);
         if first {
             summary.pad_uplift_ratio = pressed.most_lost[lane];
         }
         summary.peak_compression_m = summary.peak_compression_m.max(pressed.most_pressed[lane]);
-        for (peak, column) in summary.peak_edge_accelerations_m_s2.iter_mut().zip(&pressed.peak) {
+        for (peak, column) in summary
+            .peak_edge_accelerations_m_s2
+            .iter_mut()
+            .zip(&pressed.peak)
+        {
             *peak = peak.max(column[lane]);
         }
         if !summary.pad_uplift_ratio.is_finite() {
-            self.error = Some(CompliantError::NotFinite { time_s: self.intervals as f64 * self.dt_s });
+            self.error = Some(CompliantError::NotFinite {
+                time_s: self.intervals as f64 * self.dt_s,
+            });
             return false;
         }
         // Pads that would never have to pull need no other equations.
-        let Some(block) = left_block.filter(|_| summary.pad_uplift_ratio > 1.0) else { return false };
+        let Some(block) = left_block.filter(|_| summary.pad_uplift_ratio > 1.0) else {
+            return false;
+        };
         let steps = pressed.left_at[lane] as usize;
         self.index = block + steps / self.body.parts;
         self.gone_s = (steps % self.body.parts) as f64 * self.body.step_s;
@@ -164,25 +187,40 @@ impl<'a> World<'a> {
     /// From the deviation from rest to the place of the block.
     fn lift_off(&mut self, y: [f64; STATES]) {
         let (rest, h) = (self.body.rest, self.body.step_s);
-        let place = [y[0], rest.z + y[1], rest.theta + y[2], y[3] / h, y[4] / h, y[5] / h];
+        let place = [
+            y[0],
+            rest.z + y[1],
+            rest.theta + y[2],
+            y[3] / h,
+            y[4] / h,
+            y[5] / h,
+        ];
         let (sin, cos) = place[2].sin_cos();
         let anchor = |edge: usize, side: f64| {
             let arm_x = self.body.edges[edge] * cos - self.body.height * sin;
             let stretch = y[0] + rest.arm_z[edge] * y[2] + side * self.apart;
             place[0] + arm_x - stretch
         };
-        self.state = State::Lifted { y: place, anchors: [anchor(0, -1.0), anchor(1, 1.0)] };
+        self.state = State::Lifted {
+            y: place,
+            anchors: [anchor(0, -1.0), anchor(1, 1.0)],
+        };
     }
 
     /// A block at some place, its feet where its right edge is, for tests.
     #[cfg(test)]
     pub(super) fn tilt(&mut self, y: [f64; 6], anchor: f64) {
-        self.state = State::Lifted { y, anchors: [anchor; 2] };
+        self.state = State::Lifted {
+            y,
+            anchors: [anchor; 2],
+        };
     }
 
     /// Into a lane of blocks that may lift.
     pub(super) fn lift(&self, lifted: &mut Lifted, lane: usize) {
-        let State::Lifted { y, anchors } = self.state else { return };
+        let State::Lifted { y, anchors } = self.state else {
+            return;
+        };
         lifted.enter(lane, &self.body);
         for (column, value) in lifted.y.iter_mut().zip(y) {
             column[lane] = value;
@@ -264,7 +302,11 @@ impl<'a> World<'a> {
         lifted.pulse_peak[edge][lane] = 0.0;
         lifted.up[edge][lane] = 0.0;
         let speed = lifted.pressing_end[edge][lane];
-        self.touches[edge] = Touch { start_s: time_s, speed, is_hardest: false };
+        self.touches[edge] = Touch {
+            start_s: time_s,
+            speed,
+            is_hardest: false,
+        };
         self.summary.touch_count += 1;
         self.summary.touch_speed_m_s = self.summary.touch_speed_m_s.max(speed);
     }
@@ -288,12 +330,22 @@ impl<'a> World<'a> {
     fn end_pulse_between(&mut self, lifted: &mut Lifted, lane: usize, edge: usize, end_s: f64) {
         let (before, now) = (lifted.up_before[edge][lane], lifted.up[edge][lane]);
         let share = before / (before - now);
-        let (from, to) = (lifted.pressing_before[edge][lane], lifted.pressing[edge][lane]);
+        let (from, to) = (
+            lifted.pressing_before[edge][lane],
+            lifted.pressing[edge][lane],
+        );
         let time_s = end_s - lifted.taken[lane] - (1.0 - share) * lifted.taken_before[lane];
         self.end_pulse(lifted, lane, edge, time_s, -(from + share * (to - from)));
     }
 
-    fn end_pulse(&mut self, lifted: &mut Lifted, lane: usize, edge: usize, time_s: f64, rebound: f64) {
+    fn end_pulse(
+        &mut self,
+        lifted: &mut Lifted,
+        lane: usize,
+        edge: usize,
+        time_s: f64,
+        rebound: f64,
+    ) {
         let touch = self.touches[edge];
         lifted.pulse[edge][lane] = 0.0;
         let change = touch.speed + rebound.max(0.0);
@@ -319,7 +371,10 @@ impl<'a> World<'a> {
             *peak = peak.max(lifted.peak[edge][lane]);
         }
         self.summary.lift_m = self.summary.lift_m.max(lifted.lift[lane]);
-        self.summary.peak_compression_m = self.summary.peak_compression_m.max(lifted.most_pressed[lane]);
+        self.summary.peak_compression_m = self
+            .summary
+            .peak_compression_m
+            .max(lifted.most_pressed[lane]);
     }
 
     /// From the place of the block, both edges on their pads, to the deviation from rest.

@@ -97,7 +97,9 @@ pub enum StaticError {
         load_n: f64,
     },
     /// The cycle does not begin below the working load.
-    #[error("loading up to the largest force begins at {foot_n} N, which is not below the working load of {load_n} N")]
+    #[error(
+        "loading up to the largest force begins at {foot_n} N, which is not below the working load of {load_n} N"
+    )]
     Foot {
         /// The force at which it begins \[N\].
         foot_n: f64,
@@ -156,7 +158,10 @@ pub fn static_test(
     displacement_m: &[f64],
     options: &StaticOptions,
 ) -> Result<StaticTest, StaticError> {
-    let bad = force_n.iter().zip(displacement_m).position(|(f, d)| !f.is_finite() || !d.is_finite());
+    let bad = force_n
+        .iter()
+        .zip(displacement_m)
+        .position(|(f, d)| !f.is_finite() || !d.is_finite());
     if let Some(index) = bad {
         return Err(StaticError::NotFinite { number: index + 1 });
     }
@@ -164,25 +169,39 @@ pub fn static_test(
     let (force_n, displacement_m) = (&force_n[..count], &displacement_m[..count]);
     let cycle = Cycle::last_full(force_n, displacement_m);
     let Some(cycle) = cycle.filter(|cycle| cycle.top + 1 >= cycle.foot + MIN_POINTS) else {
-        return Err(StaticError::TooFew { points: cycle.map_or(0, |cycle| cycle.top + 1 - cycle.foot) });
+        return Err(StaticError::TooFew {
+            points: cycle.map_or(0, |cycle| cycle.top + 1 - cycle.foot),
+        });
     };
-    let (force_n, displacement_m) = (&force_n[cycle.foot..=cycle.end], &displacement_m[cycle.foot..=cycle.end]);
+    let (force_n, displacement_m) = (
+        &force_n[cycle.foot..=cycle.end],
+        &displacement_m[cycle.foot..=cycle.end],
+    );
     let top = cycle.top - cycle.foot;
     let max_force_n = force_n[top];
     if max_force_n <= 0.0 {
         // Without a negative zero.
-        return Err(StaticError::NoForce { value: max_force_n + 0.0 });
+        return Err(StaticError::NoForce {
+            value: max_force_n + 0.0,
+        });
     }
     let load_n = options.load_n.unwrap_or(0.5 * max_force_n);
     if !(load_n > 0.0 && load_n < max_force_n) {
-        return Err(StaticError::Load { load_n, max_force_n });
+        return Err(StaticError::Load {
+            load_n,
+            max_force_n,
+        });
     }
     let foot_n = force_n[0];
     if cycle.others > 0 && foot_n > (1.0 - TANGENT_SHARE) * load_n {
         return Err(StaticError::Foot { foot_n, load_n });
     }
     let give = |f: f64| options.machine_stiffness_n_m.map_or(0.0, |k| f / k);
-    let mut curve: Vec<(f64, f64)> = force_n.iter().zip(displacement_m).map(|(&f, &d)| (d - give(f), f)).collect();
+    let mut curve: Vec<(f64, f64)> = force_n
+        .iter()
+        .zip(displacement_m)
+        .map(|(&f, &d)| (d - give(f), f))
+        .collect();
     let (start, _) = curve[0];
     curve.iter_mut().for_each(|point| point.0 -= start);
     let loading = &curve[..=top];
@@ -193,7 +212,11 @@ pub fn static_test(
         });
     }
     let near = |share: f64| -> Vec<(f64, f64)> {
-        loading.iter().copied().filter(|(_, f)| (f / load_n - 1.0).abs() <= share).collect()
+        loading
+            .iter()
+            .copied()
+            .filter(|(_, f)| (f / load_n - 1.0).abs() <= share)
+            .collect()
     };
     // A coarse table may have too few points near the load.
     let mut share = TANGENT_SHARE;
@@ -204,7 +227,11 @@ pub fn static_test(
     // Points selected by a noisy force lie on a line that is too flat, so the same section is
     // selected again by displacement.
     let (centre_m, reach_m) = (first.at(load_n), share * load_n / first.slope);
-    let stretch: Vec<(f64, f64)> = loading.iter().copied().filter(|(d, _)| (d - centre_m).abs() <= reach_m).collect();
+    let stretch: Vec<(f64, f64)> = loading
+        .iter()
+        .copied()
+        .filter(|(d, _)| (d - centre_m).abs() <= reach_m)
+        .collect();
     let again = line(&stretch).filter(|line| stretch.len() >= 5 && line.slope > 0.0);
     let tangent_line = again.unwrap_or(first);
     let (at_m, tangent) = (tangent_line.at(load_n), tangent_line.slope);
@@ -218,7 +245,10 @@ pub fn static_test(
         return Err(StaticError::NotRising { load_n });
     }
     let area = |points: &[(f64, f64)]| -> f64 {
-        points.windows(2).map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0)).sum()
+        points
+            .windows(2)
+            .map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0))
+            .sum()
     };
     let is_back = curve.last().is_some_and(|last| last.1 < 0.2 * max_force_n);
     let hysteresis_ratio = is_back.then(|| (area(loading) + area(&curve[top..])) / area(loading));
@@ -232,7 +262,11 @@ pub fn static_test(
         secant_stiffness_n_m: secant,
         hysteresis_ratio,
         toe_m,
-        toe_error_m: if options.toe == Toe::Tangent { tangent_line.error_at(0.0) } else { 0.0 },
+        toe_error_m: if options.toe == Toe::Tangent {
+            tangent_line.error_at(0.0)
+        } else {
+            0.0
+        },
         other_cycles: cycle.others,
         exponent,
         loading_count: top + 1,
@@ -255,8 +289,11 @@ impl Cycle {
     fn last_full(force_n: &[f64], displacement_m: &[f64]) -> Option<Self> {
         let max_n = force_n.iter().copied().max_by(f64::total_cmp)?;
         let peaks = peaks(force_n, TURN_SHARE * max_n.abs());
-        let number = peaks.iter().rposition(|&peak| force_n[peak] >= FULL_SHARE * max_n)?;
-        let pause = |from: usize, to: usize| pause(&force_n[from..=to], &displacement_m[from..=to], max_n);
+        let number = peaks
+            .iter()
+            .rposition(|&peak| force_n[peak] >= FULL_SHARE * max_n)?;
+        let pause =
+            |from: usize, to: usize| pause(&force_n[from..=to], &displacement_m[from..=to], max_n);
         let before = number.checked_sub(1).map(|i| peaks[i]);
         let after = peaks.get(number + 1).copied();
         let top = peaks[number];
@@ -335,12 +372,24 @@ fn line(points: &[(f64, f64)]) -> Option<Line> {
     if points.len() < 3 {
         return None;
     }
-    let (mx, my) = (points.iter().map(|p| p.0).sum::<f64>() / count, points.iter().map(|p| p.1).sum::<f64>() / count);
+    let (mx, my) = (
+        points.iter().map(|p| p.0).sum::<f64>() / count,
+        points.iter().map(|p| p.1).sum::<f64>() / count,
+    );
     let xy: f64 = points.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
     let spread: f64 = points.iter().map(|p| (p.0 - mx).powi(2)).sum();
     let slope = xy / spread;
-    let left = points.iter().map(|p| (p.1 - my - slope * (p.0 - mx)).powi(2)).sum();
-    (slope > 0.0 && slope.is_finite()).then_some(Line { middle: (mx, my), slope, count, spread, left })
+    let left = points
+        .iter()
+        .map(|p| (p.1 - my - slope * (p.0 - mx)).powi(2))
+        .sum();
+    (slope > 0.0 && slope.is_finite()).then_some(Line {
+        middle: (mx, my),
+        slope,
+        count,
+        spread,
+        left,
+    })
 }
 
 /// Exponents of pads, between which that of a curve with slack is searched.
@@ -355,10 +404,19 @@ const SLACK_POINTS: usize = 400;
 /// d₀ of F = K (d − d₀)ⁿ, by least squares through the points of loading up to the load, if the slack shows: the force
 /// stays near zero up to it.
 fn slack_m(loading: &[(f64, f64)], load_n: f64) -> f64 {
-    let end = loading.iter().position(|(_, f)| *f > (1.0 + TANGENT_SHARE) * load_n).unwrap_or(loading.len());
+    let end = loading
+        .iter()
+        .position(|(_, f)| *f > (1.0 + TANGENT_SHARE) * load_n)
+        .unwrap_or(loading.len());
     let step = end.div_ceil(SLACK_POINTS).max(1);
     let points: Vec<(f64, f64)> = loading[..end].iter().copied().step_by(step).collect();
-    let Some(most_m) = points.iter().find(|(_, f)| *f > SLACK_SHARE * load_n).map(|(d, _)| *d) else { return 0.0 };
+    let Some(most_m) = points
+        .iter()
+        .find(|(_, f)| *f > SLACK_SHARE * load_n)
+        .map(|(d, _)| *d)
+    else {
+        return 0.0;
+    };
     let misfit = |slack_m: f64, n: f64| -> f64 {
         let (mut ff, mut fm, mut mm) = (0.0, 0.0, 0.0);
         for (d, f) in &points {
@@ -373,7 +431,11 @@ fn slack_m(loading: &[(f64, f64)], load_n: f64) -> f64 {
     };
     let found_m = golden_maximum_at(|slack_m| -best(slack_m), 0.0, most_m);
     let deep_m = points.last().map_or(0.0, |(d, _)| *d);
-    if found_m > NO_SLACK * deep_m && best(found_m) < 0.9 * best(0.0) { found_m } else { 0.0 }
+    if found_m > NO_SLACK * deep_m && best(found_m) < 0.9 * best(0.0) {
+        found_m
+    } else {
+        0.0
+    }
 }
 
 fn exponent(loading: &[(f64, f64)], toe_m: f64, load_n: f64) -> Option<f64> {

@@ -38,7 +38,11 @@ pub struct ShockSpectrumOptions {
 impl Default for ShockSpectrumOptions {
     /// Absolute acceleration, ζ = 5 % (Q = 10), with upsampling.
     fn default() -> Self {
-        Self { kind: ResponseKind::default(), damping_ratio: 0.05, upsample: true }
+        Self {
+            kind: ResponseKind::default(),
+            damping_ratio: 0.05,
+            upsample: true,
+        }
     }
 }
 
@@ -105,15 +109,24 @@ pub(super) fn shock_spectrum_on(
     frequencies_hz: &[f64],
     options: ShockSpectrumOptions,
 ) -> Result<ShockSpectrum, ShockResponseError> {
-    let levels: Vec<usize> = frequencies_hz.iter().map(|&f| level(motion, f, options.upsample)).collect();
+    let levels: Vec<usize> = frequencies_hz
+        .iter()
+        .map(|&f| level(motion, f, options.upsample))
+        .collect();
     let highest = levels.iter().copied().max().unwrap_or(0);
     let series = doublings(arch, motion, 1 << highest);
     // A level that could not be calculated is replaced by that of the finest available series.
-    let levels: Vec<usize> = levels.into_iter().map(|level| level.min(series.len() - 1)).collect();
+    let levels: Vec<usize> = levels
+        .into_iter()
+        .map(|level| level.min(series.len() - 1))
+        .collect();
 
     let mut banks: Vec<(usize, Vec<usize>)> = Vec::new();
     for (index, &level) in levels.iter().enumerate() {
-        match banks.iter_mut().rfind(|bank| bank.0 == level && bank.1.len() < LANES) {
+        match banks
+            .iter_mut()
+            .rfind(|bank| bank.0 == level && bank.1.len() < LANES)
+        {
             Some(bank) => bank.1.push(index),
             None => banks.push((level, vec![index])),
         }
@@ -122,8 +135,16 @@ pub(super) fn shock_spectrum_on(
         .par_iter()
         .map(|(level, indices)| {
             let factor = 1usize << level;
-            let frequencies: Vec<f64> = indices.iter().map(|&index| frequencies_hz[index]).collect();
-            bank(arch, &series[*level], factor, motion.dt_s() / factor as f64, &frequencies, options)
+            let frequencies: Vec<f64> =
+                indices.iter().map(|&index| frequencies_hz[index]).collect();
+            bank(
+                arch,
+                &series[*level],
+                factor,
+                motion.dt_s() / factor as f64,
+                &frequencies,
+                options,
+            )
         })
         .collect();
     let mut peaks = vec![ResponsePeaks::default(); frequencies_hz.len()];
@@ -134,7 +155,10 @@ pub(super) fn shock_spectrum_on(
     }
     let per_period = |(&f, &level): (&f64, &usize)| (1usize << level) as f64 / (f * motion.dt_s());
     let samples_per_period = frequencies_hz.iter().zip(&levels).map(per_period).collect();
-    Ok(ShockSpectrum { peaks, samples_per_period })
+    Ok(ShockSpectrum {
+        peaks,
+        samples_per_period,
+    })
 }
 
 /// Number of doublings of the rate for an oscillator; its input does not depend on the other
@@ -168,7 +192,10 @@ fn bank(
         .collect::<Result<_, _>>()?;
     let mut bank = Bank::<LANES>::new(&filters);
     let ramp = |end: f64, part: usize| end * part as f64 / factor as f64;
-    let (first, last) = (series.first().copied().unwrap_or(0.0), series.last().copied().unwrap_or(0.0));
+    let (first, last) = (
+        series.first().copied().unwrap_or(0.0),
+        series.last().copied().unwrap_or(0.0),
+    );
     let up: Vec<f64> = (1..factor).map(|part| ramp(first, part)).collect();
     let down: Vec<f64> = (1..factor).rev().map(|part| ramp(last, part)).collect();
     bank.run(arch, &up);
@@ -176,21 +203,37 @@ fn bank(
     let primary: Vec<(f64, f64)> = (0..filters.len()).map(|lane| bank.extremes(lane)).collect();
     bank.forget_extremes();
     bank.run(arch, &down);
-    let peaks = filters.iter().zip(primary).zip(frequencies_hz).enumerate().map(|(lane, ((filter, primary), &f))| {
-        let (most, least) = bank.extremes(lane);
-        // One step after the last sample of the ramp the acceleration is zero, and w is the mode
-        // itself.
-        let decay = filter.decay(bank.state(lane));
-        let peaks = ResponsePeaks {
-            primary_positive: primary.0,
-            primary_negative: 0.0 - primary.1,
-            residual_positive: most.max(decay.0),
-            residual_negative: 0.0 - least.min(decay.1),
-        };
-        let all = [peaks.primary_positive, peaks.primary_negative, peaks.residual_positive, peaks.residual_negative];
-        let finite = filter.is_finite() && bank.state(lane).is_finite() && all.iter().all(|value| value.is_finite());
-        if finite { Ok(peaks) } else { Err(ShockResponseError::Overflow { frequency_hz: f }) }
-    });
+    let peaks = filters
+        .iter()
+        .zip(primary)
+        .zip(frequencies_hz)
+        .enumerate()
+        .map(|(lane, ((filter, primary), &f))| {
+            let (most, least) = bank.extremes(lane);
+            // One step after the last sample of the ramp the acceleration is zero, and w is the mode
+            // itself.
+            let decay = filter.decay(bank.state(lane));
+            let peaks = ResponsePeaks {
+                primary_positive: primary.0,
+                primary_negative: 0.0 - primary.1,
+                residual_positive: most.max(decay.0),
+                residual_negative: 0.0 - least.min(decay.1),
+            };
+            let all = [
+                peaks.primary_positive,
+                peaks.primary_negative,
+                peaks.residual_positive,
+                peaks.residual_negative,
+            ];
+            let finite = filter.is_finite()
+                && bank.state(lane).is_finite()
+                && all.iter().all(|value| value.is_finite());
+            if finite {
+                Ok(peaks)
+            } else {
+                Err(ShockResponseError::Overflow { frequency_hz: f })
+            }
+        });
     peaks.collect()
 }
 

@@ -31,7 +31,9 @@ pub enum BaselineError {
         time_s: f64,
     },
     /// Fewer samples than the polynomial has coefficients.
-    #[error("the number of samples must be above {degree}, the degree of the polynomial, not {samples}")]
+    #[error(
+        "the number of samples must be above {degree}, the degree of the polynomial, not {samples}"
+    )]
     TooShort {
         /// The degree.
         degree: usize,
@@ -116,7 +118,12 @@ pub fn corrected(motion: &Motion, baseline: Baseline) -> Result<Motion, Baseline
         Baseline::Graizer { degree, from_s } => graizer(motion, degree, from_s)?,
         Baseline::Boore2001 { t1_s, t2_s } => two_offsets(motion, t1_s, t2_s)?,
     };
-    let accel_m_s2 = motion.accel_m_s2().iter().zip(removed).map(|(a, b)| a - b).collect();
+    let accel_m_s2 = motion
+        .accel_m_s2()
+        .iter()
+        .zip(removed)
+        .map(|(a, b)| a - b)
+        .collect();
     Ok(Motion::new(motion.dt_s(), accel_m_s2)?)
 }
 
@@ -124,26 +131,47 @@ fn pre_event(motion: &Motion, until_s: f64) -> Result<Vec<f64>, BaselineError> {
     let accel = motion.accel_m_s2();
     let duration_s = motion.duration_s();
     if !(until_s > 0.0 && until_s <= duration_s) {
-        return Err(BaselineError::Time { name: "the quiet time", range: "within", duration_s, time_s: until_s });
+        return Err(BaselineError::Time {
+            name: "the quiet time",
+            range: "within",
+            duration_s,
+            time_s: until_s,
+        });
     }
     // Samples before that time; the tiny factor allows for a time that is a whole number of steps
     // except for its last bit.
     let quiet = (until_s / motion.dt_s() * (1.0 - 4.0 * f64::EPSILON)).ceil() as usize;
-    Ok(vec![mean(&accel[..quiet.clamp(1, accel.len())]); accel.len()])
+    Ok(vec![
+        mean(&accel[..quiet.clamp(1, accel.len())]);
+        accel.len()
+    ])
 }
 
 fn polynomial(motion: &Motion, degree: usize) -> Result<Vec<f64>, BaselineError> {
     let accel = motion.accel_m_s2();
     check_degree(degree, 0, accel.len())?;
-    let fit = Fit::new(degree, accel.iter().enumerate().map(|(k, &a)| (place(k, accel.len()), a, 1.0)));
-    Ok((0..accel.len()).map(|k| fit.value_and_slope(place(k, accel.len())).0).collect())
+    let fit = Fit::new(
+        degree,
+        accel
+            .iter()
+            .enumerate()
+            .map(|(k, &a)| (place(k, accel.len()), a, 1.0)),
+    );
+    Ok((0..accel.len())
+        .map(|k| fit.value_and_slope(place(k, accel.len())).0)
+        .collect())
 }
 
 fn graizer(motion: &Motion, degree: usize, from_s: f64) -> Result<Vec<f64>, BaselineError> {
     let (dt_s, accel) = (motion.dt_s(), motion.accel_m_s2());
     let duration_s = motion.duration_s();
     if !(from_s >= 0.0 && from_s < duration_s) {
-        return Err(BaselineError::Time { name: "the start of the fit", range: "within", duration_s, time_s: from_s });
+        return Err(BaselineError::Time {
+            name: "the start of the fit",
+            range: "within",
+            duration_s,
+            time_s: from_s,
+        });
     }
     let from = sample_near(from_s, dt_s, accel.len());
     let velocity = cumulative_trapezoid(dt_s, accel);
@@ -171,19 +199,37 @@ fn graizer(motion: &Motion, degree: usize, from_s: f64) -> Result<Vec<f64>, Base
 fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, BaselineError> {
     let (dt_s, accel) = (motion.dt_s(), motion.accel_m_s2());
     let duration_s = motion.duration_s();
-    let wrong = |name, range, time_s| BaselineError::Time { name, range, duration_s, time_s };
+    let wrong = |name, range, time_s| BaselineError::Time {
+        name,
+        range,
+        duration_s,
+        time_s,
+    };
     if !(t1_s >= 0.0 && t1_s < duration_s) {
         return Err(wrong("t1", "within", t1_s));
     }
-    let (first, second) = (sample_near(t1_s, dt_s, accel.len()), sample_near(t2_s, dt_s, accel.len()));
+    let (first, second) = (
+        sample_near(t1_s, dt_s, accel.len()),
+        sample_near(t2_s, dt_s, accel.len()),
+    );
     // A line through fewer than ten samples does not average anything.
     if !(t2_s < duration_s && second > first && accel.len() - second > MIN_AFTER) {
-        return Err(wrong("t2", "after t1, with ten samples after it, within", t2_s));
+        return Err(wrong(
+            "t2",
+            "after t1, with ten samples after it, within",
+            t2_s,
+        ));
     }
     let velocity = cumulative_trapezoid(dt_s, accel);
     // The velocity at t₂ itself contains half a step of both offsets.
     let after = &velocity[second + 1..];
-    let line = Fit::new(1, after.iter().enumerate().map(|(k, &v)| (place(k, after.len()), v, 1.0)));
+    let line = Fit::new(
+        1,
+        after
+            .iter()
+            .enumerate()
+            .map(|(k, &v)| (place(k, after.len()), v, 1.0)),
+    );
     let one_before = -1.0 - 2.0 / (after.len() - 1) as f64;
     let (at_second_m_s, slope) = line.value_and_slope(one_before);
     let final_m_s2 = slope * 2.0 / ((after.len() - 1) as f64 * dt_s);
@@ -233,7 +279,12 @@ impl Fit {
     /// Fits samples (x, y, weight).
     fn new(degree: usize, samples: impl Iterator<Item = (f64, f64, f64)> + Clone) -> Self {
         let zeros = [0.0; MAX_DEGREE + 1];
-        let mut fit = Self { alpha: zeros, beta: zeros, coefficient: zeros, degree: 0 };
+        let mut fit = Self {
+            alpha: zeros,
+            beta: zeros,
+            coefficient: zeros,
+            degree: 0,
+        };
         let mut norm_before = 0.0;
         for k in 0..=degree.min(MAX_DEGREE) {
             fit.degree = k;

@@ -17,7 +17,9 @@ pub enum FilterError {
         order: u32,
     },
     /// A corner frequency that this time step cannot represent.
-    #[error("a corner frequency must be above 0 and below {nyquist_hz} Hz, half the sampling rate, not {corner_hz} Hz")]
+    #[error(
+        "a corner frequency must be above 0 and below {nyquist_hz} Hz, half the sampling rate, not {corner_hz} Hz"
+    )]
     Corner {
         /// The corner that was given.
         corner_hz: f64,
@@ -33,7 +35,9 @@ pub enum FilterError {
         high_cut_hz: f64,
     },
     /// The pads make the motion too long.
-    #[error("with pads of {pad_s} s at both ends the motion has {samples:.0} samples, more than {MAX_SAMPLES}")]
+    #[error(
+        "with pads of {pad_s} s at both ends the motion has {samples:.0} samples, more than {MAX_SAMPLES}"
+    )]
     TooLong {
         /// Length of one pad \[s\].
         pad_s: f64,
@@ -129,12 +133,18 @@ pub fn filtered(motion: &Motion, pass: Pass, order: u32) -> Result<Filtered, Fil
     let (sections, lowest_hz) = match pass {
         Pass::High { low_cut_hz } => (high_pass_sections(low_cut_hz, order, dt_s)?, low_cut_hz),
         Pass::Low { high_cut_hz } => (low_pass_sections(high_cut_hz, order, dt_s)?, high_cut_hz),
-        Pass::Band { low_cut_hz, high_cut_hz } => {
+        Pass::Band {
+            low_cut_hz,
+            high_cut_hz,
+        } => {
             let mut sections = high_pass_sections(low_cut_hz, order, dt_s)?;
             sections.extend(low_pass_sections(high_cut_hz, order, dt_s)?);
             // Not `>=`: both corners are valid here, so neither is NaN.
             if low_cut_hz >= high_cut_hz {
-                return Err(FilterError::NoBand { low_cut_hz, high_cut_hz });
+                return Err(FilterError::NoBand {
+                    low_cut_hz,
+                    high_cut_hz,
+                });
             }
             (sections, low_cut_hz)
         }
@@ -154,7 +164,10 @@ pub fn filtered(motion: &Motion, pass: Pass, order: u32) -> Result<Filtered, Fil
     for section in &sections {
         section.run(values.iter_mut().rev());
     }
-    Ok(Filtered { motion: Motion::new(dt_s, values)?, pad_s: pad as f64 * dt_s })
+    Ok(Filtered {
+        motion: Motion::new(dt_s, values)?,
+        pad_s: pad as f64 * dt_s,
+    })
 }
 
 impl Section {
@@ -193,7 +206,11 @@ impl Section {
 /// assert_eq!(high_pass_sections(0.1, 5, 0.01)?.len(), 3); // one of first order, two of second
 /// # Ok::<(), freestand::signal::filter::FilterError>(())
 /// ```
-pub fn high_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<Section>, FilterError> {
+pub fn high_pass_sections(
+    corner_hz: f64,
+    order: u32,
+    dt_s: f64,
+) -> Result<Vec<Section>, FilterError> {
     let warped = warped(corner_hz, order, dt_s)?;
     Ok(sections(order, warped, |poles| match poles {
         1 => [1.0, -1.0, 0.0],
@@ -217,7 +234,11 @@ pub fn high_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<S
 /// assert!((sections.iter().map(gain).product::<f64>() - 1.0).abs() < 1e-13);
 /// # Ok::<(), freestand::signal::filter::FilterError>(())
 /// ```
-pub fn low_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<Section>, FilterError> {
+pub fn low_pass_sections(
+    corner_hz: f64,
+    order: u32,
+    dt_s: f64,
+) -> Result<Vec<Section>, FilterError> {
     let k = warped(corner_hz, order, dt_s)?;
     Ok(sections(order, k, |poles| match poles {
         1 => [k, k, 0.0],
@@ -233,7 +254,10 @@ fn warped(corner_hz: f64, order: u32, dt_s: f64) -> Result<f64, FilterError> {
     }
     let nyquist_hz = 0.5 / dt_s;
     if !(corner_hz > 0.0 && corner_hz < nyquist_hz) {
-        return Err(FilterError::Corner { corner_hz, nyquist_hz });
+        return Err(FilterError::Corner {
+            corner_hz,
+            nyquist_hz,
+        });
     }
     Ok((PI * corner_hz * dt_s).tan())
 }
@@ -244,14 +268,20 @@ fn sections(order: u32, k: f64, numerator: impl Fn(u32) -> [f64; 3]) -> Vec<Sect
     let mut list = Vec::new();
     if order % 2 == 1 {
         let scale = 1.0 / (1.0 + k);
-        list.push(Section { numerator: numerator(1).map(|b| b * scale), denominator: [(k - 1.0) * scale, 0.0] });
+        list.push(Section {
+            numerator: numerator(1).map(|b| b * scale),
+            denominator: [(k - 1.0) * scale, 0.0],
+        });
     }
     for j in 0..order / 2 {
         let damping = 2.0 * (PI * f64::from(2 * j + 1) / f64::from(2 * order)).sin();
         let scale = 1.0 / (1.0 + damping * k + k * k);
         list.push(Section {
             numerator: numerator(2).map(|b| b * scale),
-            denominator: [2.0 * (k * k - 1.0) * scale, (1.0 - damping * k + k * k) * scale],
+            denominator: [
+                2.0 * (k * k - 1.0) * scale,
+                (1.0 - damping * k + k * k) * scale,
+            ],
         });
     }
     list

@@ -78,7 +78,11 @@ fn frequency_responses_are_those_of_scipy() {
             25.0,
             false,
             0.005,
-            [(0.5322559139576765, -0.8393976572791554), (-0.5, -0.5), (-0.4538640474453102, -0.13413851239975694)],
+            [
+                (0.5322559139576765, -0.8393976572791554),
+                (-0.5, -0.5),
+                (-0.4538640474453102, -0.13413851239975694),
+            ],
         ),
         (
             8,
@@ -93,7 +97,11 @@ fn frequency_responses_are_those_of_scipy() {
         ),
     ];
     for (order, corner_hz, is_high, dt_s, want) in cases {
-        let sections = if is_high { high_pass_sections } else { low_pass_sections };
+        let sections = if is_high {
+            high_pass_sections
+        } else {
+            low_pass_sections
+        };
         let sections = sections(corner_hz, order, dt_s).unwrap();
         let ratios = [0.5, 1.0, if is_high { 1.3 } else { 1.2 }];
         for (ratio, (re, im)) in ratios.into_iter().zip(want) {
@@ -102,7 +110,10 @@ fn frequency_responses_are_those_of_scipy() {
             // of the corner.
             let k = (PI * corner_hz * dt_s).tan().min(1.0);
             let tolerance = 1e-13 + 2.0 * f64::from(order) * f64::EPSILON / (k * k);
-            assert!((got - Complex::new(re, im)).norm() < tolerance, "{order} {corner_hz} {ratio}: {got}");
+            assert!(
+                (got - Complex::new(re, im)).norm() < tolerance,
+                "{order} {corner_hz} {ratio}: {got}"
+            );
         }
     }
 }
@@ -112,23 +123,57 @@ fn coefficients_are_those_of_scipy() {
     // scipy 1.17.1: butter(order, corner, kind, fs=100, output="sos")
     let near = |got: &[f64], want: &[f64]| {
         // Each is the result of a few operations of size 2.
-        assert!(got.iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-14), "{got:?} {want:?}");
+        assert!(
+            got.iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-14),
+            "{got:?} {want:?}"
+        );
     };
     let low = low_pass_sections(5.0, 2, 0.01).unwrap();
-    near(&low[0].numerator, &[0.020083365564211232, 0.040166731128422464, 0.020083365564211232]);
-    near(&low[0].denominator, &[-1.5610180758007182, 0.6413515380575631]);
+    near(
+        &low[0].numerator,
+        &[
+            0.020083365564211232,
+            0.040166731128422464,
+            0.020083365564211232,
+        ],
+    );
+    near(
+        &low[0].denominator,
+        &[-1.5610180758007182, 0.6413515380575631],
+    );
     let high = high_pass_sections(5.0, 2, 0.01).unwrap();
-    near(&high[0].numerator, &[0.8005924034645702, -1.6011848069291403, 0.8005924034645702]);
-    near(&high[0].denominator, &[-1.5610180758007182, 0.6413515380575631]);
+    near(
+        &high[0].numerator,
+        &[0.8005924034645702, -1.6011848069291403, 0.8005924034645702],
+    );
+    near(
+        &high[0].denominator,
+        &[-1.5610180758007182, 0.6413515380575631],
+    );
     let third = low_pass_sections(5.0, 3, 0.01).unwrap();
     near(&third[0].denominator, &[-0.726542528005361, 0.0]);
-    near(&third[1].denominator, &[-1.647552215703991, 0.7323389172728038]);
+    near(
+        &third[1].denominator,
+        &[-1.647552215703991, 0.7323389172728038],
+    );
     // SciPy puts the gain of all sections into the first one.
-    near(&[third[0].numerator[0] * third[1].numerator[0]], &[0.00289819463372143]);
+    near(
+        &[third[0].numerator[0] * third[1].numerator[0]],
+        &[0.00289819463372143],
+    );
     let fourth = high_pass_sections(0.5, 4, 0.01).unwrap();
-    near(&fourth[1].denominator, &[-1.9426382305401135, 0.9435972784703671]);
-    near(&fourth[0].denominator, &[-1.975269634851873, 0.9762447923594398]);
-    near(&[fourth[0].numerator[0] * fourth[1].numerator[0]], &[0.9597822300872386]);
+    near(
+        &fourth[1].denominator,
+        &[-1.9426382305401135, 0.9435972784703671],
+    );
+    near(
+        &fourth[0].denominator,
+        &[-1.975269634851873, 0.9762447923594398],
+    );
+    near(
+        &[fourth[0].numerator[0] * fourth[1].numerator[0]],
+        &[0.9597822300872386],
+    );
 }
 
 /// The same recipe for `ours` and SciPy:
@@ -174,7 +219,10 @@ fn filtered_series_are_those_of_scipy() {
             ],
         ),
         (
-            Pass::Band { low_cut_hz: 0.2, high_cut_hz: 10.0 },
+            Pass::Band {
+                low_cut_hz: 0.2,
+                high_cut_hz: 10.0,
+            },
             5,
             1875,
             [
@@ -189,7 +237,10 @@ fn filtered_series_are_those_of_scipy() {
             ],
         ),
         (
-            Pass::Band { low_cut_hz: 0.1, high_cut_hz: 20.0 },
+            Pass::Band {
+                low_cut_hz: 0.1,
+                high_cut_hz: 20.0,
+            },
             4,
             3000,
             [
@@ -204,17 +255,32 @@ fn filtered_series_are_those_of_scipy() {
             ],
         ),
     ];
-    let accel = (0..400).map(|k| (f64::from(k * k % 37) - 18.0) * 0.1).collect();
+    let accel = (0..400)
+        .map(|k| (f64::from(k * k % 37) - 18.0) * 0.1)
+        .collect();
     let motion = Motion::new(0.02, accel).unwrap();
     for (pass, order, pad, want) in cases {
         let Filtered { motion, pad_s } = filtered(&motion, pass, order).unwrap();
         let accel = motion.accel_m_s2();
         assert_eq!((accel.len(), pad_s), (400 + 2 * pad, pad as f64 * 0.02));
-        let at = [0, pad / 2, pad, pad + 1, pad + 200, pad + 399, pad + 400, accel.len() - 1];
+        let at = [
+            0,
+            pad / 2,
+            pad,
+            pad + 1,
+            pad + 200,
+            pad + 399,
+            pad + 400,
+            accel.len() - 1,
+        ];
         for (index, want) in at.into_iter().zip(want) {
             // Rounding on both sides, magnified by the square of the warped corner:
             // ε/(π·0.1·0.02)² = 6e-12.
-            assert!((accel[index] - want).abs() < 1e-10, "{pass:?} {index}: {} {want}", accel[index]);
+            assert!(
+                (accel[index] - want).abs() < 1e-10,
+                "{pass:?} {index}: {} {want}",
+                accel[index]
+            );
         }
     }
 }
@@ -230,15 +296,26 @@ fn a_sine_passes_or_not_and_is_not_shifted() {
     for (pass, order, gain) in [
         (Pass::High { low_cut_hz: 2.0 }, 4, 0.5),
         (Pass::Low { high_cut_hz: 2.0 }, 3, 0.5),
-        (Pass::High { low_cut_hz: 3.0 }, 2, 1.0 / (1.0 + (warped(3.0) / warped(2.0)).powi(4))),
-        (Pass::Low { high_cut_hz: 1.0 }, 2, 1.0 / (1.0 + (warped(2.0) / warped(1.0)).powi(4))),
+        (
+            Pass::High { low_cut_hz: 3.0 },
+            2,
+            1.0 / (1.0 + (warped(3.0) / warped(2.0)).powi(4)),
+        ),
+        (
+            Pass::Low { high_cut_hz: 1.0 },
+            2,
+            1.0 / (1.0 + (warped(2.0) / warped(1.0)).powi(4)),
+        ),
     ] {
         let out = filtered(&motion, pass, order).unwrap();
         let pad = (out.pad_s / dt_s).round() as usize;
         for k in 9900..10_100 {
             // 100 s from the ends the transient is e^(−100·2π·2·0.38) = 0; 1e-16 per step of
             // 1/(warped corner)².
-            assert!((out.motion.accel_m_s2()[pad + k] - gain * sine(k)).abs() < 1e-11, "{pass:?} {k}");
+            assert!(
+                (out.motion.accel_m_s2()[pad + k] - gain * sine(k)).abs() < 1e-11,
+                "{pass:?} {k}"
+            );
         }
     }
 }
@@ -249,8 +326,17 @@ fn the_kept_pads_leave_velocity_and_displacement_at_rest() {
     // frequency.
     let mut accel = vec![0.0; 400];
     accel[100..110].fill(1.0);
-    let out = filtered(&Motion::new(0.01, accel).unwrap(), Pass::High { low_cut_hz: 0.5 }, 4).unwrap().motion;
-    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(&out);
+    let out = filtered(
+        &Motion::new(0.01, accel).unwrap(),
+        Pass::High { low_cut_hz: 0.5 },
+        4,
+    )
+    .unwrap()
+    .motion;
+    let Integrals {
+        velocity_m_s: velocity,
+        displacement_m: displacement,
+    } = integrals(&out);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     // After 12 s of the slowest pole, e^(−π·12·0.38) = 6e-7 is left; the displacement contains two
     // more integrals of it.
@@ -267,17 +353,43 @@ fn what_is_no_filter_is_refused() {
     }
     for corner_hz in [0.0, -1.0, 50.0, 51.0, f64::NAN, f64::INFINITY] {
         for pass in [
-            Pass::High { low_cut_hz: corner_hz },
-            Pass::Low { high_cut_hz: corner_hz },
-            Pass::Band { low_cut_hz: corner_hz, high_cut_hz: 20.0 },
-            Pass::Band { low_cut_hz: 0.1, high_cut_hz: corner_hz },
+            Pass::High {
+                low_cut_hz: corner_hz,
+            },
+            Pass::Low {
+                high_cut_hz: corner_hz,
+            },
+            Pass::Band {
+                low_cut_hz: corner_hz,
+                high_cut_hz: 20.0,
+            },
+            Pass::Band {
+                low_cut_hz: 0.1,
+                high_cut_hz: corner_hz,
+            },
         ] {
-            assert!(matches!(filtered(&motion, pass, 4), Err(FilterError::Corner { .. })), "{pass:?}");
+            assert!(
+                matches!(filtered(&motion, pass, 4), Err(FilterError::Corner { .. })),
+                "{pass:?}"
+            );
         }
     }
     for (low_cut_hz, high_cut_hz) in [(5.0, 5.0), (6.0, 5.0)] {
-        let refused = filtered(&motion, Pass::Band { low_cut_hz, high_cut_hz }, 4);
-        assert_eq!(refused, Err(FilterError::NoBand { low_cut_hz, high_cut_hz }));
+        let refused = filtered(
+            &motion,
+            Pass::Band {
+                low_cut_hz,
+                high_cut_hz,
+            },
+            4,
+        );
+        assert_eq!(
+            refused,
+            Err(FilterError::NoBand {
+                low_cut_hz,
+                high_cut_hz
+            })
+        );
     }
     let refused = filtered(&motion, Pass::High { low_cut_hz: 1e-9 }, 4);
     assert!(matches!(refused, Err(FilterError::TooLong { .. })));
@@ -292,7 +404,10 @@ fn every_order_holds_its_corner() {
                 assert_eq!(list.len(), order.div_ceil(2) as usize);
                 let gain = response(&list, corner_hz, 0.01).norm();
                 // As above: ε over the square of the warped corner, 1e-5 at 0.1 Hz.
-                assert!((gain - 0.5_f64.sqrt()).abs() < 2e-10, "{order} {corner_hz} {gain}");
+                assert!(
+                    (gain - 0.5_f64.sqrt()).abs() < 2e-10,
+                    "{order} {corner_hz} {gain}"
+                );
             }
         }
     }

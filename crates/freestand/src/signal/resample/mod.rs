@@ -9,7 +9,9 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ResampleError {
     /// The new step is not positive and finite, or longer than the motion.
-    #[error("the new time step must be positive and no longer than the motion ({duration_s} s), not {dt_s} s")]
+    #[error(
+        "the new time step must be positive and no longer than the motion ({duration_s} s), not {dt_s} s"
+    )]
     Step {
         /// The time step that was requested \[s\].
         dt_s: f64,
@@ -17,7 +19,9 @@ pub enum ResampleError {
         duration_s: f64,
     },
     /// The ratio of the two time steps is not simple enough.
-    #[error("the ratio of the time steps {from_s} s and {to_s} s is not a ratio of whole numbers up to {MAX_TERM}")]
+    #[error(
+        "the ratio of the time steps {from_s} s and {to_s} s is not a ratio of whole numbers up to {MAX_TERM}"
+    )]
     Ratio {
         /// The time step of the motion \[s\].
         from_s: f64,
@@ -83,7 +87,15 @@ pub fn upsampled_sinc(motion: &Motion, factor: usize) -> Result<Motion, Resample
     }
     let factor = u64::try_from(factor).unwrap_or(u64::MAX);
     let samples = (motion.accel_m_s2().len() - 1) as f64 * factor as f64 + 1.0;
-    interpolated(motion, motion.dt_s() / factor as f64, Ratio { up: factor, down: 1 }, samples)
+    interpolated(
+        motion,
+        motion.dt_s() / factor as f64,
+        Ratio {
+            up: factor,
+            down: 1,
+        },
+        samples,
+    )
 }
 
 /// The motion at another time step, finer or coarser: the band-limited curve through its samples at
@@ -121,8 +133,13 @@ pub fn resampled(motion: &Motion, dt_s: f64) -> Result<Motion, ResampleError> {
     if dt_s == motion.dt_s() {
         return Ok(motion.clone());
     }
-    let ratio = Ratio::near(motion.dt_s() / dt_s).ok_or(ResampleError::Ratio { from_s: motion.dt_s(), to_s: dt_s })?;
-    let samples = ((motion.accel_m_s2().len() - 1) as f64 * ratio.up as f64 / ratio.down as f64).floor() + 1.0;
+    let ratio = Ratio::near(motion.dt_s() / dt_s).ok_or(ResampleError::Ratio {
+        from_s: motion.dt_s(),
+        to_s: dt_s,
+    })?;
+    let samples = ((motion.accel_m_s2().len() - 1) as f64 * ratio.up as f64 / ratio.down as f64)
+        .floor()
+        + 1.0;
     interpolated(motion, dt_s, ratio, samples)
 }
 
@@ -144,13 +161,19 @@ impl Ratio {
             if !(0.0..=MAX_TERM as f64).contains(&whole) {
                 return None;
             }
-            let next = (whole as u64 * now.0 + before.0, whole as u64 * now.1 + before.1);
+            let next = (
+                whole as u64 * now.0 + before.0,
+                whole as u64 * now.1 + before.1,
+            );
             (before, now) = (now, next);
             if now.0 > MAX_TERM || now.1 > MAX_TERM {
                 return None;
             }
             if now.0 > 0 && (now.0 as f64 / now.1 as f64 / value - 1.0).abs() <= 1e-9 {
-                return Some(Self { up: now.0, down: now.1 });
+                return Some(Self {
+                    up: now.0,
+                    down: now.1,
+                });
             }
             rest = 1.0 / (rest - whole);
         }
@@ -160,12 +183,21 @@ impl Ratio {
 
 /// `samples` of the band-limited curve at intervals of `dt_s`, by transforms whose lengths span the
 /// same time.
-fn interpolated(motion: &Motion, dt_s: f64, ratio: Ratio, samples: f64) -> Result<Motion, ResampleError> {
+fn interpolated(
+    motion: &Motion,
+    dt_s: f64,
+    ratio: Ratio,
+    samples: f64,
+) -> Result<Motion, ResampleError> {
     let accel = motion.accel_m_s2();
     let mirrored = MIRRORED.min(accel.len() - 1);
     let least = accel.len() + 2 * mirrored;
     let blocks = smooth_length(least as f64 / ratio.down as f64);
-    let lengths = [ratio.down as f64 * blocks, ratio.up as f64 * blocks, samples];
+    let lengths = [
+        ratio.down as f64 * blocks,
+        ratio.up as f64 * blocks,
+        samples,
+    ];
     let longest = lengths.into_iter().fold(0.0, f64::max);
     if longest > MAX_LENGTH as f64 {
         return Err(ResampleError::TooLong { samples: longest });
@@ -177,7 +209,11 @@ fn interpolated(motion: &Motion, dt_s: f64, ratio: Ratio, samples: f64) -> Resul
     let mut values = respaced(&values, new);
     planner.plan_fft_inverse(new).process(&mut values);
     let scale = 1.0 / old as f64;
-    let mut result: Vec<f64> = values.iter().take(samples).map(|value| value.re * scale).collect();
+    let mut result: Vec<f64> = values
+        .iter()
+        .take(samples)
+        .map(|value| value.re * scale)
+        .collect();
     if ratio.down == 1 {
         for (value, own) in result.iter_mut().step_by(ratio.up as usize).zip(accel) {
             *value = *own;

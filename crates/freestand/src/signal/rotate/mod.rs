@@ -2,7 +2,9 @@
 //! directions.
 
 use crate::motion::{Motion, MotionError};
-use crate::oscillator::{OscillatorError, OscillatorState, OscillatorStep, check_damping, step_of_period};
+use crate::oscillator::{
+    OscillatorError, OscillatorState, OscillatorStep, check_damping, step_of_period,
+};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use thiserror::Error;
@@ -27,7 +29,9 @@ pub enum RotateError {
         second: usize,
     },
     /// They point in nearly the same direction.
-    #[error("components at {first_deg} and {second_deg} degrees are too close to parallel for a rotation")]
+    #[error(
+        "components at {first_deg} and {second_deg} degrees are too close to parallel for a rotation"
+    )]
     Parallel {
         /// Azimuth of the first component \[degrees\].
         first_deg: f64,
@@ -77,7 +81,10 @@ impl<'m> Pair<'m> {
         }
         let (ours, theirs) = (first.accel_m_s2().len(), second.accel_m_s2().len());
         if ours != theirs {
-            return Err(RotateError::Lengths { first: ours, second: theirs });
+            return Err(RotateError::Lengths {
+                first: ours,
+                second: theirs,
+            });
         }
         Ok(Self { first, second })
     }
@@ -100,7 +107,12 @@ impl<'m> Pair<'m> {
     /// assert!((northeast.peak_m_s2() - 2f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn component_at(&self, first_deg: f64, second_deg: f64, azimuth_deg: f64) -> Result<Motion, RotateError> {
+    pub fn component_at(
+        &self,
+        first_deg: f64,
+        second_deg: f64,
+        azimuth_deg: f64,
+    ) -> Result<Motion, RotateError> {
         for azimuth_deg in [first_deg, second_deg, azimuth_deg] {
             if !azimuth_deg.is_finite() {
                 return Err(RotateError::Azimuth { azimuth_deg });
@@ -108,12 +120,18 @@ impl<'m> Pair<'m> {
         }
         let between = sine_deg(second_deg - first_deg);
         if between.abs() < MIN_SINE {
-            return Err(RotateError::Parallel { first_deg, second_deg });
+            return Err(RotateError::Parallel {
+                first_deg,
+                second_deg,
+            });
         }
         let of_first = sine_deg(second_deg - azimuth_deg) / between;
         let of_second = sine_deg(azimuth_deg - first_deg) / between;
         let samples = self.first.accel_m_s2().iter().zip(self.second.accel_m_s2());
-        Ok(Motion::new(self.first.dt_s(), samples.map(|(a, b)| of_first * a + of_second * b).collect())?)
+        Ok(Motion::new(
+            self.first.dt_s(),
+            samples.map(|(a, b)| of_first * a + of_second * b).collect(),
+        )?)
     }
 }
 
@@ -230,7 +248,10 @@ fn response_points(
 ) -> Result<(Vec<(f64, f64)>, f64), OscillatorError> {
     let (first, second) = (pair.first.accel_m_s2(), pair.second.accel_m_s2());
     if period_s == 0.0 {
-        return Ok((first.iter().copied().zip(second.iter().copied()).collect(), 1.0));
+        return Ok((
+            first.iter().copied().zip(second.iter().copied()).collect(),
+            1.0,
+        ));
     }
     let step: OscillatorStep = step_of_period(period_s, damping_ratio, pair.first.dt_s())?;
     let (mut one, mut two) = (OscillatorState::default(), OscillatorState::default());
@@ -253,16 +274,38 @@ fn peaks_by_direction(points: &[(f64, f64)]) -> Vec<f64> {
     let directions: Vec<(f64, f64)> = (0..DIRECTIONS).map(direction).collect();
     let reach = |(x, y): (f64, f64), (cos, sin): (f64, f64)| (x * cos + y * sin).abs();
     let farthest = |among: &[(f64, f64)], towards: (f64, f64)| {
-        among.iter().copied().max_by(|&a, &b| reach(a, towards).total_cmp(&reach(b, towards)))
+        among
+            .iter()
+            .copied()
+            .max_by(|&a, &b| reach(a, towards).total_cmp(&reach(b, towards)))
     };
-    let corners: Vec<(f64, f64)> =
-        directions.iter().step_by(FIRST_LOOK).filter_map(|&towards| farthest(points, towards)).collect();
-    let bound = |towards: (f64, f64)| corners.iter().map(|&corner| reach(corner, towards)).fold(0.0, f64::max);
-    let least = directions.iter().map(|&towards| bound(towards)).fold(f64::INFINITY, f64::min);
+    let corners: Vec<(f64, f64)> = directions
+        .iter()
+        .step_by(FIRST_LOOK)
+        .filter_map(|&towards| farthest(points, towards))
+        .collect();
+    let bound = |towards: (f64, f64)| {
+        corners
+            .iter()
+            .map(|&corner| reach(corner, towards))
+            .fold(0.0, f64::max)
+    };
+    let least = directions
+        .iter()
+        .map(|&towards| bound(towards))
+        .fold(f64::INFINITY, f64::min);
     // The tiny factor allows for the rounding of |u| relative to that of its components.
     let near = (least * (1.0 - 1e-12)).powi(2);
-    let far: Vec<(f64, f64)> = points.iter().copied().filter(|(x, y)| x * x + y * y >= near).collect();
-    let peak = |&towards: &(f64, f64)| far.iter().map(|&point| reach(point, towards)).fold(0.0, f64::max);
+    let far: Vec<(f64, f64)> = points
+        .iter()
+        .copied()
+        .filter(|(x, y)| x * x + y * y >= near)
+        .collect();
+    let peak = |&towards: &(f64, f64)| {
+        far.iter()
+            .map(|&point| reach(point, towards))
+            .fold(0.0, f64::max)
+    };
     directions.iter().map(peak).collect()
 }
 

@@ -101,7 +101,11 @@ fn attributes(element: &[u8]) -> usize {
 
 impl<'a> Stations<'a> {
     pub(super) fn new(record: &'a Path, options: &'a ReadOptions) -> Self {
-        Self { record, named: options.station_xml.as_deref(), read: Vec::new() }
+        Self {
+            record,
+            named: options.station_xml.as_deref(),
+            read: Vec::new(),
+        }
     }
 
     /// The description of a channel's station, where there is one.
@@ -109,7 +113,10 @@ impl<'a> Stations<'a> {
     /// # Errors
     /// A file that cannot be read or is not StationXML.
     pub(super) fn of(&mut self, source: &Source) -> Result<Option<&Inventory>, Problem> {
-        let path = self.named.map(Path::to_path_buf).or_else(|| next_to(self.record, source));
+        let path = self
+            .named
+            .map(Path::to_path_buf)
+            .or_else(|| next_to(self.record, source));
         let Some(path) = path else { return Ok(None) };
         let place = match self.read.iter().position(|one| one.file.path == path) {
             Some(place) => place,
@@ -129,17 +136,29 @@ fn next_to(record: &Path, source: &Source) -> Option<PathBuf> {
     // A name from a record must not lead out of its folder.
     let is_plain = |text: &str| text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-');
     if let Some(station) = source.full_station()
-        && [&source.network, &source.station, &source.location, &source.channel].iter().all(|part| is_plain(part))
+        && [
+            &source.network,
+            &source.station,
+            &source.location,
+            &source.channel,
+        ]
+        .iter()
+        .all(|part| is_plain(part))
     {
         names.extend([source.full_name(), station]);
     }
     let mut stem = crate::motion_file::file_stem(record);
     loop {
         names.push(stem.clone());
-        let Some(dot) = stem.rfind('.').filter(|&dot| dot > 0) else { break };
+        let Some(dot) = stem.rfind('.').filter(|&dot| dot > 0) else {
+            break;
+        };
         stem.truncate(dot);
     }
-    names.iter().map(|name| record.with_file_name(format!("{name}.xml"))).find(|path| path != record && path.is_file())
+    names
+        .iter()
+        .map(|name| record.with_file_name(format!("{name}.xml")))
+        .find(|path| path != record && path.is_file())
 }
 
 impl Inventory {
@@ -157,28 +176,43 @@ impl Inventory {
         if bytes.len() > MAX_BYTES {
             return Err(refused("is longer than 512 MiB".to_owned()));
         }
-        let text = std::str::from_utf8(bytes).map_err(|_| refused("is not UTF-8 text".to_owned()))?;
+        let text =
+            std::str::from_utf8(bytes).map_err(|_| refused("is not UTF-8 text".to_owned()))?;
         if has_too_many_attributes(bytes) {
-            return Err(refused(format!("has an element with more than {MAX_ATTRIBUTES} attributes")));
+            return Err(refused(format!(
+                "has an element with more than {MAX_ATTRIBUTES} attributes"
+            )));
         }
         // A document type, with which entities could grow without bound, is refused by default.
-        let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+        let options = ParsingOptions {
+            nodes_limit: MAX_NODES,
+            ..ParsingOptions::default()
+        };
         let document = Document::parse_with_options(text, options).map_err(|error| {
             let line = error.pos().row as usize;
             refused(format!("is not XML: {}", shorten(&error.to_string()))).at_line(line)
         })?;
         let root = document.root_element();
         if root.tag_name().name() != "FDSNStationXML" {
-            return Err(refused(format!("is not StationXML, but <{}>", shorten(root.tag_name().name()))));
+            return Err(refused(format!(
+                "is not StationXML, but <{}>",
+                shorten(root.tag_name().name())
+            )));
         }
         let mut epochs = Vec::new();
         for network in children(root, "Network") {
             for station in children(network, "Station") {
-                epochs.extend(children(station, "Channel").map(|channel| epoch(network, station, channel)));
+                epochs.extend(
+                    children(station, "Channel").map(|channel| epoch(network, station, channel)),
+                );
             }
         }
         let line_starts = text.match_indices('\n').map(|(at, _)| at + 1).collect();
-        Ok(Self { file: InputFile::new(path, bytes), line_starts, epochs })
+        Ok(Self {
+            file: InputFile::new(path, bytes),
+            line_starts,
+            epochs,
+        })
     }
 
     /// The file.
@@ -188,18 +222,28 @@ impl Inventory {
 
     /// The file's name, for notes.
     pub(super) fn name(&self) -> String {
-        self.file.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+        self.file
+            .path
+            .file_name()
+            .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     }
 
     /// How to convert the counts of a channel between two times to m/s².
     ///
     /// # Errors
     /// No epoch with the start of the record, epochs that contradict each other, or no sensitivity.
-    pub(super) fn scaling(&self, source: &Source, start: Instant, end: Instant) -> Result<Sensed, Problem> {
+    pub(super) fn scaling(
+        &self,
+        source: &Source,
+        start: Instant,
+        end: Instant,
+    ) -> Result<Sensed, Problem> {
         let name = source.full_name();
         let of_channel = || self.epochs.iter().filter(|epoch| epoch.source == *source);
-        let begun =
-            |epoch: &Epoch| epoch.start.is_none_or(|from| from <= start) && epoch.end.is_none_or(|until| start < until);
+        let begun = |epoch: &Epoch| {
+            epoch.start.is_none_or(|from| from <= start)
+                && epoch.end.is_none_or(|until| start < until)
+        };
         let mut matching = of_channel().filter(|epoch| begun(epoch));
         let Some(epoch) = matching.next() else {
             let (what, hint) = if of_channel().next().is_some() {
@@ -210,10 +254,15 @@ impl Inventory {
             } else {
                 (
                     format!("does not describe {name}"),
-                    format!("it describes {}; name another file with `station_xml`", self.listing()),
+                    format!(
+                        "it describes {}; name another file with `station_xml`",
+                        self.listing()
+                    ),
                 )
             };
-            return Err(Problem::new(ProblemKind::Value, what).in_file(&self.file.path).hint(hint));
+            return Err(Problem::new(ProblemKind::Value, what)
+                .in_file(&self.file.path)
+                .hint(hint));
         };
         let refused = |message: String| {
             Problem::new(ProblemKind::Value, format!("{name}: {message}"))
@@ -248,7 +297,11 @@ impl Inventory {
             let words = format!("the record continues past the end of its epoch in {file}");
             notes.push(Note::of(&name, NoteKind::EpochEnds, words));
         }
-        Ok(Sensed::Acceleration(Scaling { counts_per_m_s2, direction: epoch.direction(), notes }))
+        Ok(Sensed::Acceleration(Scaling {
+            counts_per_m_s2,
+            direction: epoch.direction(),
+            notes,
+        }))
     }
 
     fn line_of(&self, at: usize) -> usize {
@@ -268,7 +321,11 @@ impl Inventory {
                 break;
             }
         }
-        if names.is_empty() { "no channels".to_owned() } else { shorten_each(&names).join(", ") }
+        if names.is_empty() {
+            "no channels".to_owned()
+        } else {
+            shorten_each(&names).join(", ")
+        }
     }
 }
 
@@ -310,7 +367,8 @@ impl Epoch {
         if (dip + 90.0).abs() <= 5.0 {
             Some(Direction::Up)
         } else {
-            (dip.abs() <= 5.0 && azimuth.is_finite()).then(|| Direction::Azimuth(azimuth.rem_euclid(360.0)))
+            (dip.abs() <= 5.0 && azimuth.is_finite())
+                .then(|| Direction::Azimuth(azimuth.rem_euclid(360.0)))
         }
     }
 }
@@ -318,9 +376,15 @@ impl Epoch {
 impl Sensitivity {
     fn counts_per_m_s2(&self, source: &Source) -> Result<(f64, String), Refusal> {
         let (input, output) = (shorten(&self.input), shorten(&self.output));
-        let Some(value) = self.value.filter(|value| *value != 0.0 && value.is_finite()) else {
+        let Some(value) = self
+            .value
+            .filter(|value| *value != 0.0 && value.is_finite())
+        else {
             let message = "the InstrumentSensitivity has no value".to_owned();
-            return Err(Refusal::Wrong(message, "correct it, or state the unit with `unit`"));
+            return Err(Refusal::Wrong(
+                message,
+                "correct it, or state the unit with `unit`",
+            ));
         };
         if !self.output.to_lowercase().contains("count") {
             let message = format!("the sensitivity is of \"{output}\", not of counts");
@@ -334,13 +398,21 @@ impl Sensitivity {
                 Ok((value / unit.to_si(1.0), format!("{value} counts/({input})")))
             }
             Some(unit) if unit.dimension == Dimension::Length => {
-                let Some(frequency_hz) = self.frequency_hz.filter(|f| *f > 0.0 && f.is_finite()) else {
-                    let message = format!("the sensitivity is to displacement ({input}), but its frequency is missing");
-                    return Err(Refusal::Wrong(message, "correct it, or state the unit with `unit`"));
+                let Some(frequency_hz) = self.frequency_hz.filter(|f| *f > 0.0 && f.is_finite())
+                else {
+                    let message = format!(
+                        "the sensitivity is to displacement ({input}), but its frequency is missing"
+                    );
+                    return Err(Refusal::Wrong(
+                        message,
+                        "correct it, or state the unit with `unit`",
+                    ));
                 };
                 // Instrument code N means an accelerometer, whatever the unit of its sensitivity.
                 if source.channel.chars().nth(1) != Some('N') {
-                    let message = format!("the sensitivity is to displacement ({input}); an accelerometer is expected");
+                    let message = format!(
+                        "the sensitivity is to displacement ({input}); an accelerometer is expected"
+                    );
                     return Err(Refusal::Other(message));
                 }
                 let omega_rad_s = std::f64::consts::TAU * frequency_hz;
@@ -352,7 +424,9 @@ impl Sensitivity {
             }
             Some(unit) => {
                 let what = unit.dimension.with_article();
-                Err(Refusal::Other(format!("the instrument measures {what} ({input}); an acceleration is expected")))
+                Err(Refusal::Other(format!(
+                    "the instrument measures {what} ({input}); an acceleration is expected"
+                )))
             }
             None => Err(Refusal::Other(format!(
                 "the instrument measures \"{input}\"; an acceleration such as M/S**2 is expected"
@@ -362,10 +436,14 @@ impl Sensitivity {
 }
 
 fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) -> Epoch {
-    let code = |node: Node<'_, '_>, name| node.attribute(name).unwrap_or_default().trim().to_owned();
+    let code =
+        |node: Node<'_, '_>, name| node.attribute(name).unwrap_or_default().trim().to_owned();
     let written = |name| channel.attribute(name);
     let time = |name| written(name).and_then(Instant::parse);
-    let bad_date = ["startDate", "endDate"].into_iter().filter_map(written).find(|text| Instant::parse(text).is_none());
+    let bad_date = ["startDate", "endDate"]
+        .into_iter()
+        .filter_map(written)
+        .find(|text| Instant::parse(text).is_none());
     // "--" means the empty location in requests and in some descriptions.
     let location = code(channel, "locationCode").replace("--", "");
     let response = children(channel, "Response").next();
@@ -395,8 +473,12 @@ fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) ->
 }
 
 /// Children of one name, in any namespace: some writers omit it.
-fn children<'a, 'input>(node: Node<'a, 'input>, name: &'static str) -> impl Iterator<Item = Node<'a, 'input>> {
-    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
+fn children<'a, 'input>(
+    node: Node<'a, 'input>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'input>> {
+    node.children()
+        .filter(move |child| child.is_element() && child.tag_name().name() == name)
 }
 
 fn number(node: Node<'_, '_>, name: &'static str) -> Option<f64> {
@@ -404,8 +486,13 @@ fn number(node: Node<'_, '_>, name: &'static str) -> Option<f64> {
 }
 
 fn unit_name(node: Node<'_, '_>, name: &'static str) -> String {
-    let unit = children(node, name).next().and_then(|unit| children(unit, "Name").next());
-    unit.and_then(|name| name.text()).unwrap_or_default().trim().to_owned()
+    let unit = children(node, name)
+        .next()
+        .and_then(|unit| children(unit, "Name").next());
+    unit.and_then(|name| name.text())
+        .unwrap_or_default()
+        .trim()
+        .to_owned()
 }
 
 #[cfg(test)]

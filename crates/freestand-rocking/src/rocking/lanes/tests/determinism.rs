@@ -23,14 +23,28 @@ fn bits(answers: &Answers) -> Vec<Result<(String, [u64; 9]), String>> {
             answer.cg_rise_m,
         ];
         let counts = (answer.impact_count, answer.wall_impact_count);
-        (format!("{:?} {:?} {counts:?}", answer.outcome, answer.stop), numbers.map(f64::to_bits))
+        (
+            format!("{:?} {:?} {counts:?}", answer.outcome, answer.stop),
+            numbers.map(f64::to_bits),
+        )
     };
-    answers.iter().map(|answer| answer.as_ref().map(one).map_err(|error| format!("{error:?}"))).collect()
+    answers
+        .iter()
+        .map(|answer| {
+            answer
+                .as_ref()
+                .map(one)
+                .map_err(|error| format!("{error:?}"))
+        })
+        .collect()
 }
 
 /// Free-standing blocks, and blocks between walls.
 fn both(seed: u64, count: usize) -> [Trouble; 2] {
-    [Trouble::new(seed, count), Trouble::between_walls(seed, count)]
+    [
+        Trouble::new(seed, count),
+        Trouble::between_walls(seed, count),
+    ]
 }
 
 fn solve(trouble: &Trouble, blocks: &[Block]) -> Answers {
@@ -41,7 +55,10 @@ fn solve(trouble: &Trouble, blocks: &[Block]) -> Answers {
 fn threads_change_nothing() {
     for trouble in (500..503).flat_map(|seed| both(seed, 100)) {
         let by = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
             bits(&pool.install(|| solve(&trouble, &trouble.blocks)))
         };
         let one = by(1);
@@ -53,7 +70,8 @@ fn threads_change_nothing() {
 
 #[test]
 fn company_and_order_change_nothing() {
-    for (seed, trouble) in (510..513).flat_map(|seed| both(seed, 60).map(|trouble| (seed, trouble))) {
+    for (seed, trouble) in (510..513).flat_map(|seed| both(seed, 60).map(|trouble| (seed, trouble)))
+    {
         let all = bits(&solve(&trouble, &trouble.blocks));
         // Fisher and Yates.
         let mut random = Random::new(seed);
@@ -66,11 +84,19 @@ fn company_and_order_change_nothing() {
             assert_eq!(all[i], shuffled, "seed {seed}, block {i} in another order");
         }
         for i in (0..all.len()).step_by(7) {
-            assert_eq!(all[i..=i], bits(&solve(&trouble, &trouble.blocks[i..=i])), "seed {seed}, block {i} alone");
+            assert_eq!(
+                all[i..=i],
+                bits(&solve(&trouble, &trouble.blocks[i..=i])),
+                "seed {seed}, block {i} alone"
+            );
         }
         // Every number of lanes that are left over beside full vectors.
         for count in 1..18 {
-            assert_eq!(all[..count], bits(&solve(&trouble, &trouble.blocks[..count])), "seed {seed}, {count} blocks");
+            assert_eq!(
+                all[..count],
+                bits(&solve(&trouble, &trouble.blocks[..count])),
+                "seed {seed}, {count} blocks"
+            );
         }
     }
 }
@@ -78,9 +104,14 @@ fn company_and_order_change_nothing() {
 /// The last block of a tile, and the first ones of the next.
 #[test]
 fn tile_boundaries_change_nothing() {
-    let trouble = (530..).map(|seed| Trouble::new(seed, 64)).find(|trouble| trouble.kind == "noise").unwrap();
+    let trouble = (530..)
+        .map(|seed| Trouble::new(seed, 64))
+        .find(|trouble| trouble.kind == "noise")
+        .unwrap();
     let count = TILE + 9;
-    let many: Vec<Block> = (0..count).map(|i| trouble.blocks[i % trouble.blocks.len()]).collect();
+    let many: Vec<Block> = (0..count)
+        .map(|i| trouble.blocks[i % trouble.blocks.len()])
+        .collect();
     let few = bits(&solve(&trouble, &trouble.blocks));
     for (i, got) in bits(&solve(&trouble, &many)).into_iter().enumerate() {
         assert_eq!(got, few[i % few.len()], "block {i}");
@@ -90,7 +121,8 @@ fn tile_boundaries_change_nothing() {
 #[test]
 fn every_vector_unit_gives_the_same_bits() {
     let units = vector_units();
-    for (seed, trouble) in (540..545).flat_map(|seed| both(seed, 20).map(|trouble| (seed, trouble))) {
+    for (seed, trouble) in (540..545).flat_map(|seed| both(seed, 20).map(|trouble| (seed, trouble)))
+    {
         for accuracy in [Accuracy::Fast, Accuracy::Standard, Accuracy::Tight] {
             // One lane at a time without fused arithmetic in the processor is slow: a short wait
             // for rest.
@@ -98,12 +130,31 @@ fn every_vector_unit_gives_the_same_bits() {
                 Until::Settled { .. } => Until::Settled { at_most_s: 1.0 },
                 until => until,
             };
-            let options = RockingOptions { accuracy, until, ..trouble.options };
-            let by = |arch| bits(&rock_many_on(arch, &trouble.blocks, trouble.base(), &options));
+            let options = RockingOptions {
+                accuracy,
+                until,
+                ..trouble.options
+            };
+            let by = |arch| {
+                bits(&rock_many_on(
+                    arch,
+                    &trouble.blocks,
+                    trouble.base(),
+                    &options,
+                ))
+            };
             let plain = by(pulp::Arch::Scalar);
-            assert_eq!(plain, bits(&rock_many(&trouble.blocks, trouble.base(), &options)), "seed {seed}, the default");
+            assert_eq!(
+                plain,
+                bits(&rock_many(&trouble.blocks, trouble.base(), &options)),
+                "seed {seed}, the default"
+            );
             for (name, arch) in &units {
-                assert_eq!(plain, by(*arch), "seed {seed}, {accuracy:?}: {name} against one lane at a time");
+                assert_eq!(
+                    plain,
+                    by(*arch),
+                    "seed {seed}, {accuracy:?}: {name} against one lane at a time"
+                );
             }
         }
     }
@@ -119,7 +170,10 @@ fn vector_units() -> Vec<(&'static str, pulp::Arch)> {
     for (name, _) in units.iter().filter(|(_, arch)| arch.is_none()) {
         println!("skipped: this processor has no {name}");
     }
-    units.into_iter().filter_map(|(name, arch)| Some((name, arch?))).collect()
+    units
+        .into_iter()
+        .filter_map(|(name, arch)| Some((name, arch?)))
+        .collect()
 }
 
 /// Elsewhere there is one vector unit, and it is the default.

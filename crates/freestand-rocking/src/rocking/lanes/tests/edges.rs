@@ -5,10 +5,15 @@ use super::super::rock_many;
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::motion::Motion;
-use crate::rocking::{Base, Outcome, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, Until, rock};
+use crate::rocking::{
+    Base, Outcome, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, Until, rock,
+};
 
 fn under(motion: &Motion) -> Base<'_> {
-    Base { horizontal: Some(motion), vertical: None }
+    Base {
+        horizontal: Some(motion),
+        vertical: None,
+    }
 }
 
 fn both(block: &Block, base: Base, options: &RockingOptions) -> (RockingSummary, Rocking) {
@@ -21,17 +26,36 @@ fn both(block: &Block, base: Base, options: &RockingOptions) -> (RockingSummary,
 #[test]
 fn a_landing_on_a_sample_is_one_landing() {
     let options = RockingOptions::default();
-    for (dt, peak_g) in [(0.02, 0.5), (0.05, 0.6), (0.01, 0.9), (0.03, 0.4), (0.002, 1.1)] {
-        let mut accel = vec![0.0, -peak_g * G0_M_S2, -peak_g * G0_M_S2, -0.3 * peak_g * G0_M_S2];
+    for (dt, peak_g) in [
+        (0.02, 0.5),
+        (0.05, 0.6),
+        (0.01, 0.9),
+        (0.03, 0.4),
+        (0.002, 1.1),
+    ] {
+        let mut accel = vec![
+            0.0,
+            -peak_g * G0_M_S2,
+            -peak_g * G0_M_S2,
+            -0.3 * peak_g * G0_M_S2,
+        ];
         accel.resize(400, 0.0);
         let motion = Motion::new(dt, accel).unwrap();
         let block = |height: f64, thickness: f64| Block::uniform(height, thickness).unwrap();
-        let first = rock(&block(1.2, 0.3), under(&motion), &options).unwrap().impacts[0].time_s;
+        let first = rock(&block(1.2, 0.3), under(&motion), &options)
+            .unwrap()
+            .impacts[0]
+            .time_s;
         let sample = (first / dt) as usize + 1;
         // The kernel's own landing, before or behind the sample: the two solvers differ by 1e-10,
         // half a million units.
         let until_then = Motion::new(dt, motion.accel_m_s2()[..=sample].to_vec()).unwrap();
-        let landed = |thickness| both(&block(1.2, thickness), under(&until_then), &options).0.impact_count > 0;
+        let landed = |thickness| {
+            both(&block(1.2, thickness), under(&until_then), &options)
+                .0
+                .impact_count
+                > 0
+        };
         let (mut low, step) = (0.3, 0.001);
         while landed(low - step) {
             low -= step;
@@ -42,21 +66,34 @@ fn a_landing_on_a_sample_is_one_landing() {
             *(if landed(middle) { &mut low } else { &mut high }) = middle;
         }
         let near = |value: f64, units: i32| value * (1.0 + f64::from(units) * f64::EPSILON);
-        let blocks: Vec<Block> =
-            (-60..60).flat_map(|i| (-60..60).map(move |j| block(near(1.2, i), near(low, j)))).collect();
+        let blocks: Vec<Block> = (-60..60)
+            .flat_map(|i| (-60..60).map(move |j| block(near(1.2, i), near(low, j))))
+            .collect();
         let scalar = rock(&block(1.2, low), under(&motion), &options).unwrap();
-        assert!((scalar.impacts[0].time_s / dt - sample as f64).abs() < 1e-7, "it lands on the sample");
+        assert!(
+            (scalar.impacts[0].time_s / dt - sample as f64).abs() < 1e-7,
+            "it lands on the sample"
+        );
         let expected = RockingSummary::from(&scalar);
-        for (block, got) in blocks.iter().zip(rock_many(&blocks, under(&motion), &options)) {
+        for (block, got) in blocks
+            .iter()
+            .zip(rock_many(&blocks, under(&motion), &options))
+        {
             let got = got.unwrap();
             for (got, expected) in got.sides.iter().zip(expected.sides) {
                 // Far above what the solvers differ by, and far below the flight that a rest on the
                 // sample would lose.
                 let error = (got.peak_rotation_rad / expected.peak_rotation_rad - 1.0).abs();
-                assert!(error < 1e-6, "every {dt} s, {block:?}: {got:?} instead of {expected:?}");
+                assert!(
+                    error < 1e-6,
+                    "every {dt} s, {block:?}: {got:?} instead of {expected:?}"
+                );
             }
             // One more or less where the last speed is about that of rest.
-            assert!(got.impact_count.abs_diff(expected.impact_count) <= 1, "{got:?} instead of {expected:?}");
+            assert!(
+                got.impact_count.abs_diff(expected.impact_count) <= 1,
+                "{got:?} instead of {expected:?}"
+            );
         }
     }
 }
@@ -68,17 +105,29 @@ fn thresholds_that_are_just_reached() {
     for model in [RockingModel::Rigid, RockingModel::Linearised] {
         for (height, thickness) in [(2.0, 0.5), (1.7, 0.3), (0.3, 0.33), (5.0, 0.1)] {
             let block = Block::uniform(height, thickness).unwrap();
-            let options = RockingOptions { model, gravity_m_s2: 1.0, ..RockingOptions::default() };
+            let options = RockingOptions {
+                model,
+                gravity_m_s2: 1.0,
+                ..RockingOptions::default()
+            };
             let threshold = model.uplift_threshold_ratio(&block);
             for units in -3..=3 {
                 let bits = threshold.to_bits() as i64 + units;
                 let at = f64::from_bits(bits as u64);
-                for accel in [vec![0.0, at, 0.0], vec![at, at], vec![0.0, at, at, 0.0], vec![-at, 0.0, at]] {
+                for accel in [
+                    vec![0.0, at, 0.0],
+                    vec![at, at],
+                    vec![0.0, at, at, 0.0],
+                    vec![-at, 0.0, at],
+                ] {
                     let mirrored = accel.iter().map(|a| -a).collect();
                     for accel in [accel.clone(), mirrored] {
                         let motion = Motion::new(0.1, accel.clone()).unwrap();
                         let (kernel, scalar) = both(&block, under(&motion), &options);
-                        assert_eq!(kernel.outcome, scalar.outcome, "{block:?} {model:?} {accel:?}");
+                        assert_eq!(
+                            kernel.outcome, scalar.outcome,
+                            "{block:?} {model:?} {accel:?}"
+                        );
                         let has_lifted = scalar.outcome != Outcome::NoUplift;
                         assert_eq!(has_lifted, units > 0, "{block:?} {model:?} {accel:?}");
                     }
@@ -97,13 +146,24 @@ fn every_wait_for_rest_ends_as_it_does_for_the_scalar_solver() {
     let block = Block::uniform(2.0, 0.5).unwrap();
     for motion in [&strong, &weak] {
         for steps in [0.0, 0.3, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 10.7, 1000.0] {
-            let options =
-                RockingOptions { until: Until::Settled { at_most_s: steps * dt }, ..RockingOptions::default() };
+            let options = RockingOptions {
+                until: Until::Settled {
+                    at_most_s: steps * dt,
+                },
+                ..RockingOptions::default()
+            };
             let (kernel, scalar) = both(&block, under(motion), &options);
-            assert_eq!((kernel.outcome, kernel.stop), (scalar.outcome, scalar.stop), "{steps} steps, {motion:?}");
+            assert_eq!(
+                (kernel.outcome, kernel.stop),
+                (scalar.outcome, scalar.stop),
+                "{steps} steps, {motion:?}"
+            );
             assert_eq!(kernel.impact_count, scalar.impacts.len(), "{steps} steps");
             // 1e-10 a step, over fewer than a hundred steps.
-            assert!((kernel.peak_rotation_rad - scalar.peak_rotation_rad).abs() <= 1e-8 * scalar.peak_rotation_rad);
+            assert!(
+                (kernel.peak_rotation_rad - scalar.peak_rotation_rad).abs()
+                    <= 1e-8 * scalar.peak_rotation_rad
+            );
         }
     }
 }
@@ -116,11 +176,22 @@ fn a_block_that_rocks_for_ever_stops_at_once() {
         for height in [0.001, 0.01, 0.5] {
             let block = Block::uniform(height, 0.25 * height).unwrap();
             let until = Until::Settled { at_most_s: 60.0 };
-            let options = RockingOptions { restitution: Restitution::Value(r), until, ..RockingOptions::default() };
+            let options = RockingOptions {
+                restitution: Restitution::Value(r),
+                until,
+                ..RockingOptions::default()
+            };
             let (kernel, scalar) = both(&block, under(&motion), &options);
-            assert_eq!((kernel.outcome, kernel.stop), (scalar.outcome, scalar.stop), "r {r}, {height} m");
+            assert_eq!(
+                (kernel.outcome, kernel.stop),
+                (scalar.outcome, scalar.stop),
+                "r {r}, {height} m"
+            );
             // One more or less where the last speed is about that of rest.
-            assert!(kernel.impact_count.abs_diff(scalar.impacts.len()) <= 1, "r {r}, {height} m");
+            assert!(
+                kernel.impact_count.abs_diff(scalar.impacts.len()) <= 1,
+                "r {r}, {height} m"
+            );
         }
     }
 }
@@ -130,7 +201,10 @@ fn a_block_that_rocks_for_ever_stops_at_once() {
 #[test]
 fn a_plateau_at_the_threshold_ends_in_any_number_of_steps() {
     let block = Block::uniform(2.0, 0.5).unwrap();
-    let options = RockingOptions { gravity_m_s2: 1.0, ..RockingOptions::default() };
+    let options = RockingOptions {
+        gravity_m_s2: 1.0,
+        ..RockingOptions::default()
+    };
     let threshold = options.model.uplift_threshold_ratio(&block);
     for i in 0..150 {
         let dt = 0.1 * 1.035_f64.powi(i);
@@ -138,7 +212,10 @@ fn a_plateau_at_the_threshold_ends_in_any_number_of_steps() {
             let at = f64::from_bits((threshold.to_bits() as i64 + units) as u64);
             let motion = Motion::new(dt, vec![at, at, at, 0.0]).unwrap();
             let (kernel, scalar) = both(&block, under(&motion), &options);
-            assert_eq!(kernel.outcome, scalar.outcome, "every {dt} s, {units} units");
+            assert_eq!(
+                kernel.outcome, scalar.outcome,
+                "every {dt} s, {units} units"
+            );
         }
     }
 }
@@ -148,28 +225,53 @@ fn a_plateau_at_the_threshold_ends_in_any_number_of_steps() {
 fn a_maximum_on_a_sample_is_found() {
     let options = RockingOptions::default();
     for (dt, peak_g) in [(0.02, 0.5), (0.05, 0.6), (0.01, 0.9), (0.03, 0.4)] {
-        let mut accel = vec![0.0, -peak_g * G0_M_S2, -peak_g * G0_M_S2, -0.3 * peak_g * G0_M_S2];
+        let mut accel = vec![
+            0.0,
+            -peak_g * G0_M_S2,
+            -peak_g * G0_M_S2,
+            -0.3 * peak_g * G0_M_S2,
+        ];
         accel.resize(400, 0.0);
         let motion = Motion::new(dt, accel).unwrap();
         let block = |thickness: f64| Block::uniform(1.2, thickness).unwrap();
         let peak_at = |thickness: f64| {
-            rock(&block(thickness), under(&motion), &options).unwrap().peak_rotation_time_s.unwrap() / dt
+            rock(&block(thickness), under(&motion), &options)
+                .unwrap()
+                .peak_rotation_time_s
+                .unwrap()
+                / dt
         };
         let sample = peak_at(0.3).floor();
         // A thicker block turns back earlier.
         let (mut before, mut behind) = (0.4, 0.3);
-        assert!(peak_at(before) < sample && peak_at(behind) >= sample, "every {dt} s");
+        assert!(
+            peak_at(before) < sample && peak_at(behind) >= sample,
+            "every {dt} s"
+        );
         for _ in 0..60 {
             let middle = 0.5 * (before + behind);
-            *(if peak_at(middle) < sample { &mut before } else { &mut behind }) = middle;
+            *(if peak_at(middle) < sample {
+                &mut before
+            } else {
+                &mut behind
+            }) = middle;
         }
-        let expected = rock(&block(before), under(&motion), &options).unwrap().peak_rotation_rad;
-        let blocks: Vec<Block> =
-            (-20_000..20_000).map(|i| block(before * (1.0 + f64::from(i) * f64::EPSILON))).collect();
-        for (block, got) in blocks.iter().zip(rock_many(&blocks, under(&motion), &options)) {
+        let expected = rock(&block(before), under(&motion), &options)
+            .unwrap()
+            .peak_rotation_rad;
+        let blocks: Vec<Block> = (-20_000..20_000)
+            .map(|i| block(before * (1.0 + f64::from(i) * f64::EPSILON)))
+            .collect();
+        for (block, got) in blocks
+            .iter()
+            .zip(rock_many(&blocks, under(&motion), &options))
+        {
             // 1e-10 is the accuracy; without the maximum what is left is 0, or a later one.
             let got = got.unwrap().peak_rotation_rad;
-            assert!((got / expected - 1.0).abs() < 1e-9, "every {dt} s, {block:?}: {got} instead of {expected}");
+            assert!(
+                (got / expected - 1.0).abs() < 1e-9,
+                "every {dt} s, {block:?}: {got} instead of {expected}"
+            );
         }
     }
 }

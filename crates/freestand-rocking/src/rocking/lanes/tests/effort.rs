@@ -11,7 +11,11 @@ use crate::rocking::{Accuracy, Base, RockingOptions, Until, rock};
 fn pulse() -> Motion {
     let half = |i: usize| 3.0 * f64::from(i as u32 * (25 - i as u32)) / 156.25;
     let at = |k: usize| if k < 25 { half(k) } else { -half(k - 25) };
-    Motion::new(0.01, (0..200).map(|k| if k < 50 { at(k) } else { 0.0 }).collect()).unwrap()
+    Motion::new(
+        0.01,
+        (0..200).map(|k| if k < 50 { at(k) } else { 0.0 }).collect(),
+    )
+    .unwrap()
 }
 
 /// 10 s of ±4 m/s².
@@ -34,50 +38,87 @@ fn furniture() -> Vec<Block> {
 }
 
 fn across(motion: &Motion) -> Base<'_> {
-    Base { horizontal: Some(motion), vertical: None }
+    Base {
+        horizontal: Some(motion),
+        vertical: None,
+    }
 }
 
 fn at(accuracy: Accuracy) -> RockingOptions {
-    RockingOptions { accuracy, ..RockingOptions::default() }
+    RockingOptions {
+        accuracy,
+        ..RockingOptions::default()
+    }
 }
 
 fn until_rest() -> RockingOptions {
-    RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() }
+    RockingOptions {
+        until: Until::Settled { at_most_s: 60.0 },
+        ..RockingOptions::default()
+    }
 }
 
 /// Taylor steps, terms of their series, and impacts.
 fn scalar(base: Base, options: &RockingOptions) -> [usize; 3] {
     let history = rock(&cabinet(), base, options).unwrap();
-    [history.effort.steps, history.effort.evaluations, history.impacts.len()]
+    [
+        history.effort.steps,
+        history.effort.evaluations,
+        history.impacts.len(),
+    ]
 }
 
 /// Steps of blocks that move, batches of events, and events.
 fn kernel(base: Base, options: &RockingOptions) -> [usize; 3] {
     let (shaking, wait) = prepare(base, options).unwrap();
-    let mut planned: Vec<(Plan, Rocker, WallRecord)> =
-        furniture().iter().map(|block| plan(block, &shaking, options).unwrap()).collect();
+    let mut planned: Vec<(Plan, Rocker, WallRecord)> = furniture()
+        .iter()
+        .map(|block| plan(block, &shaking, options).unwrap())
+        .collect();
     planned.sort_by_key(|(plan, ..)| *plan);
     let mut sum = [0; 3];
     for tile in planned.chunk_by(|(a, ..), (b, ..)| a == b) {
         let plan = tile[0].0;
-        let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) =
-            tile.iter().map(|(_, rocker, wall)| (*rocker, *wall)).unzip();
-        let mut tile = Tile::new(pulp::Arch::new(), DEGREES[plan.degree], &shaking, &rockers, walls, plan.parts);
+        let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) = tile
+            .iter()
+            .map(|(_, rocker, wall)| (*rocker, *wall))
+            .unzip();
+        let mut tile = Tile::new(
+            pulp::Arch::new(),
+            DEGREES[plan.degree],
+            &shaking,
+            &rockers,
+            walls,
+            plan.parts,
+        );
         tile.run(wait);
-        sum = [sum[0] + tile.work.steps, sum[1] + tile.work.batches, sum[2] + tile.work.events];
+        sum = [
+            sum[0] + tile.work.steps,
+            sum[1] + tile.work.batches,
+            sum[2] + tile.work.events,
+        ];
     }
     sum
 }
 
 #[test]
 fn scalar_solver_at_rest() {
-    assert_eq!(scalar(across(&pulse().scaled(0.6).unwrap()), &until_rest()), [0, 0, 0]);
+    assert_eq!(
+        scalar(across(&pulse().scaled(0.6).unwrap()), &until_rest()),
+        [0, 0, 0]
+    );
 }
 
 #[test]
 fn scalar_solver_let_go() {
-    let let_go = RockingOptions { initial_rotation_rad: 0.1, ..until_rest() };
-    assert_eq!(scalar(across(&Motion::new(0.01, vec![0.0; 2]).unwrap()), &let_go), [378, 6403, 336]);
+    let let_go = RockingOptions {
+        initial_rotation_rad: 0.1,
+        ..until_rest()
+    };
+    assert_eq!(
+        scalar(across(&Motion::new(0.01, vec![0.0; 2]).unwrap()), &let_go),
+        [378, 6403, 336]
+    );
 }
 
 #[test]
@@ -87,22 +128,34 @@ fn scalar_solver_under_a_pulse() {
 
 #[test]
 fn scalar_solver_under_noise_fast() {
-    assert_eq!(scalar(across(&noise(1)), &at(Accuracy::Fast)), [1117, 7947, 118]);
+    assert_eq!(
+        scalar(across(&noise(1)), &at(Accuracy::Fast)),
+        [1117, 7947, 118]
+    );
 }
 
 #[test]
 fn scalar_solver_under_noise_standard() {
-    assert_eq!(scalar(across(&noise(1)), &at(Accuracy::Standard)), [1107, 10732, 108]);
+    assert_eq!(
+        scalar(across(&noise(1)), &at(Accuracy::Standard)),
+        [1107, 10732, 108]
+    );
 }
 
 #[test]
 fn scalar_solver_under_noise_tight() {
-    assert_eq!(scalar(across(&noise(1)), &at(Accuracy::Tight)), [1107, 12732, 108]);
+    assert_eq!(
+        scalar(across(&noise(1)), &at(Accuracy::Tight)),
+        [1107, 12732, 108]
+    );
 }
 
 #[test]
 fn kernel_at_rest() {
-    assert_eq!(kernel(across(&pulse().scaled(0.1).unwrap()), &until_rest()), [0, 0, 0]);
+    assert_eq!(
+        kernel(across(&pulse().scaled(0.1).unwrap()), &until_rest()),
+        [0, 0, 0]
+    );
 }
 
 #[test]
@@ -112,21 +165,33 @@ fn kernel_under_a_pulse() {
 
 #[test]
 fn kernel_under_noise_fast() {
-    assert_eq!(kernel(across(&noise(1)), &at(Accuracy::Fast)), [124735, 4193, 40565]);
+    assert_eq!(
+        kernel(across(&noise(1)), &at(Accuracy::Fast)),
+        [124735, 4193, 40565]
+    );
 }
 
 #[test]
 fn kernel_under_noise_standard() {
-    assert_eq!(kernel(across(&noise(1)), &at(Accuracy::Standard)), [125228, 6867, 39661]);
+    assert_eq!(
+        kernel(across(&noise(1)), &at(Accuracy::Standard)),
+        [125228, 6867, 39661]
+    );
 }
 
 #[test]
 fn kernel_under_noise_tight() {
-    assert_eq!(kernel(across(&noise(1)), &at(Accuracy::Tight)), [132491, 5753, 39460]);
+    assert_eq!(
+        kernel(across(&noise(1)), &at(Accuracy::Tight)),
+        [132491, 5753, 39460]
+    );
 }
 
 #[test]
 fn kernel_with_vertical_motion() {
-    let base = Base { horizontal: Some(&noise(1)), vertical: Some(&noise(2)) };
+    let base = Base {
+        horizontal: Some(&noise(1)),
+        vertical: Some(&noise(2)),
+    };
     assert_eq!(kernel(base, &at(Accuracy::Standard)), [122763, 3158, 31546]);
 }

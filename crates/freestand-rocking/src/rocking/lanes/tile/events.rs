@@ -43,7 +43,13 @@ impl Tile<'_> {
     /// solved by all roots of the series.
     #[inline(never)]
     fn intricate(&mut self, step: &Step, lane: usize, c: &[f64; TERMS], rest: f64) {
-        let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
+        let Moving {
+            block,
+            edge,
+            best,
+            tau,
+            ..
+        } = self.moving.get(lane);
         let terms = self.rockers[block as usize].edges[edge];
         let mut c = *c;
         if terms.has_wall() && c[0] >= terms.ceiling {
@@ -75,8 +81,16 @@ impl Tile<'_> {
             self.moving.leave(lane);
             return;
         }
-        let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
-        let stop = if highest < terms.ceiling { None } else { reaches(c, terms.ceiling) };
+        let impact = if c[lead] > reach {
+            None
+        } else {
+            first_root(&c[lead..])
+        };
+        let stop = if highest < terms.ceiling {
+            None
+        } else {
+            reaches(c, terms.ceiling)
+        };
         if terms.has_wall() && stop == Some(0.0) {
             self.lean(step, lane, 1.0);
             return;
@@ -96,7 +110,10 @@ impl Tile<'_> {
         let mut best = best.max(y);
         if highest > best {
             let mut slope = [0.0; TERMS];
-            slope.iter_mut().zip(c.iter().enumerate().skip(1)).for_each(|(slope, (k, c))| *slope = k as f64 * c);
+            slope
+                .iter_mut()
+                .zip(c.iter().enumerate().skip(1))
+                .for_each(|(slope, (k, c))| *slope = k as f64 * c);
             roots(&slope[..c.len() - 1], &mut |x| {
                 if x <= end {
                     best = best.max(value(c, x).min(terms.ceiling));
@@ -118,7 +135,9 @@ impl Tile<'_> {
 
     /// An impact at velocity `w` that ends the rotation about the edge of a lane.
     fn land(&mut self, step: &Step, lane: usize, w: f64, tau: f64) {
-        let Moving { block, edge, best, .. } = self.moving.get(lane);
+        let Moving {
+            block, edge, best, ..
+        } = self.moving.get(lane);
         let rocker = &self.rockers[block as usize];
         let other = 1 - edge;
         let speed = (-w).max(0.0);
@@ -141,8 +160,11 @@ impl Tile<'_> {
                 return;
             }
         }
-        let (edge, w, tau) =
-            if after > self.rest_w { self.short_flights(step, block, other, after, tau) } else { (other, after, tau) };
+        let (edge, w, tau) = if after > self.rest_w {
+            self.short_flights(step, block, other, after, tau)
+        } else {
+            (other, after, tau)
+        };
         self.go_on(step, lane, edge, w, tau);
     }
 
@@ -177,7 +199,14 @@ impl Tile<'_> {
         wall.impact_count += 1;
         wall.speeds[other] = wall.speeds[other].max(after);
         let back = after * wall.restitution[other] * rocker.restitution[edge];
-        (edge, if rocker.edges[edge].touches_wall() { 0.0 } else { back })
+        (
+            edge,
+            if rocker.edges[edge].touches_wall() {
+                0.0
+            } else {
+                back
+            },
+        )
     }
 
     /// An impact at velocity `w` on the wall beyond the edge of a lane.
@@ -193,8 +222,11 @@ impl Tile<'_> {
         wall.speeds[edge] = wall.speeds[edge].max(speed);
         wall.bounced = true;
         let after = speed * wall.restitution[edge];
-        let (after, tau) =
-            if after > self.rest_w { self.short_bounces(step, block, edge, after, tau) } else { (after, tau) };
+        let (after, tau) = if after > self.rest_w {
+            self.short_bounces(step, block, edge, after, tau)
+        } else {
+            (after, tau)
+        };
         if self.walls[block as usize].impact_count > MAX_IMPACTS {
             self.records[block as usize].state = State::GivenUp;
             self.moving.leave(lane);
@@ -218,33 +250,58 @@ impl Tile<'_> {
     ///
     /// With d = θ_c − y the equation is that of a flight from the floor:
     /// d̈ = −(E′ cos d − D′ sin d), E′ = D sin θ_c − E cos θ_c, D′ = E sin θ_c + D cos θ_c.
-    fn short_bounces(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (f64, f64) {
+    fn short_bounces(
+        &mut self,
+        step: &Step,
+        block: u32,
+        edge: usize,
+        w: f64,
+        tau: f64,
+    ) -> (f64, f64) {
         let rocker = &self.rockers[block as usize];
         let wall = &mut self.walls[block as usize];
-        let EdgeTerms { alpha, x2, ceiling, .. } = rocker.edges[edge];
+        let EdgeTerms {
+            alpha, x2, ceiling, ..
+        } = rocker.edges[edge];
         let r = wall.restitution[edge];
         let (mut w, mut tau) = (w, tau);
         let (sin, cos) = (alpha - ceiling).sin_cos();
         let (sin, cos) = (x2 * sin, x2 * cos);
         let (u, v) = step.ground.at(tau);
-        let (su, su1, v1) = (SIDES[edge] * u, SIDES[edge] * step.ground.u_change, step.ground.v_change);
+        let (su, su1, v1) = (
+            SIDES[edge] * u,
+            SIDES[edge] * step.ground.u_change,
+            step.ground.v_change,
+        );
         let mut acting = Acting {
-            e: Pull { now: -(v * sin + su * cos), slope: -(v1 * sin + su1 * cos) },
-            d: Pull { now: v * cos - su * sin, slope: v1 * cos - su1 * sin },
+            e: Pull {
+                now: -(v * sin + su * cos),
+                slope: -(v1 * sin + su1 * cos),
+            },
+            d: Pull {
+                now: v * cos - su * sin,
+                slope: v1 * cos - su1 * sin,
+            },
         };
         while w > self.rest_w && wall.impact_count < MAX_IMPACTS {
             let left = 1.0 - tau;
             if !acting.is_brief(w, left) {
                 break;
             }
-            let trace = Trace { height: ceiling, speed: wall.speeds[edge] };
+            let trace = Trace {
+                height: ceiling,
+                speed: wall.speeds[edge],
+            };
             if !self.quiet
-                && let Some(impacts) = impacts_to_rest([acting; 2], r, w, left, [trace; 2], self.rest_w)
+                && let Some(impacts) =
+                    impacts_to_rest([acting; 2], r, w, left, [trace; 2], self.rest_w)
             {
                 wall.impact_count += impacts;
                 return (0.0, 1.0);
             }
-            let Some(flight) = acting.flight(w, left, ceiling) else { break };
+            let Some(flight) = acting.flight(w, left, ceiling) else {
+                break;
+            };
             wall.impact_count += 1;
             wall.speeds[edge] = wall.speeds[edge].max(flight.speed);
             acting = acting.after(flight.time);
@@ -261,7 +318,18 @@ impl Tile<'_> {
         // At the end of the step the block continues in the next one.
         let over = tau >= 1.0;
         let tau = if over { 0.0 } else { tau };
-        self.moving.set(lane, Moving { block, edge, y, w, best, tau }, &self.rockers[block as usize]);
+        self.moving.set(
+            lane,
+            Moving {
+                block,
+                edge,
+                y,
+                w,
+                best,
+                tau,
+            },
+            &self.rockers[block as usize],
+        );
         if !over {
             self.again.push(lane as u32);
         }
@@ -270,7 +338,14 @@ impl Tile<'_> {
     /// Calculates short flights, which set no new largest rotation. Returns the edge, the speed and
     /// the part of the step that has passed after the last of them; a speed of zero at the end of
     /// the step if the block comes to rest before it.
-    fn short_flights(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (usize, f64, f64) {
+    fn short_flights(
+        &mut self,
+        step: &Step,
+        block: u32,
+        edge: usize,
+        w: f64,
+        tau: f64,
+    ) -> (usize, f64, f64) {
         let rocker = &self.rockers[block as usize];
         let record = &mut self.records[block as usize];
         let (mut edge, mut w, mut tau) = (edge, w, tau);
@@ -280,8 +355,14 @@ impl Tile<'_> {
             let (s, EdgeTerms { threshold, b, .. }) = (SIDES[edge], rocker.edges[edge]);
             let a = threshold * b;
             Acting {
-                e: Pull { now: a * v + s * b * u, slope: a * v1 + s * b * u1 },
-                d: Pull { now: b * v - s * a * u, slope: b * v1 - s * a * u1 },
+                e: Pull {
+                    now: a * v + s * b * u,
+                    slope: a * v1 + s * b * u1,
+                },
+                d: Pull {
+                    now: b * v - s * a * u,
+                    slope: b * v1 - s * a * u1,
+                },
             }
         };
         let mut acting = [acting_about(edge), acting_about(1 - edge)];
@@ -299,7 +380,8 @@ impl Tile<'_> {
             // by one, as in the scalar solver.
             if !self.quiet
                 && rocker.restitution[0] == rocker.restitution[1]
-                && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
+                && let Some(impacts) =
+                    impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
             {
                 record.impact_count += impacts;
                 if record.impact_count > MAX_IMPACTS {
@@ -307,7 +389,9 @@ impl Tile<'_> {
                 }
                 return (edge, 0.0, 1.0);
             }
-            let Some(flight) = acting[edge].flight(w, left, traces[0].height) else { break };
+            let Some(flight) = acting[edge].flight(w, left, traces[0].height) else {
+                break;
+            };
             record.impact_count += 1;
             let side = &mut record.sides[edge];
             side.speed = side.speed.max(flight.speed);
@@ -321,7 +405,9 @@ impl Tile<'_> {
 
     /// The block of a lane comes to rest in a step and waits to be lifted again.
     fn come_to_rest(&mut self, step: &Step, lane: usize, tau: f64) {
-        let Moving { block, edge, best, .. } = self.moving.get(lane);
+        let Moving {
+            block, edge, best, ..
+        } = self.moving.get(lane);
         let record = &mut self.records[block as usize];
         record.state = State::AtRest;
         record.sides[edge].height = best;
@@ -332,7 +418,10 @@ impl Tile<'_> {
     fn lean(&mut self, step: &Step, lane: usize, tau: f64) {
         let Moving { block, edge, .. } = self.moving.get(lane);
         let past_balance = self.rockers[block as usize].edges[edge].is_past_balance();
-        self.records[block as usize].state = State::Leaning { edge: edge as u8, past_balance };
+        self.records[block as usize].state = State::Leaning {
+            edge: edge as u8,
+            past_balance,
+        };
         self.pause(step, lane, block, tau);
     }
 
@@ -354,8 +443,17 @@ impl Tile<'_> {
                 } else if step.part + 1 < self.parts {
                     let (part, tau) = self.part_of(ratio);
                     let early = part <= step.part;
-                    let (part, tau) = if early { (step.part + 1, 0.0) } else { (part, tau) };
-                    self.pending.push(Lift { part, block, edge, tau });
+                    let (part, tau) = if early {
+                        (step.part + 1, 0.0)
+                    } else {
+                        (part, tau)
+                    };
+                    self.pending.push(Lift {
+                        part,
+                        block,
+                        edge,
+                        tau,
+                    });
                 } else {
                     self.wait(block, step.interval + 2);
                 }

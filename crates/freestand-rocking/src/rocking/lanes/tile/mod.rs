@@ -161,7 +161,9 @@ impl<'a> Tile<'a> {
         walls: Vec<WallRecord>,
         parts: usize,
     ) -> Self {
-        let walled = rockers.iter().any(|rocker| rocker.edges.iter().any(EdgeTerms::has_wall));
+        let walled = rockers
+            .iter()
+            .any(|rocker| rocker.edges.iter().any(EdgeTerms::has_wall));
         Self {
             shaking,
             rockers,
@@ -201,7 +203,13 @@ impl<'a> Tile<'a> {
             self.settle(wait);
         }
         for lane in 0..self.moving.count() {
-            let Moving { block, edge, best, y, .. } = self.moving.get(lane);
+            let Moving {
+                block,
+                edge,
+                best,
+                y,
+                ..
+            } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
             let terms = &self.rockers[block as usize].edges[edge];
@@ -218,12 +226,26 @@ impl<'a> Tile<'a> {
     fn settle(&mut self, wait: usize) {
         self.quiet = true;
         for lane in 0..self.moving.count() {
-            let Moving { block, edge, y, w, best, .. } = self.moving.get(lane);
+            let Moving {
+                block,
+                edge,
+                y,
+                w,
+                best,
+                ..
+            } = self.moving.get(lane);
             let tail = tail(&self.rockers[block as usize], edge, y, w, self.rest_w);
-            let Some(tail) = tail.filter(|tail| tail.steps < wait as f64 * self.parts as f64) else { continue };
+            let Some(tail) = tail.filter(|tail| tail.steps < wait as f64 * self.parts as f64)
+            else {
+                continue;
+            };
             let record = &mut self.records[block as usize];
             record.impact_count += tail.impacts;
-            record.state = if record.impact_count > MAX_IMPACTS { State::GivenUp } else { State::AtRest };
+            record.state = if record.impact_count > MAX_IMPACTS {
+                State::GivenUp
+            } else {
+                State::AtRest
+            };
             record.sides[edge].height = best;
             for (side, tail) in record.sides.iter_mut().zip(tail.sides) {
                 side.height = side.height.max(tail.height);
@@ -232,7 +254,12 @@ impl<'a> Tile<'a> {
             self.moving.leave(lane);
         }
         self.moving.close();
-        let still = Interval { u: 0.0, u_change: 0.0, v: 1.0, v_change: 0.0 };
+        let still = Interval {
+            u: 0.0,
+            u_change: 0.0,
+            v: 1.0,
+            v_change: 0.0,
+        };
         for _ in 0..wait {
             if self.moving.is_empty() {
                 break;
@@ -251,10 +278,20 @@ impl<'a> Tile<'a> {
                 whole
             } else {
                 let (u, v) = whole.at(part as f64 * share);
-                shared = Interval { u, u_change: share * whole.u_change, v, v_change: share * whole.v_change };
+                shared = Interval {
+                    u,
+                    u_change: share * whole.u_change,
+                    v,
+                    v_change: share * whole.v_change,
+                };
                 &shared
             };
-            let step = Step { interval, whole, part, ground };
+            let step = Step {
+                interval,
+                whole,
+                part,
+                ground,
+            };
             for i in 0..self.pending.len() {
                 let lift = self.pending[i];
                 if lift.part == part {

@@ -19,9 +19,24 @@ impl Tile<'_> {
         record.state = State::Moving;
         let best = record.sides[edge].height;
         let rocker = &self.rockers[block as usize];
-        let y = if leans { rocker.edges[edge].ceiling } else { 0.0 };
+        let y = if leans {
+            rocker.edges[edge].ceiling
+        } else {
+            0.0
+        };
         let lane = self.moving.enter();
-        self.moving.set(lane, Moving { block, edge, y, w: 0.0, best, tau }, rocker);
+        self.moving.set(
+            lane,
+            Moving {
+                block,
+                edge,
+                y,
+                w: 0.0,
+                best,
+                tau,
+            },
+            rocker,
+        );
         lane
     }
 
@@ -33,13 +48,17 @@ impl Tile<'_> {
             State::Leaning { edge, .. } => {
                 let edge = usize::from(edge);
                 let EdgeTerms { alpha, ceiling, .. } = edges[edge];
-                self.shaking.first_release(edge, (ceiling - alpha).tan(), from)
+                self.shaking
+                    .first_release(edge, (ceiling - alpha).tan(), from)
             }
-            _ => self.shaking.first_lift(edges.map(|edge| edge.threshold), from),
+            _ => self
+                .shaking
+                .first_lift(edges.map(|edge| edge.threshold), from),
         };
         if let Some(sample) = first {
             let interval = sample.saturating_sub(1);
-            self.lifted_next[block as usize] = std::mem::replace(&mut self.lifted_in[interval], block);
+            self.lifted_next[block as usize] =
+                std::mem::replace(&mut self.lifted_in[interval], block);
         }
     }
 
@@ -51,7 +70,12 @@ impl Tile<'_> {
             match self.lift(block, whole, 0.0) {
                 Some((edge, ratio)) => {
                     let (part, tau) = self.part_of(ratio);
-                    self.pending.push(Lift { part, block, edge, tau });
+                    self.pending.push(Lift {
+                        part,
+                        block,
+                        edge,
+                        tau,
+                    });
                 }
                 // `first_lift` compares a quotient, `margin` a product: they may round to different
                 // sides of the threshold.
@@ -80,7 +104,10 @@ impl Tile<'_> {
         }
         let mut first: Option<(usize, f64)> = None;
         for edge in 0..2 {
-            let (now, end) = (margin(rocker, edge, u, v), margin(rocker, edge, u_end, v_end));
+            let (now, end) = (
+                margin(rocker, edge, u, v),
+                margin(rocker, edge, u_end, v_end),
+            );
             let at = if now < 0.0 {
                 from
             } else if end < 0.0 {

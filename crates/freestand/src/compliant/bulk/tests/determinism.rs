@@ -5,7 +5,11 @@ use super::*;
 /// Every number of a result, or its error.
 fn bits(results: &[Result<CompliantSummary, CompliantError>]) -> Vec<String> {
     let of = |done: &CompliantSummary| {
-        let times = [done.pulse_duration_s, done.contact_duration_s, done.let_go_time_s];
+        let times = [
+            done.pulse_duration_s,
+            done.contact_duration_s,
+            done.let_go_time_s,
+        ];
         let more = [done.first_uplift_time_s, done.overturn_time_s];
         let numbers = [
             done.pad_uplift_ratio,
@@ -16,11 +20,22 @@ fn bits(results: &[Result<CompliantSummary, CompliantError>]) -> Vec<String> {
             done.velocity_change_m_s,
             done.peak_compression_m,
         ];
-        let times = times.into_iter().chain(more).map(|time| time.map(f64::to_bits));
+        let times = times
+            .into_iter()
+            .chain(more)
+            .map(|time| time.map(f64::to_bits));
         let times: Vec<Option<u64>> = times.collect();
-        format!("{:?} {} {:x?} {times:x?}", done.outcome, done.touch_count, numbers.map(f64::to_bits))
+        format!(
+            "{:?} {} {:x?} {times:x?}",
+            done.outcome,
+            done.touch_count,
+            numbers.map(f64::to_bits)
+        )
     };
-    results.iter().map(|result| result.as_ref().map_or_else(ToString::to_string, of)).collect()
+    results
+        .iter()
+        .map(|result| result.as_ref().map_or_else(ToString::to_string, of))
+        .collect()
 }
 
 /// Worlds of many kinds: some stay, some lift, some fall; other steps, vertical motion, no dashpots,
@@ -30,7 +45,12 @@ fn mixed(motions: &[Motion], still: &Motion) -> Vec<(Object, Motion, Option<Moti
     for (i, motion) in motions.iter().enumerate() {
         for (j, mut object) in objects().into_iter().enumerate() {
             let to_s = [5.0, 9.0, 7.0][(i + j) % 3];
-            let horizontal = part(motion, 2.0, to_s, [0.5, 1.2, 2.0, 4.0][(i + 2 * j) % 4] * object.up_m_s2());
+            let horizontal = part(
+                motion,
+                2.0,
+                to_s,
+                [0.5, 1.2, 2.0, 4.0][(i + 2 * j) % 4] * object.up_m_s2(),
+            );
             object.damping_ratio = [0.05, 0.1, 0.2, 0.0][i % 4];
             if (i + j) % 11 == 3 {
                 object.mass_kg *= -1.0;
@@ -55,7 +75,10 @@ fn worlds(mixed: &[(Object, Motion, Option<Motion>)]) -> Vec<CompliantWorld<'_>>
     mixed
         .iter()
         .map(|(object, horizontal, vertical)| CompliantWorld {
-            motion: Base { horizontal: Some(horizontal), vertical: vertical.as_ref() },
+            motion: Base {
+                horizontal: Some(horizontal),
+                vertical: vertical.as_ref(),
+            },
             ..object.world(horizontal)
         })
         .collect()
@@ -68,23 +91,39 @@ fn no_result_depends_on_order_company_or_threads() {
     let worlds = worlds(&mixed);
     let all = bits(&rock_compliant_many(&worlds, G0_M_S2));
     assert!(all.iter().any(|one| one.starts_with("StayedOn")), "{all:?}");
-    assert!(all.iter().any(|one| one.starts_with("LetGo")) && all.iter().any(|one| one.starts_with("Overturned")));
+    assert!(
+        all.iter().any(|one| one.starts_with("LetGo"))
+            && all.iter().any(|one| one.starts_with("Overturned"))
+    );
     assert!(all.iter().any(|one| one.contains("mass")));
     let reversed: Vec<CompliantWorld> = worlds.iter().rev().copied().collect();
     let mut backwards = bits(&rock_compliant_many(&reversed, G0_M_S2));
     backwards.reverse();
     assert_eq!(all, backwards);
     for (i, world) in worlds.iter().enumerate() {
-        assert_eq!(all[i..=i], bits(&rock_compliant_many(&[*world], G0_M_S2)), "world {i} alone");
+        assert_eq!(
+            all[i..=i],
+            bits(&rock_compliant_many(&[*world], G0_M_S2)),
+            "world {i} alone"
+        );
     }
     // Every number of lanes that are left over.
     for count in 0..worlds.len() {
-        assert_eq!(all[..count], bits(&rock_compliant_many(&worlds[..count], G0_M_S2)), "{count} worlds");
+        assert_eq!(
+            all[..count],
+            bits(&rock_compliant_many(&worlds[..count], G0_M_S2)),
+            "{count} worlds"
+        );
     }
     // More worlds than one thread takes at once.
-    let many: Vec<CompliantWorld> = (0..2 * WORLDS + 9).map(|i| worlds[i % worlds.len()]).collect();
+    let many: Vec<CompliantWorld> = (0..2 * WORLDS + 9)
+        .map(|i| worlds[i % worlds.len()])
+        .collect();
     for threads in [1, 2, 7] {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
         let found = bits(&pool.install(|| rock_compliant_many(&many, G0_M_S2)));
         for (i, one) in found.iter().enumerate() {
             assert_eq!(*one, all[i % all.len()], "{threads} threads, world {i}");
@@ -97,8 +136,16 @@ fn every_vector_unit_gives_the_same_bits() {
     let still = Motion::new(0.01, vec![0.0; 50]).unwrap();
     let mixed = mixed(&motions(2), &still);
     let worlds = worlds(&mixed);
-    let plain = bits(&rock_compliant_many_on(pulp::Arch::Scalar, &worlds, G0_M_S2));
-    assert_eq!(plain, bits(&rock_compliant_many(&worlds, G0_M_S2)), "the default");
+    let plain = bits(&rock_compliant_many_on(
+        pulp::Arch::Scalar,
+        &worlds,
+        G0_M_S2,
+    ));
+    assert_eq!(
+        plain,
+        bits(&rock_compliant_many(&worlds, G0_M_S2)),
+        "the default"
+    );
     for (name, arch) in vector_units() {
         let found = bits(&rock_compliant_many_on(arch, &worlds, G0_M_S2));
         assert_eq!(plain, found, "{name} against one lane at a time");
@@ -115,7 +162,10 @@ fn vector_units() -> Vec<(&'static str, pulp::Arch)> {
     for (name, _) in units.iter().filter(|(_, arch)| arch.is_none()) {
         println!("skipped: this processor has no {name}");
     }
-    units.into_iter().filter_map(|(name, arch)| Some((name, arch?))).collect()
+    units
+        .into_iter()
+        .filter_map(|(name, arch)| Some((name, arch?)))
+        .collect()
 }
 
 /// Elsewhere there is one vector unit, and it is the default.

@@ -32,7 +32,10 @@ fn rocked(object: &Object) -> (f64, f64, f64) {
     // On the right edge, its pad pressed by the whole weight.
     let (sin, cos) = theta.sin_cos();
     let z = body.edges[1] * sin - body.height * (1.0 - cos) - body.gravity / body.spring;
-    world.tilt([0.0, z, theta, 0.0, 0.0, 0.0], body.edges[1] * cos - body.height * sin);
+    world.tilt(
+        [0.0, z, theta, 0.0, 0.0, 0.0],
+        body.edges[1] * cos - body.height * sin,
+    );
     let mut lifted = Box::<Lifted>::default();
     for lane in 0..LANES {
         lifted.leave(lane);
@@ -45,7 +48,11 @@ fn rocked(object: &Object) -> (f64, f64, f64) {
     loop {
         let on = [lifted.on[0][0], lifted.on[1][0]];
         advance(Arch::new(), &mut lifted);
-        let next = if lifted.flags[0] == 0.0 { None } else { world.after_step(&mut lifted, 0) };
+        let next = if lifted.flags[0] == 0.0 {
+            None
+        } else {
+            world.after_step(&mut lifted, 0)
+        };
         let now = energy(&lifted, &body);
         gain = gain.max((now - before) / unit);
         if (0..2).all(|edge| lifted.on[edge][0] >= on[edge]) {
@@ -71,6 +78,10 @@ fn nothing_gains_energy_and_only_contacts_take_it() {
         assert!((0.0..0.99).contains(&lost), "{}: {lost}", object.name);
         object.damping_ratio = 0.2;
         let (gain, _, damped) = rocked(&object);
-        assert!(gain < 1e-3 && damped > lost, "{}: {gain} {damped} {lost}", object.name);
+        assert!(
+            gain < 1e-3 && damped > lost,
+            "{}: {gain} {damped} {lost}",
+            object.name
+        );
     }
 }
