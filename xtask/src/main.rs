@@ -6,7 +6,8 @@
 //! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
 //! result is committed. `cargo xtask wheel [--out DIR]`: the Python package with the program
 //! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
-//! profile. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
+//! profile. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
+//! commit. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
 #![expect(
     clippy::print_stdout,
@@ -19,6 +20,7 @@ mod checks;
 mod page;
 mod python;
 mod risk_tools;
+mod same;
 mod source;
 mod texts;
 mod validate_shock;
@@ -28,8 +30,8 @@ use std::process::ExitCode;
 
 use checks::Check;
 
-const USAGE: &str = "usage: cargo xtask test | check NAME | arrows | ui | wheel [--out DIR] | python | validate-shock | risk-tools | \
-                     texts [--flagged] [PATH…]";
+const USAGE: &str = "usage: cargo xtask test | check NAME | arrows | ui | wheel [--out DIR] | python | \
+                     validate-shock | risk-tools | same COMMIT [WORDS] | texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -56,6 +58,8 @@ fn main() -> ExitCode {
         ("ui", []) => page::build(&root).map(|()| true),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
         ("risk-tools", []) => risk_tools::fetch_and_compare(&root).map(|()| true),
+        ("same", [commit]) => same::compare(&root, commit, ""),
+        ("same", [commit, filter]) => same::compare(&root, commit, filter),
         ("wheel", []) => wheel(&root, &root.join("target/wheels")),
         ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
         ("python", []) => python::test(&root).map(|()| true).map_err(told),
