@@ -23,10 +23,15 @@ const TABLES_WITHOUT_EFFECT: [&str; 5] =
 
 /// The key of a run in parts of `part` objects.
 pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
+    sha256_hex(hashed(study, inventory, part).to_string().as_bytes())
+}
+
+/// What the key is the hash of.
+fn hashed(study: &Study, inventory: &Inventory, part: usize) -> Value {
     let hashes = |files: &[InputFile]| -> Vec<String> {
         files.iter().map(|file| file.sha256.clone()).collect()
     };
-    let text = json!({
+    json!({
         "format": FORMAT,
         "version": env!("CARGO_PKG_VERSION"),
         "part": part,
@@ -44,8 +49,7 @@ pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
         "settings": settings(&study.assessment),
         "inventory": {"sha256": inventory.sha256, "sheet": inventory.sheet, "reading": inventory.read_with},
         "libraries": hashes(&inventory.libraries),
-    });
-    sha256_hex(text.to_string().as_bytes())
+    })
 }
 
 /// The study without the tables that have no effect.
@@ -215,6 +219,11 @@ mod tests {
     use super::*;
 
     fn key(toml: &str, change: impl FnOnce(&mut Study, &mut Inventory)) -> String {
+        let (study, inventory) = inputs(toml, change);
+        resume_key(&study, &inventory, 256)
+    }
+
+    fn inputs(toml: &str, change: impl FnOnce(&mut Study, &mut Inventory)) -> (Study, Inventory) {
         let mut study = freestand_study::resolve::resolve(toml, None, Path::new("")).unwrap();
         let mut inventory = Inventory {
             path: PathBuf::from("objects.csv"),
@@ -228,7 +237,18 @@ mod tests {
             warnings: Vec::new(),
         };
         change(&mut study, &mut inventory);
-        resume_key(&study, &inventory, 256)
+        (study, inventory)
+    }
+
+    /// Whoever changes this text raises [`FORMAT`], so that parts of an older program are refused and
+    /// not misread.
+    #[test]
+    fn the_text_of_a_key_changes_with_its_format_alone() {
+        let toml = "[building]\nstoreys = 8\n";
+        let (study, inventory) = inputs(toml, |_, _| ());
+        let mut hashed = hashed(&study, &inventory, 256);
+        hashed["version"] = "of the program".into();
+        insta::assert_snapshot!(serde_json::to_string_pretty(&hashed).unwrap());
     }
 
     #[test]

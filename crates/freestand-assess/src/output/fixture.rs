@@ -59,7 +59,7 @@ pub(super) fn head(total: usize) -> Head {
     }
 }
 
-pub(super) fn item(index: usize) -> Item {
+pub(crate) fn item(index: usize) -> Item {
     let slender = 1.0 + 0.1 * (index % 13) as f64;
     Item {
         row: 2 + index as u32,

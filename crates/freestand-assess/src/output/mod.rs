@@ -3,7 +3,7 @@
 
 mod csv;
 #[cfg(test)]
-mod fixture;
+pub(crate) mod fixture;
 pub(crate) mod head;
 mod hold;
 mod outcomes;

@@ -332,3 +332,58 @@ pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> 
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
+
+    use super::*;
+    use crate::inventory::{Casters, Item, UpperBody};
+    use crate::output::fixture::item;
+
+    /// A change of these numbers changes every result: random numbers belong to the seed, the world,
+    /// the group and the name of an object alone. To 12 digits, because the last ones differ between
+    /// the mathematical libraries of machines.
+    #[test]
+    fn the_draws_of_objects() {
+        let plain = Item {
+            id: "cabinet".to_owned(),
+            ..item(0)
+        };
+        let mut rolling = Item {
+            id: "trolley".to_owned(),
+            ..item(1)
+        };
+        rolling.surroundings.casters = Some(Casters::Free);
+        let mut stack = Item {
+            id: "case on a desk".to_owned(),
+            ..item(2)
+        };
+        stack.surroundings.wall_gap_m = Some(0.05);
+        stack.surroundings.upper = Some(UpperBody {
+            height_m: 0.4,
+            thickness_m: 0.3,
+            mass_kg: Some(20.0),
+        });
+        let mut walled = Item {
+            id: "shelf at a wall".to_owned(),
+            ..item(3)
+        };
+        walled.surroundings.wall_gap_m = Some(0.05);
+        let settings = Settings::default();
+        let mut told = String::new();
+        for item in [plain, rolling, stack, walled] {
+            let subject = Subject::new(&item, &settings).unwrap();
+            for (world, change) in [
+                (0, Change::None),
+                (7, Change::None),
+                (7, Change::Again(Group::Pad)),
+                (7, Change::At(Group::Body, 1.0)),
+            ] {
+                let draw = draw(&settings, &subject, key(&item.id), world, change);
+                writeln!(told, "{}, world {world}, {change:?}\n{draw:.12?}", item.id).unwrap();
+            }
+        }
+        insta::assert_snapshot!(told);
+    }
+}
