@@ -6,7 +6,7 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::motion::Motion;
 use freestand::rocking::Base;
-use freestand::sliding::{Clearance, Friction, SlidingOptions, slide_many};
+use freestand::sliding::{Clearance, Friction, SlidingOptions, slide};
 use freestand_benches::time_of;
 
 /// 4000 samples every 5 ms, peak 0.45 g: `validation/rocking/records/bench4000.csv`.
@@ -37,11 +37,6 @@ fn blocks(from: f64, to: f64) -> Vec<SlidingOptions> {
 fn sliding(criterion: &mut Criterion) {
     let record = record();
     let vertical = record.scaled(0.6).unwrap();
-    let one = rayon::ThreadPoolBuilder::new()
-        .num_threads(1)
-        .use_current_thread()
-        .build()
-        .unwrap();
     let mut group = criterion.benchmark_group("sliding (elements: nominal block-steps)");
     group
         .throughput(Throughput::Elements(
@@ -66,7 +61,10 @@ fn sliding(criterion: &mut Criterion) {
                     "horizontal only"
                 }
             );
-            let run = || one.install(|| slide_many(base, &blocks));
+            let run = || {
+                let slides = blocks.iter().map(|options| slide(base, options));
+                slides.collect::<Vec<_>>()
+            };
             group.bench_function(name, |b| b.iter_custom(|rounds| time_of(rounds, run)));
         }
     }

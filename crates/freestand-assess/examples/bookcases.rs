@@ -1,4 +1,4 @@
-//! The furniture of FEMA P-58 under computed floor motions: the table of `docs/fragilities.md`.
+//! The furniture of FEMA P-58 under computed floor motions: the table of `docs/risk.md`.
 //!
 //! `cargo run --release -p freestand-assess --example bookcases [SEED]`
 
@@ -10,7 +10,8 @@ use freestand::block::Block;
 use freestand::building::{Building, floor_motion};
 use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::fragility::{
-    FragilityError, LognormalFragility, fit_lognormal, kaneko_hayashi_velocity_m_s,
+    CurveKind, FitKind, LimitState, OutcomeClass, Outcomes, OutcomesError, Run, fit_curves,
+    kaneko_hayashi_velocity_m_s,
 };
 use freestand::measures::measures;
 use freestand::motion::Motion;
@@ -74,13 +75,28 @@ fn overturned(
     levels_m_s().into_par_iter().map(at).collect()
 }
 
-fn fit(counts: &[Vec<u32>], block: usize) -> Result<LognormalFragility, FragilityError> {
-    let levels: Vec<(f64, u32, u32)> = levels_m_s()
-        .into_iter()
-        .zip(counts)
-        .map(|(pfv, counts)| (pfv, counts[block], MOTIONS as u32))
-        .collect();
-    fit_lognormal(&levels)
+/// Median and β where a lognormal curve fits the counts, and what fits them where none does.
+fn fit(counts: &[Vec<u32>], block: usize) -> Result<String, OutcomesError> {
+    let run = |(pfv_m_s, counts): (f64, &Vec<u32>)| {
+        let run = |class, count| Run {
+            motion: None,
+            intensity: pfv_m_s,
+            class,
+            weight: f64::from(count),
+        };
+        let overturned = counts[block];
+        [
+            run(OutcomeClass::NoUplift, MOTIONS as u32 - overturned),
+            run(OutcomeClass::Overturned, overturned),
+        ]
+    };
+    let runs: Vec<Run> = levels_m_s().into_iter().zip(counts).flat_map(run).collect();
+    let outcomes = Outcomes::new(&runs)?;
+    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Separate);
+    Ok(match fit.curve(LimitState::Overturns) {
+        Some(CurveKind::Lognormal { median, beta }) => format!("{median:.2} ({beta:.2})"),
+        other => format!("{other:?}"),
+    })
 }
 
 fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
@@ -132,7 +148,7 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
             .map(|(m, b)| format!("{m:.2} ({b:.1})"))
             .unwrap_or_default();
         let own = fits.iter().map(|fits| match &fits[i] {
-            Ok(fit) => format!("{:.2} ({:.2})", fit.median, fit.beta),
+            Ok(fit) => fit.clone(),
             Err(error) => error.to_string(),
         });
         println!(

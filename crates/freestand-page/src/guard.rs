@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use hyper::header::{AUTHORIZATION, HOST, HeaderName, ORIGIN};
 use hyper::{HeaderMap, Request};
 
+use crate::assets::hex;
 use crate::reply::{Refusal, Status};
 
 /// Random bytes of a token.
@@ -23,9 +24,7 @@ impl Token {
     pub(crate) fn random() -> std::io::Result<Self> {
         let mut bytes = [0u8; TOKEN_BYTES];
         getrandom::fill(&mut bytes).map_err(|error| std::io::Error::other(error.to_string()))?;
-        Ok(Self(
-            bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
-        ))
+        Ok(Self(hex(&bytes)))
     }
 
     pub(crate) fn text(&self) -> &str {

@@ -157,15 +157,6 @@ pub struct Suite {
     pub swaps: usize,
 }
 
-impl Suite {
-    /// The record that a world takes: they are used in turn.
-    pub fn record_of(&self, world: u32) -> Option<Chosen> {
-        self.chosen
-            .get((world as usize).checked_rem(self.chosen.len())?)
-            .copied()
-    }
-}
-
 /// The `count` of the candidates whose components together have a spectrum with the mean and the
 /// dispersion of the target: the smallest
 ///
@@ -590,8 +581,6 @@ mod tests {
             );
             assert!(far.mean_ln_ratio.iter().all(|mean| *mean < -1.0));
         }
-        let suite = select_suite(&candidates, &target, 5, SuiteScale::Each).unwrap();
-        assert_eq!(suite.record_of(7), Some(suite.chosen[2]));
     }
 
     #[test]

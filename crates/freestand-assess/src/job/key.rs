@@ -2,7 +2,6 @@
 //! key are not used.
 
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 
 use crate::inventory::Inventory;
 use freestand::motion::Motion;
@@ -88,15 +87,9 @@ fn recorded(study: &Study) -> Vec<Value> {
 }
 
 fn samples(motion: &Motion) -> String {
-    let mut hasher = Sha256::new();
-    for value in std::iter::once(&motion.dt_s()).chain(motion.accel_m_s2()) {
-        hasher.update(value.to_le_bytes());
-    }
-    hasher
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    let values = std::iter::once(motion.dt_s()).chain(motion.accel_m_s2().iter().copied());
+    let bytes: Vec<u8> = values.flat_map(f64::to_le_bytes).collect();
+    sha256_hex(&bytes)
 }
 
 /// The file of the spectrum that motions are generated for.

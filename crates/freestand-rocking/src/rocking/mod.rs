@@ -39,7 +39,7 @@ use crate::wall::{Contact, WallError, Walls};
 
 pub use equation::Segment;
 pub use history::{HistoryPoint, HistoryRecorder};
-pub use lanes::{rock_between, rock_each, rock_many, rock_many_on};
+pub use lanes::{rock_between, rock_many, rock_many_on};
 pub use solve::{rock, rock_observed};
 
 /// Speed after an impact at or below which a block comes to rest, unless the base lifts it

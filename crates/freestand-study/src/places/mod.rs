@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use freestand::code_spectrum::NationalAnnex;
-use freestand_input::words::{canonical, edit_distance, number};
+use freestand_input::words::{canonical, number};
 use freestand_output::facts::Facts;
 
 /// A place, and what its code says about it.
@@ -389,7 +389,7 @@ pub fn near(name: &str) -> Vec<&'static str> {
     for place in places() {
         let distance = place.names().filter_map(|name| {
             let name = canonical(name);
-            let distance = edit_distance(&wanted, &name);
+            let distance = strsim::levenshtein(&wanted, &name);
             let is_near = 3 * distance <= length.max(name.chars().count());
             (is_near || length >= 3 && name.starts_with(&wanted)).then_some(distance)
         });

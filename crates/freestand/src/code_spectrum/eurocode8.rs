@@ -125,33 +125,6 @@ impl SpectrumShape {
 /// Corner periods TB, TC, TD of the vertical spectrum, EN 1998-1, Table 3.4 \[s\].
 const VERTICAL_CORNERS_S: [f64; 3] = [0.05, 0.15, 1.0];
 
-/// Damping correction factor η = √(10/(5 + ξ)) ≥ 0.55 with ξ in per cent; 1 at 5 %.
-///
-/// # Reference
-/// EN 1998-1:2004, Eq. (3.6).
-///
-/// # Errors
-/// A damping ratio that is not at least 0 and below 1.
-///
-/// # Example
-/// 20 %: √(10/25) = 0.632.
-/// ```
-/// let eta = freestand::code_spectrum::damping_correction_ratio(0.20)?;
-/// assert!((eta - 0.4f64.sqrt()).abs() < 1e-15);
-/// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
-/// ```
-pub fn damping_correction_ratio(damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
-    if !(0.0..1.0).contains(&damping_ratio) {
-        let requirement = "at least 0 and below 1";
-        return Err(CodeSpectrumError::Parameter {
-            name: "the damping ratio ξ",
-            requirement,
-            value: damping_ratio,
-        });
-    }
-    Ok((0.1 / (0.05 + damping_ratio)).sqrt().max(0.55))
-}
-
 /// An elastic spectrum of Eurocode 8.
 ///
 /// `Se(T) = a_g S [1 + (T/TB)(2.5η − 1)]` up to TB, `2.5η a_g S` up to TC, `2.5η a_g S TC/T` up to
@@ -348,16 +321,6 @@ impl Eurocode8 {
         self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5, period_s)
     }
 
-    /// Horizontal spectral acceleration at another damping \[g\]: 2.5 becomes 2.5η. NaN for a
-    /// negative period.
-    ///
-    /// # Errors
-    /// Those of [`damping_correction_ratio`].
-    pub fn damped_sa_g(&self, period_s: f64, damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
-        let eta = damping_correction_ratio(damping_ratio)?;
-        Ok(self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5 * eta, period_s))
-    }
-
     /// Vertical spectral acceleration, 5 % damping \[g\]: a_vg = 0.90 a_g (type 1) or 0.45 a_g
     /// (type 2), 3.0 in place of 2.5, no soil factor. NaN for a negative period.
     ///
@@ -438,21 +401,6 @@ mod tests {
                 );
             }
         }
-    }
-
-    #[test]
-    fn damping_scales_the_plateau_and_leaves_the_zero_period() {
-        let code = Eurocode8::new(SpectrumType::Type1, GroundType::C, 0.1, 1.0).unwrap();
-        // η(2 %) = √(10/7) = 1.19523, η(35 %) = √(10/40) = 0.5, at least 0.55.
-        for (damping, eta) in [(0.05, 1.0), (0.02, (10.0f64 / 7.0).sqrt()), (0.35, 0.55)] {
-            let plateau = code.damped_sa_g(0.4, damping).unwrap();
-            assert!(
-                (plateau - 0.1 * 1.15 * 2.5 * eta).abs() < 1e-15,
-                "{damping}"
-            );
-            assert_eq!(code.damped_sa_g(0.0, damping).unwrap(), code.sa_g(0.0));
-        }
-        assert!(code.damped_sa_g(0.4, 1.0).is_err() && code.damped_sa_g(0.4, f64::NAN).is_err());
     }
 
     /// By hand, type 1, a_g = 0.2 g: a_vg = 0.18 g; 0.18 at 0, 0.54 from 0.05 to 0.15 s, 0.54 ·

@@ -38,7 +38,7 @@ pub use as1170_4::{
     As1170_4, Edition, SiteClass, minimum_kpz, probability_factor, probability_factors,
 };
 pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficients};
-pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType, damping_correction_ratio};
+pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType};
 pub use frame_period::{FrameKind, PeriodCode, PeriodFormula, fundamental_period_s};
 pub use nzs1170_5::{
     Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor, return_period_factors,

@@ -49,7 +49,7 @@ pub(crate) use audit::{Energies, Ledger};
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
     CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many,
-    rocking_frequency_hz, stands_on_pads,
+    rocking_frequency_hz,
 };
 pub use equilibrium::{Equilibrium, equilibrium};
 pub(crate) use events::TOUCHING;

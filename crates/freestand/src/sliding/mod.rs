@@ -20,7 +20,7 @@
 //! * **Free flight** where g + ü_v ≤ 0: the history ends, with [`SlidingOutcome::FreeFlight`].
 //!
 //! # Reference
-//! Shenton (1996), J. Eng. Mech. 122, 690, for the modes from rest ([`mode_from_rest`]).
+//! Shenton (1996), J. Eng. Mech. 122, 690.
 //!
 //! # Accuracy
 //! Rounding: 1e-8 of the slide, times the amplification of an error of the motion, is kept with a
@@ -37,11 +37,9 @@ use thiserror::Error;
 use crate::G0_M_S2;
 use crate::rocking::{RockingError, Until};
 
-pub use friction::{
-    Friction, FrictionalImpact, Mode, frictional_impact, mode_from_rest, trip_speed_m_s,
-};
+pub use friction::{Friction, trip_speed_m_s};
 pub use plane::{PlaneMotion, PlaneSliding, slide_in_plane};
-pub use solve::{SlidingPiece, slide, slide_many, slide_observed};
+pub use solve::{SlidingPiece, slide, slide_observed};
 
 /// The room beside a block: how far it may slide to each side \[m\]; `None` where nothing is in the
 /// way.

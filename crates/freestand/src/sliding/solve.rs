@@ -1,14 +1,9 @@
 //! The sliding block, from event to event.
 
-use rayon::prelude::*;
-
 use super::{Clearance, Friction, Sliding, SlidingError, SlidingOptions, SlidingOutcome};
 use crate::motion::Motion;
 use crate::rocking::{Base, RockingError, Until};
 use crate::search::bisect;
-
-/// Blocks that one thread takes at a time: enough work to make up for the hand-over.
-const BLOCKS_AT_A_TIME: usize = 8;
 
 /// The slide of a block under the motion of its base.
 ///
@@ -53,18 +48,6 @@ pub fn slide_observed(
     let intervals = Intervals::new(base, options)?;
     Ok(Slider::new(options, observe)
         .run(&intervals, matches!(options.until, Until::Settled { .. })))
-}
-
-/// The slides of many blocks under one motion, on all threads; each is that of [`slide`].
-///
-/// # Accuracy
-/// The same bits as [`slide`], whatever the other blocks and the number of threads.
-pub fn slide_many(base: Base, options: &[SlidingOptions]) -> Vec<Result<Sliding, SlidingError>> {
-    options
-        .par_iter()
-        .with_min_len(BLOCKS_AT_A_TIME)
-        .map(|options| slide(base, options))
-        .collect()
 }
 
 /// A part of a history without events: x is a cubic of time in it.

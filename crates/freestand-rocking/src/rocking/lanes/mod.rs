@@ -102,36 +102,8 @@ pub fn rock_many_on(
     follow(arch, blocks, &own, base, options)
 }
 
-/// [`rock_many`] with a restitution for each block, in place of that of `options`: for an
+/// [`rock_many`] with a restitution and walls for each block, in place of those of `options`: for an
 /// inventory, or for draws of one object.
-///
-/// # Errors
-/// Those of [`rock_many`].
-///
-/// # Example
-/// ```
-/// use freestand_rocking::rocking::{Base, Restitution, RockingOptions, Until, rock_each};
-/// use freestand_rocking::{block::Block, motion::Motion};
-/// let push = Motion::new(0.01, vec![4.0; 8])?;
-/// let block = Block::uniform(2.0, 0.3)?;
-/// let objects = [(block, Restitution::Value(0.5)), (block, Restitution::Value(0.9))];
-/// let base = Base { horizontal: Some(&push), vertical: None };
-/// let until_rest = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
-/// let found = rock_each(&objects, base, &until_rest);
-/// assert!(found[0].clone()?.impact_count < found[1].clone()?.impact_count);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn rock_each(
-    objects: &[(Block, Restitution)],
-    base: Base,
-    options: &RockingOptions,
-) -> Vec<Result<RockingSummary, RockingError>> {
-    let own = |&(block, restitution): &(Block, Restitution)| (block, (restitution, options.walls));
-    let (blocks, own): (Vec<Block>, Vec<Own>) = objects.iter().map(own).unzip();
-    follow(pulp::Arch::new(), &blocks, &own, base, options)
-}
-
-/// [`rock_each`] with walls for each block, too.
 ///
 /// # Errors
 /// Those of [`rock_many`].

@@ -39,7 +39,7 @@ use crate::rocking::Base;
 use body::Body;
 use world::World;
 
-pub use stand::{pad_uplift_threshold_m_s2, rocking_frequency_hz, stands_on_pads};
+pub use stand::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 
 /// Worlds side by side.
 const LANES: usize = 16;
