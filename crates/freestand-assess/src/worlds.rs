@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
+use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
 use freestand::synthesis::SynthesisOptions;
 use freestand::worlds::{
@@ -191,20 +192,18 @@ impl FloorOfWorld {
         }
     }
 
-    /// How the base of an object moves, in the plane of x or of y.
-    pub(crate) fn base(&self, is_x: bool) -> Base<'_> {
-        Base {
-            horizontal: Some(self.component(is_x)),
+    /// The accelerations of all its components.
+    pub(crate) fn shaking(&self) -> Shaking<'_> {
+        Shaking {
+            x: &self.motion.along,
+            y: self.motion.across.as_ref(),
             vertical: self.vertical.as_ref(),
         }
     }
 
-    /// The component along x, or along y; without a second component the first is both.
-    pub(crate) fn component(&self, is_x: bool) -> &Motion {
-        match &self.motion.across {
-            Some(across) if !is_x => across,
-            _ => &self.motion.along,
-        }
+    /// How the base of an object moves in a plane.
+    pub(crate) fn base(&self, along: Along) -> Base<'_> {
+        self.shaking().base(along)
     }
 }
 

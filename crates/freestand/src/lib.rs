@@ -80,6 +80,7 @@ pub mod impact;
 mod integration;
 pub mod measures;
 pub mod oscillator;
+pub mod respond;
 pub mod risk;
 mod search;
 pub mod shock_response;

@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
+use freestand::respond::{Tilt, Travelled, rocking_options};
 use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::sliding::trip_speed_m_s;
 use freestand::spatial::StackPart;
@@ -24,10 +25,10 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
-use super::respond::{Outcome, Travelled};
+use super::respond::{Drawn, outcome_on_rigid};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts,
-    options, overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Strike, demand_capacity, governing, leans, lifts,
+    overturned, pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -97,7 +98,7 @@ fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
 
 /// The same on its pads; the shock and the lift do not depend on whether the mass is known.
 fn severity_on_pads(trial: &Trial, axes: &[PadMotion]) -> f64 {
-    if axes.iter().any(|one| one.has_overturned) {
+    if axes.iter().any(|one| one.found.has_overturned) {
         return f64::INFINITY;
     }
     let ratio = trial
@@ -145,7 +146,7 @@ pub(super) fn assessment(
     let governs = world.and_then(|world| governing_criterion(trial, world));
     let missing = missing(trial);
     let lifts_at_all = followed(trial).any(|(_, axes)| lifts(axes))
-        || on_pads_followed(trial).any(|(_, axes)| axes.iter().any(|one| one.has_let_go));
+        || on_pads_followed(trial).any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go));
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
         answers: &answers,
@@ -324,7 +325,7 @@ fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     followed(trial).next()?;
     let ways = || {
         followed(trial)
-            .filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled())
+            .filter_map(|(_, axes)| outcome_on_rigid(&trial.subject.way, axes).travelled())
     };
     let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
     let travel = |way: &Travelled| way.travel_m;
@@ -352,8 +353,8 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
         return None;
     }
     on_pads_followed(trial).next()?;
-    let of = |number: fn(&Space) -> f64| {
-        let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.has_overturned) {
+    let of = |number: fn(&Tilt) -> f64| {
+        let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.found.has_overturned) {
             true => f64::INFINITY,
             false => axes
                 .iter()
@@ -396,7 +397,11 @@ fn stacked(trial: &Trial) -> Option<Stacked> {
             .count() as u32
     };
     // Of the sizes in the list.
-    let listed = super::space::stack(&trial.subject, upper, &first.draw.without_factors())?;
+    let listed = Drawn {
+        subject: &trial.subject,
+        draw: &first.draw.without_factors(),
+    }
+    .stack(upper)?;
     Some(Stacked {
         worlds: on_pads_followed(trial).count() as u32,
         lower_falls: falls(StackPart::Lower),
@@ -589,7 +594,7 @@ fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
     let pads = trial
         .lived
         .iter()
-        .filter_map(|one| one.pads.as_ref()?.as_ref().err().map(String::as_str));
+        .filter_map(|one| one.pads.as_ref()?.as_ref().err().map(Lost::why));
     for (model, errors) in [
         ("a rigid base", rigid.collect::<Vec<_>>()),
         ("its pads", pads.collect()),
@@ -723,7 +728,7 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
     };
     let rank = |number: fn(&PadMotion) -> f64| {
         quantiles(worlds().map(|(_, axes)| {
-            if axes.iter().any(|one| one.has_overturned) {
+            if axes.iter().any(|one| one.found.has_overturned) {
                 f64::INFINITY
             } else {
                 most(axes, number)
@@ -747,7 +752,7 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
     let ratios: Vec<f64> = worlds()
         .filter_map(|(_, axes)| {
             axes.iter()
-                .map(|one| one.pad_uplift_ratio)
+                .map(|one| one.found.pad_uplift_ratio)
                 .try_fold(0.0f64, |a, b| Some(a.max(b?)))
         })
         .collect();
@@ -756,21 +761,21 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
         pad_uplift_threshold_g: threshold,
         pad_uplift_ratio_p84: (!ratios.is_empty())
             .then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
-        let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.has_let_go))),
+        let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.found.has_let_go))),
         rebound_restitution: quantile(
             trial.lived.iter().map(|one| one.draw.rebound_restitution()),
             0.5,
         ),
         edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
         demand_capacity_median: ratios_on_pads(trial),
-        lift_m_median: rank(|one| one.lift_m),
+        lift_m_median: rank(|one| one.found.lift_m),
         failed: trial
             .lived
             .iter()
             .filter(|one| matches!(one.pads, Some(Err(_))))
             .count(),
         compression_m_p95: quantile(
-            worlds().map(|(_, axes)| most(axes, |one| one.compression_m)),
+            worlds().map(|(_, axes)| most(axes, |one| one.found.compression_m)),
             0.95,
         ),
     })
@@ -1020,9 +1025,9 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
         let shock = landing.impact_at_omega(mass_kg, &cushion, impact.omega_before_rad_s, G0_M_S2);
         shock.edge_acceleration_m_s2 > peak_m_s2
     };
-    let base = at.base(lived.draw.is_along_x(axis));
+    let base = at.base(lived.draw.along(axis));
     let walls = lived.draw.walls(&trial.subject, axis);
-    let history = rock(&block, base, &options(restitution, walls)).ok()?;
+    let history = rock(&block, base, &rocking_options(restitution, walls)).ok()?;
     Some(
         history
             .impacts
@@ -1038,8 +1043,8 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
     let lived = trial.lived.get(world)?;
     let (axis, _) = governing(lived.on_rigid()?)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let options = options(restitution, lived.draw.walls(&trial.subject, axis));
-    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), &options)?;
+    let options = rocking_options(restitution, lived.draw.walls(&trial.subject, axis));
+    let most = friction_needed_ratio(&block, at.base(lived.draw.along(axis)), &options)?;
     let ratio = restitution.ratios(&block).ok()?[0];
     Some(slides(
         context,

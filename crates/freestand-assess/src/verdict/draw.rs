@@ -3,6 +3,7 @@
 use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability, uniform_draw};
+use freestand::respond::Along;
 use freestand::rocking::Restitution;
 use freestand::wall::Walls;
 use freestand::worlds::{
@@ -262,9 +263,13 @@ impl Draw {
         })
     }
 
-    /// Whether an axis moves under the component along x.
-    pub(super) fn is_along_x(&self, axis: usize) -> bool {
-        (axis == 0) == self.is_thickness_along_x
+    /// The component of the floor that moves an axis.
+    pub(super) fn along(&self, axis: usize) -> Along {
+        if (axis == 0) == self.is_thickness_along_x {
+            Along::X
+        } else {
+            Along::Y
+        }
     }
 
     /// Mass, where it is known \[kg\].

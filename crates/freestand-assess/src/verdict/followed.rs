@@ -2,6 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, CompliantOptions};
+use freestand::respond::rocking_options;
 use freestand::rocking::{Outcome, Restitution, RockingSummary};
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::cushion::EdgeCushion;
@@ -12,7 +13,7 @@ use serde::Serialize;
 
 use super::Context;
 use super::object::Model;
-use super::response::{AxisMotion, Lived, PadMotion, options};
+use super::response::{AxisMotion, Lived, PadMotion};
 use super::tally::deciding;
 use super::trial::Trial;
 
@@ -186,7 +187,7 @@ fn of_rigid(axis: usize, motion: &AxisMotion, lived: &Lived) -> InWorld {
 }
 
 fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
-    let outcome = match (motion.has_overturned, motion.has_let_go) {
+    let outcome = match (motion.found.has_overturned, motion.found.has_let_go) {
         (true, _) => Outcome::Overturned,
         (false, true) => Outcome::Rocked,
         (false, false) => Outcome::NoUplift,
@@ -194,9 +195,12 @@ fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
     InWorld {
         axis,
         outcome: outcome.name(),
-        has_fallen: motion.has_overturned,
-        uplift_m: motion.lift_m,
-        landing_g: motion.has_let_go.then_some(motion.edge_m_s2 / G0_M_S2),
+        has_fallen: motion.found.has_overturned,
+        uplift_m: motion.found.lift_m,
+        landing_g: motion
+            .found
+            .has_let_go
+            .then_some(motion.edge_m_s2 / G0_M_S2),
     }
 }
 
@@ -222,7 +226,7 @@ fn history(
         return Ok(None);
     };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
-    let base = floor.base(draw.is_along_x(axis));
+    let base = floor.base(draw.along(axis));
     if let (Model::Pads, Some((mass_kg, cushion))) =
         (lived.answering(model), draw.damped_body(subject))
     {
@@ -242,7 +246,7 @@ fn history(
         block,
         horizontal: base.horizontal.cloned(),
         vertical: base.vertical.cloned(),
-        options: options(restitution, draw.walls(subject, axis)),
+        options: rocking_options(restitution, draw.walls(subject, axis)),
         cushion: draw.body(subject).map(|(mass_kg, cushion)| {
             (
                 mass_kg,

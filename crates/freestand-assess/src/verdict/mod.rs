@@ -19,14 +19,11 @@ mod nominal;
 mod object;
 mod outcomes;
 mod per_year;
-mod pulse;
 mod respond;
 mod response;
-mod roll;
 mod shares;
 mod slip;
 mod softer;
-mod space;
 mod tally;
 mod trial;
 

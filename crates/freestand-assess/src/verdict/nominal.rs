@@ -4,10 +4,10 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::rock_compliant_many;
 use freestand::cushion::Cushion;
 use freestand::fragility::OutcomeClass;
 use freestand::impact::{ImpactModel, Landing};
+use freestand::respond::Outcome;
 use freestand::rocking::{Outcome as Rocking, Restitution, RockingModel};
 use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
@@ -18,8 +18,8 @@ use freestand_study::study::assessment::{Settings, Spread};
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::{Change, Draw, draw, key, own_damping_ratio};
 use super::object::{AxisGeometry, Body, Model, Subject, Way};
-use super::respond::{Drawn, Outcome, of_springs, on_any_pads, on_rigid, on_springs, whole};
-use super::response::{AxisMotion, Lived, Lost, PadMotion, terms};
+use super::respond::{Drawn, outcome_on_pads, outcome_on_rigid, responses};
+use super::response::{AxisMotion, Lived, PadMotion, terms};
 use super::slip::slips;
 use crate::inventory::Item;
 use crate::library::Tolerance;
@@ -317,7 +317,7 @@ impl Nominal {
             .map(|axes| self.on_pads(axes, rotation_ratio));
         let why = || match (&lived.rigid, &lived.pads) {
             (Some(Err(lost)), _) => lost.why().to_owned(),
-            (_, Some(Err(why))) => why.clone(),
+            (_, Some(Err(lost))) => lost.why().to_owned(),
             _ => "no model follows it".to_owned(),
         };
         rigid
@@ -332,9 +332,12 @@ impl Nominal {
         let Drawn { subject, draw } = one;
         let [asks_rigid, asks_pads] =
             [Model::Rigid, Model::Pads].map(|model| subject.asks(model, self.with_pads));
-        let nothing = || Err(Lost::failed("the history is missing"));
-        let on_rigid_base = floors.iter().map(|floor| {
-            let rigid = asks_rigid.then(|| on_rigid(&[one], floor).pop().unwrap_or_else(nothing));
+        let bases = floors.iter().filter(|_| asks_rigid);
+        let bases = bases.map(|floor| Ok((one.on_rigid_base()?, floor.shaking())));
+        let mut on_rigid_base = responses(bases).into_iter();
+        let of_floor = |floor: &FloorOfWorld| {
+            let rigid = on_rigid_base.next();
+            let rigid = rigid.map(|found| one.rigid_response(floor, found));
             let slips = slips(subject, draw, floor, rigid.as_ref());
             Lived {
                 draw: *draw,
@@ -344,41 +347,23 @@ impl Nominal {
                 pfa_m_s2: floor.pfa_m_s2,
                 pfv_m_s: floor.pfv_m_s,
             }
-        });
-        let mut lived: Vec<Lived> = on_rigid_base.collect();
-        if !asks_pads {
-            return lived;
-        }
-        let axes = || 0..subject.axes.len();
-        // They stand side by side in the kernel.
-        let spring =
-            |lived: &Lived, floor, axis| on_springs(one, axis, floor).filter(|_| !lived.slips);
-        let springs = lived
-            .iter()
-            .zip(floors)
-            .flat_map(|(lived, floor)| axes().filter_map(|axis| spring(lived, floor, axis)));
-        let mut on_pads = rock_compliant_many(&springs.collect::<Vec<_>>(), G0_M_S2).into_iter();
-        for (lived, floor) in lived.iter_mut().zip(floors) {
-            let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
-            let mut axis_on_pads =
-                |axis| match spring(lived, floor, axis).and_then(|_| on_pads.next()) {
-                    Some(found) => of_springs(one, floor, found),
-                    None => on_any_pads(subject, draw, axis, floor, friction_ratio),
-                };
-            lived.pads = Some(match whole(one, floor) {
-                Some(body) => body.map(|body| vec![body]),
-                None => axes()
-                    .map(&mut axis_on_pads)
-                    .collect::<Vec<_>>()
-                    .into_iter()
-                    .collect(),
+        };
+        let mut lived: Vec<Lived> = floors.iter().map(of_floor).collect();
+        if asks_pads {
+            let on_pads = lived.iter().zip(floors).map(|(lived, floor)| {
+                let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
+                Ok((one.on_pads(friction_ratio)?, floor.shaking()))
             });
+            let found = responses(on_pads);
+            for ((lived, floor), found) in lived.iter_mut().zip(floors).zip(found) {
+                lived.pads = Some(one.pad_response(floor, found));
+            }
         }
         lived
     }
 
     fn on_rigid(&self, axes: &[AxisMotion], rotation_ratio: Option<f64>) -> NominalRun {
-        let outcome = Outcome::on_rigid(&self.subject.way, axes);
+        let outcome = outcome_on_rigid(&self.subject.way, axes);
         let turned = self
             .subject
             .axes
@@ -412,7 +397,7 @@ impl Nominal {
     }
 
     fn on_pads(&self, axes: &[PadMotion], rotation_ratio: Option<f64>) -> NominalRun {
-        let outcome = Outcome::on_pads(axes);
+        let outcome = outcome_on_pads(axes);
         let alpha_rad = self.block.pivot().slenderness_angle_rad;
         let turned = axes
             .iter()
@@ -442,7 +427,7 @@ impl Nominal {
     /// run out would leave out the strong motions that did not overturn it.
     fn exceeds(&self, axis: usize, one: &AxisMotion) -> bool {
         let is_over = |terms: Terms| terms.ratio() > 1.0;
-        if one.roll.is_some() {
+        if one.glide.is_some() {
             return one.terms.is_some_and(is_over);
         }
         if one.rocking.outcome == Rocking::NoUplift || !self.has_tolerance() {

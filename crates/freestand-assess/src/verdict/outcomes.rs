@@ -5,7 +5,7 @@ use freestand::G0_M_S2;
 use crate::output::OutcomeRow;
 
 use super::object::{Hit, Model, Way};
-use super::respond::Outcome;
+use super::respond::outcome_on_rigid;
 use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, pads_demand_capacity};
 use super::trial::{Question, Trial};
 
@@ -66,7 +66,7 @@ fn outcome<'a>(
 
 /// Demand/capacity, lift \[m\] and shock with the error of its world \[g\], about the worse axis.
 fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
-    let Some(lift_m) = Outcome::on_rigid(way, axes).uplift_m() else {
+    let Some(lift_m) = outcome_on_rigid(way, axes).uplift_m() else {
         return [demand_capacity(axes), None, None];
     };
     let shocks: Option<Vec<f64>> = axes
@@ -83,13 +83,13 @@ fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
 
 /// The same on pads.
 fn of_pads(axes: &[PadMotion]) -> [Option<f64>; 3] {
-    if axes.iter().any(|one| one.has_overturned) {
+    if axes.iter().any(|one| one.found.has_overturned) {
         return [pads_demand_capacity(axes), None, None];
     }
     let most = |number: fn(&PadMotion) -> f64| axes.iter().map(number).reduce(f64::max);
     [
         pads_demand_capacity(axes),
-        most(|one| one.lift_m),
+        most(|one| one.found.lift_m),
         most(|one| one.edge_m_s2 / G0_M_S2),
     ]
 }

@@ -1,25 +1,23 @@
-//! What an object does under the motions of its floor: the one way in which it is asked, by an
-//! assessment in every world and by a fragility at every scale. [`Way`] decides the model; an object
-//! in a plane is followed about both of its axes, and the worse one counts.
+//! An object of a list with the values of one draw, as it is followed ([`freestand::respond`]), and
+//! what its response means in its world. [`Way`] decides how it is followed; an object in a plane is
+//! followed about both of its axes, and the worse one counts.
 
-use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantSummary,
-    CompliantWorld, rock_compliant_observed,
+use freestand::G0_M_S2;
+use freestand::compliant::{CompliantBase, EdgeSide};
+use freestand::respond::{
+    Glide, Glider, Object, Outcome, Pads, Plane, Response, RigidPlane, Shaking, Springs, respond,
 };
-use freestand::rocking::{Restitution, RockingError, RockingSummary, rock_between};
-use freestand::wall::Walls;
+use freestand::sliding::{Clearance, Friction};
+use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
 
+use crate::result::Axis;
 use crate::worlds::FloorOfWorld;
 
 use super::draw::Draw;
-use super::object::{Subject, Way};
-use super::pulse::Pulses;
+use super::object::{Beside, Gliding, Subject, Upper, Way};
 use super::response::{
-    AxisMotion, Lost, PadMotion, RigidResponse, Roll, axis_motion, leans, lifts, options,
-    overturned, pad_motion, pad_motion_of, resolved,
+    AxisMotion, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, glided, pad_motion,
 };
-use super::roll::rolled;
-use super::space::{in_space, stacked, toppled};
 
 /// An object with the values of one draw.
 #[derive(Clone, Copy)]
@@ -28,261 +26,249 @@ pub(super) struct Drawn<'a> {
     pub(super) draw: &'a Draw,
 }
 
-/// What an object did under one motion, about the worse of its axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Outcome {
-    /// No edge lifted, and it stayed where it was.
-    Stood,
-    /// An edge lifted, and it did not fall.
-    Rocked {
-        /// Largest uplift of an edge \[m\].
-        uplift_m: f64,
-    },
-    /// It rolled on its casters, or its stop tripped it.
-    Rolled(Travelled),
-    /// It slid on its base, or its stop tripped it.
-    Slid(Travelled),
-    /// It ended leaning on a wall.
-    Leaned,
-    /// It fell.
-    Overturned,
-}
-
-/// How an object rolled or slid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Travelled {
-    /// The largest way from where it stood, as if nothing were in the way \[m\].
-    pub(crate) travel_m: f64,
-    /// Speed at which it reached its stop; `None`: it did not \[m/s\].
-    pub(crate) stop_speed_m_s: Option<f64>,
-    /// Whether one component of the floor is all that is known, so that it went farther.
-    pub(crate) is_at_least: bool,
-    /// Whether the stop overturned it.
-    pub(crate) has_tripped: bool,
-}
-
-impl Outcome {
-    /// On a rigid base, from every axis.
-    pub(super) fn on_rigid(way: &Way, axes: &[AxisMotion]) -> Self {
-        let travelled = || {
-            let rolls = || axes.iter().filter_map(|one| one.roll);
-            Travelled {
-                travel_m: rolls().map(|roll: Roll| roll.travel_m).fold(0.0, f64::max),
-                stop_speed_m_s: rolls()
-                    .filter_map(|roll| roll.stop_speed_m_s)
-                    .reduce(f64::max),
-                is_at_least: rolls().any(|roll| roll.is_at_least),
-                has_tripped: overturned(axes),
-            }
-        };
-        match way {
-            Way::Rolls(_) => Self::Rolled(travelled()),
-            Way::Slides(_) => Self::Slid(travelled()),
+impl Drawn<'_> {
+    /// On a rigid base, or rolling or sliding.
+    pub(super) fn on_rigid_base(self) -> Result<Object, Lost> {
+        let Drawn { subject, draw } = self;
+        let object = match &subject.way {
+            Way::Rolls(gliding) => self.glider(gliding).map(Object::Rolls),
+            Way::Slides(gliding) => self.glider(gliding).map(Object::Slides),
             Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
-                if leans(axes) {
-                    Self::Leaned
-                } else if overturned(axes) {
-                    Self::Overturned
-                } else if lifts(axes) {
-                    Self::Rocked {
-                        uplift_m: axes
-                            .iter()
-                            .map(|one| one.rocking.uplift_m)
-                            .fold(0.0, f64::max),
-                    }
-                } else {
-                    Self::Stood
-                }
+                let plane = |axis: usize| {
+                    let (block, restitution) = draw.block(subject, axis)?;
+                    let along = draw.along(axis);
+                    Some(RigidPlane {
+                        plane: Plane { along, block },
+                        restitution,
+                        walls: draw.walls(subject, axis),
+                    })
+                };
+                let planes = (0..subject.axes.len()).map(plane);
+                planes.collect::<Option<_>>().map(Object::Rigid)
             }
-        }
-    }
-
-    /// On its pads, from every axis or of the whole body.
-    pub(super) fn on_pads(axes: &[PadMotion]) -> Self {
-        if axes.iter().any(|one| one.has_overturned) {
-            return Self::Overturned;
-        }
-        if axes.iter().any(|one| one.has_let_go) {
-            return Self::Rocked {
-                uplift_m: axes.iter().map(|one| one.lift_m).fold(0.0, f64::max),
-            };
-        }
-        Self::Stood
-    }
-
-    /// How it rolled or slid; `None`: it rocks.
-    pub(crate) fn travelled(self) -> Option<Travelled> {
-        match self {
-            Self::Rolled(way) | Self::Slid(way) => Some(way),
-            Self::Stood | Self::Rocked { .. } | Self::Leaned | Self::Overturned => None,
-        }
-    }
-
-    /// Largest uplift of an edge, 0 where none lifted; `None`: it fell \[m\].
-    pub(crate) fn uplift_m(self) -> Option<f64> {
-        match self {
-            Self::Rocked { uplift_m } => Some(uplift_m),
-            Self::Leaned | Self::Overturned => None,
-            Self::Rolled(way) | Self::Slid(way) => (!way.has_tripped).then_some(0.0),
-            Self::Stood => Some(0.0),
-        }
-    }
-
-    /// Whether it has fallen over, onto the floor or against a wall: what counts in decisions.
-    pub(crate) fn has_fallen(self) -> bool {
-        match self {
-            Self::Leaned | Self::Overturned => true,
-            Self::Rolled(way) | Self::Slid(way) => way.has_tripped,
-            Self::Stood | Self::Rocked { .. } => false,
-        }
-    }
-}
-
-/// Objects on rigid bases under the motions of one floor, each about both of its axes; those that roll
-/// or slide as well. Blocks that rock along one component of the floor stand side by side in the
-/// kernel.
-pub(super) fn on_rigid(objects: &[Drawn<'_>], floor: &FloorOfWorld) -> Vec<RigidResponse> {
-    let mut found: Vec<Vec<Option<_>>> = objects
-        .iter()
-        .map(|one| one.subject.axes.iter().map(|_| None).collect())
-        .collect();
-    for is_x in [true, false] {
-        let mut places = Vec::new();
-        let mut blocks = Vec::new();
-        for (place, Drawn { subject, draw }) in objects
-            .iter()
-            .enumerate()
-            .filter(|(_, one)| one.subject.way.rocks())
-        {
-            for axis in (0..subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
-                if let Some((block, restitution)) = draw.block(subject, axis) {
-                    places.push((place, axis));
-                    blocks.push((block, restitution, draw.walls(subject, axis)));
-                }
-            }
-        }
-        let rocked = rock_between(
-            &blocks,
-            floor.base(is_x),
-            &options(Restitution::Housner, Walls::NONE),
-        );
-        for (((place, axis), (block, ..)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
-            found[place][axis] = Some((block, rocked));
-        }
-    }
-    let of_object =
-        |(Drawn { subject, draw }, found): (&Drawn<'_>, Vec<Option<_>>)| -> RigidResponse {
-            if let Some(gliding) = subject.way.glides() {
-                return rolled(subject, gliding, draw, floor);
-            }
-            let body = draw.body(subject);
-            let known = found
-                .into_iter()
-                .enumerate()
-                .filter_map(|(axis, one)| Some((axis, one?)));
-            let axes = known.map(
-                |(axis, (block, rocked)): (usize, (_, Result<RockingSummary, RockingError>))| {
-                    let rocking = rocked.map_err(Lost::from)?;
-                    resolved(rocking.outcome)?;
-                    Ok(axis_motion(
-                        subject,
-                        draw,
-                        axis,
-                        &block,
-                        rocking,
-                        body.as_ref(),
-                        floor.pfa_m_s2,
-                    ))
-                },
-            );
-            axes.collect()
         };
-    objects.iter().zip(found).map(of_object).collect()
-}
-
-/// An object on pads that are springs about an axis; `None`: its body is followed at once, or its pads are
-/// none.
-pub(super) fn on_springs<'a>(
-    one: Drawn<'_>,
-    axis: usize,
-    floor: &'a FloorOfWorld,
-) -> Option<CompliantWorld<'a>> {
-    let Drawn { subject, draw } = one;
-    if subject.way.is_slow() {
-        return None;
+        object.ok_or_else(Lost::missing)
     }
-    let (mass_kg, cushion) = draw.body(subject)?;
-    let stiffness_n_m = cushion.linear_stiffness_n_m()?;
-    let (block, _) = draw.block(subject, axis)?;
-    Some(CompliantWorld {
-        block,
-        mass_kg,
-        stiffness_n_m,
-        damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
-        motion: floor.base(draw.is_along_x(axis)),
-    })
-}
 
-/// What the kernel found of it.
-pub(super) fn of_springs(
-    Drawn { subject, draw }: Drawn<'_>,
-    floor: &FloorOfWorld,
-    found: Result<CompliantSummary, CompliantError>,
-) -> Result<PadMotion, String> {
-    match found {
-        Ok(found) => Ok(pad_motion(subject, draw, &found, floor.pfa_m_s2)),
-        Err(error) => toppled(&error),
+    /// On its pads; in a plane with this friction.
+    pub(super) fn on_pads(self, friction_ratio: Option<f64>) -> Result<Object, Lost> {
+        let along = self.draw.along(0);
+        let object = match &self.subject.way {
+            Way::Spatial(beside) => {
+                let object = self.in_space(beside.as_ref());
+                object.map(|object| Object::Spatial(object, along))
+            }
+            Way::Stack(upper) => self.stack(upper).map(|stack| Object::Stack(stack, along)),
+            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {
+                self.in_planes(friction_ratio)
+            }
+        };
+        object.ok_or_else(Lost::missing)
     }
-}
 
-/// By the solver for any contact law, with or without friction.
-pub(super) fn on_any_pads(
-    subject: &Subject,
-    draw: &Draw,
-    axis: usize,
-    floor: &FloorOfWorld,
-    friction_ratio: Option<f64>,
-) -> Result<PadMotion, String> {
-    let missing = || "mass or cushion is missing".to_owned();
-    let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
-    let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
-    let base = CompliantBase {
-        friction_ratio,
-        ..CompliantBase::new(mass_kg, cushion)
-    };
-    let options = CompliantOptions {
-        accuracy: CompliantAccuracy::Fast,
-        ..CompliantOptions::default()
-    };
-    let motion = floor.base(draw.is_along_x(axis));
-    let mut pulses = Pulses::new(block.base_width_m());
-    match rock_compliant_observed(&block, &base, motion, &options, |piece| {
-        pulses.observe(piece)
-    }) {
-        Ok(found) => {
-            resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
-            Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2))
+    fn in_planes(self, friction_ratio: Option<f64>) -> Option<Object> {
+        let Drawn { subject, draw } = self;
+        let planes = self.planes()?;
+        let (mass_kg, cushion) = draw.body(subject)?;
+        let stiffness_n_m = cushion.linear_stiffness_n_m();
+        if let Some(stiffness_n_m) = stiffness_n_m.filter(|_| friction_ratio.is_none()) {
+            return Some(Object::Springs(Springs {
+                planes,
+                mass_kg,
+                stiffness_n_m,
+                damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
+            }));
         }
-        Err(error) => toppled(&error),
+        let (mass_kg, cushion) = draw.damped_body(subject)?;
+        let base = CompliantBase {
+            friction_ratio,
+            ..CompliantBase::new(mass_kg, cushion)
+        };
+        Some(Object::Pads(Pads { planes, base }))
+    }
+
+    fn planes(self) -> Option<Vec<Plane>> {
+        let Drawn { subject, draw } = self;
+        let plane = |axis: usize| {
+            let (block, _) = draw.block(subject, axis)?;
+            let along = draw.along(axis);
+            Some(Plane { along, block })
+        };
+        (0..subject.axes.len()).map(plane).collect()
+    }
+
+    fn glider(self, gliding: &Gliding) -> Option<Glider> {
+        Some(Glider {
+            planes: self.planes()?,
+            friction: Friction::uniform(self.resistance_ratio(gliding)).ok()?,
+            clearance: Clearance {
+                left_m: gliding.clearance_m,
+                right_m: gliding.clearance_m,
+            },
+        })
+    }
+
+    /// μ_r, or the friction of its base.
+    fn resistance_ratio(self, gliding: &Gliding) -> f64 {
+        let drawn = self.draw.friction_ratio;
+        drawn.unwrap_or(gliding.resistance_ratio.1)
+    }
+
+    fn in_space(self, beside: Option<&Beside>) -> Option<SpatialObject> {
+        let Drawn { subject, draw } = self;
+        let (mass_kg, cushion) = draw.damped_body(subject)?;
+        let (height_m, thickness_m) = draw.size_m(subject, 0);
+        let (_, width_m) = draw.size_m(subject, 1);
+        Some(SpatialObject {
+            shape: Shape::Prism {
+                thickness_m,
+                width_m,
+                height_m,
+            },
+            mass_kg,
+            support: Support {
+                friction_ratio: draw.friction_ratio,
+                ..Support::new(cushion)
+            },
+            walls: beside
+                .into_iter()
+                .flat_map(|beside| walls(beside, draw, mass_kg))
+                .collect(),
+        })
+    }
+
+    pub(super) fn stack(self, upper: &Upper) -> Option<Stack> {
+        let Drawn { subject, draw } = self;
+        let (mass_kg, cushion) = draw.damped_body(subject)?;
+        let (height_m, thickness_m) = draw.size_m(subject, 0);
+        let support = Support {
+            friction_ratio: draw.friction_ratio,
+            ..Support::new(cushion)
+        };
+        let [mass, height, thickness] = draw.upper;
+        Some(Stack {
+            lower: StackBody {
+                height_m,
+                thickness_m,
+                mass_kg,
+            },
+            upper: StackBody {
+                height_m: upper.height_m * height,
+                thickness_m: upper.thickness_m * thickness,
+                mass_kg: upper.mass_kg * mass,
+            },
+            interface: support.clone(),
+            support,
+        })
+    }
+
+    /// What a response on a rigid base means in this world, about every axis.
+    pub(super) fn rigid_response(
+        self,
+        floor: &FloorOfWorld,
+        found: Result<Response, Lost>,
+    ) -> RigidResponse {
+        let Drawn { subject, draw } = self;
+        let body = draw.body(subject);
+        match (found?, subject.way.glides()) {
+            (Response::Rigid(planes), _) => {
+                let motion = |(axis, rocking)| {
+                    let (block, _) = draw.block(subject, axis)?;
+                    let body = body.as_ref();
+                    let floor_m_s2 = floor.pfa_m_s2;
+                    Some(axis_motion(self, axis, &block, rocking, body, floor_m_s2))
+                };
+                Ok(planes.into_iter().enumerate().filter_map(motion).collect())
+            }
+            (Response::Rolled(planes) | Response::Slid(planes), Some(gliding)) => {
+                // No more than its resistance gets through to it.
+                let through_m_s2 = (self.resistance_ratio(gliding) * G0_M_S2).min(floor.pfa_m_s2);
+                let motion = |glide: Glide| glided(self, gliding, glide, through_m_s2);
+                Ok(planes.into_iter().map(motion).collect())
+            }
+            _ => Err(Lost::another_model()),
+        }
+    }
+
+    /// What a response on its pads means in this world, about every axis or of the whole body.
+    pub(super) fn pad_response(
+        self,
+        floor: &FloorOfWorld,
+        found: Result<Response, Lost>,
+    ) -> PadResponse {
+        let motion = |found| pad_motion(self, found, floor.pfa_m_s2);
+        Ok(match found? {
+            Response::Pads(planes) => planes.into_iter().map(motion).collect(),
+            Response::Spatial(body, space) => vec![PadMotion {
+                space,
+                ..motion(body)
+            }],
+            Response::Stack(lower, fallen) => vec![PadMotion {
+                fallen,
+                ..motion(lower)
+            }],
+            Response::Rigid(_) | Response::Rolled(_) | Response::Slid(_) => {
+                return Err(Lost::another_model());
+            }
+        })
     }
 }
 
-/// Histories on a rigid base that [`on_rigid`] follows for an object.
-pub(super) fn histories_on_rigid(subject: &Subject) -> usize {
-    if subject.way.rocks() {
-        subject.axes.len()
-    } else {
-        0
+/// What objects do, each under its motion; an object that could not be made has its reason.
+pub(super) fn responses<'a>(
+    objects: impl IntoIterator<Item = Result<(Object, Shaking<'a>), Lost>>,
+) -> Vec<Result<Response, Lost>> {
+    let mut known = Vec::new();
+    let made = objects
+        .into_iter()
+        .map(|one| one.map(|one| known.push(one)));
+    let made: Vec<Result<(), Lost>> = made.collect();
+    let mut found = respond(&known).into_iter();
+    let mut next = || found.next().ok_or_else(Lost::another_model);
+    made.into_iter()
+        .map(|made| Ok(made.and_then(|()| next())??))
+        .collect()
+}
+
+/// The wall behind it, on the side that was drawn.
+fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
+    let Some(drawn) = &draw.wall else {
+        return Vec::new();
+    };
+    let walls = beside.walls(Axis::Thickness, drawn);
+    let wall = |(side, wall): (EdgeSide, Option<freestand::wall::Wall>)| {
+        let wall = wall?;
+        Some(Wall {
+            side,
+            gap_m: wall.gap_m,
+            height_m: wall.height_m.unwrap_or(f64::INFINITY),
+            cushion: beside
+                .stiffness_n_m
+                .and_then(|stiffness_n_m| draw.damped(stiffness_n_m, mass_kg)),
+        })
+    };
+    [(EdgeSide::Left, walls.left), (EdgeSide::Right, walls.right)]
+        .into_iter()
+        .filter_map(wall)
+        .collect()
+}
+
+/// How an object ended on a rigid base.
+pub(super) fn outcome_on_rigid(way: &Way, axes: &[AxisMotion]) -> Outcome {
+    let travelled = || {
+        let glides: Vec<Glide> = axes.iter().filter_map(|one| one.glide).collect();
+        Glide::travelled(&glides)
+    };
+    match way {
+        Way::Rolls(_) => Outcome::Rolled(travelled()),
+        Way::Slides(_) => Outcome::Slid(travelled()),
+        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
+            Outcome::on_rigid(axes.iter().map(|one| &one.rocking))
+        }
     }
 }
 
-/// An object whose whole body is followed at once: in three dimensions, or with another body on it.
-/// `None`: it is followed about each of its axes.
-pub(super) fn whole(one: Drawn<'_>, floor: &FloorOfWorld) -> Option<Result<PadMotion, String>> {
-    let Drawn { subject, draw } = one;
-    match &subject.way {
-        Way::Spatial(beside) => Some(in_space(subject, beside.as_ref(), draw, floor)),
-        Way::Stack(upper) => Some(stacked(subject, upper, draw, floor)),
-        Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => None,
-    }
+/// How an object ended on its pads.
+pub(super) fn outcome_on_pads(axes: &[PadMotion]) -> Outcome {
+    Outcome::on_pads(axes.iter().map(|one| &one.found))
 }

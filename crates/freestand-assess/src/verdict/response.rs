@@ -2,21 +2,16 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
-use freestand::rocking::{
-    Outcome, Restitution, RockingError, RockingOptions, RockingSummary, SideExtremes, Until,
-};
-use freestand::spatial::{BaseLandings, BodyMotion, StackPart};
-use freestand::wall::Walls;
+use freestand::respond::{Glide, OnPads, RespondError, Tilt};
+use freestand::rocking::{Outcome, RockingSummary, SideExtremes, StopReason};
+use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
-
-use freestand_study::run::LONGEST_TAIL_S;
 
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::Draw;
-use super::object::{Hit, Model, Subject, hit};
-use super::pulse::Pulses;
+use super::object::{Gliding, Hit, Model, Subject, hit};
+use super::respond::Drawn;
 
 /// One axis on a rigid base.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,20 +22,9 @@ pub(super) struct AxisMotion {
     /// The hardest impact on a wall; `None`: there was none.
     pub(super) strike: Option<Strike>,
     /// `None`: it neither rolls nor slides without rocking.
-    pub(super) roll: Option<Roll>,
+    pub(super) glide: Option<Glide>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
-}
-
-/// What an object that rolls or slides does in the plane of one axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Roll {
-    /// The largest distance from where it stood, as if nothing were in the way \[m\].
-    pub(super) travel_m: f64,
-    /// Whether one component of the floor is all that is known, so that it travels farther.
-    pub(super) is_at_least: bool,
-    /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
-    pub(super) stop_speed_m_s: Option<f64>,
 }
 
 /// The hardest impact on a wall.
@@ -92,27 +76,21 @@ impl Strike {
     }
 }
 
-/// One axis on its pads.
+/// One axis on its pads, or the whole body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PadMotion {
-    pub(super) has_overturned: bool,
-    /// Whether an edge let go of its pad.
-    pub(super) has_let_go: bool,
-    /// U; `None` from a solver that does not know it.
-    pub(super) pad_uplift_ratio: Option<f64>,
-    pub(super) lift_m: f64,
-    /// With the factor of the world \[m/s²\].
+    pub(super) found: OnPads,
+    /// The shock of an edge, with the factor of the world \[m/s²\].
     pub(super) edge_m_s2: f64,
-    pub(super) compression_m: f64,
     /// `None`: it moves in a plane.
-    pub(super) space: Option<Space>,
+    pub(super) space: Option<Tilt>,
     /// The body of a stack that falls first; `None`: none does.
     pub(super) fallen: Option<StackPart>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
 }
 
-/// Why a history on a rigid base has no end.
+/// Why it is not known what an object does.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Lost {
     /// The floor falls away, and the object flies.
@@ -126,6 +104,16 @@ impl Lost {
         Self::Failed(why.to_string())
     }
 
+    /// A value of the object is missing.
+    pub(super) fn missing() -> Self {
+        Self::failed("a value of the object is missing")
+    }
+
+    /// No response of the model that was asked.
+    pub(super) fn another_model() -> Self {
+        Self::failed("the history is missing")
+    }
+
     pub(super) fn why(&self) -> &str {
         match self {
             Self::Flight(why) | Self::Failed(why) => why,
@@ -133,44 +121,21 @@ impl Lost {
     }
 }
 
-/// Why an object that still moves long after the motion has no answer.
-const UNRESOLVED: &str = "the object is neither at rest nor down long after the motion";
-
-/// The outcome of a history, or why it has none.
-///
-/// # Errors
-/// It ended before it was certain what becomes of the object.
-pub(super) fn resolved(outcome: Outcome) -> Result<(), Lost> {
-    if outcome == Outcome::Unresolved {
-        Err(Lost::failed(UNRESOLVED))
-    } else {
-        Ok(())
-    }
-}
-
-impl From<RockingError> for Lost {
-    fn from(error: RockingError) -> Self {
-        match error {
-            RockingError::FreeFlight { .. } => Self::Flight(error.to_string()),
-            _ => Self::Failed(error.to_string()),
+impl From<RespondError> for Lost {
+    fn from(error: RespondError) -> Self {
+        if error.is_flight() {
+            Self::Flight(error.to_string())
+        } else {
+            Self::failed(error)
         }
     }
-}
-
-/// What an object does in three dimensions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Space {
-    /// Largest angle of its axis to the vertical \[rad\].
-    pub(super) tilt_rad: f64,
-    /// Largest horizontal displacement of the centre of its base \[m\].
-    pub(super) walk_m: f64,
 }
 
 /// The object on a rigid base: every axis, or why a history failed.
 pub(super) type RigidResponse = Result<Vec<AxisMotion>, Lost>;
 
 /// The object on its pads: every axis, or why a history failed.
-pub(super) type PadResponse = Result<Vec<PadMotion>, String>;
+pub(super) type PadResponse = Result<Vec<PadMotion>, Lost>;
 
 /// An object in one world.
 #[derive(Debug, Clone)]
@@ -225,22 +190,9 @@ impl Lived {
     }
 }
 
-/// The options of every history on a rigid base, the same as in `run`.
-pub(super) fn options(restitution: Restitution, walls: Walls) -> RockingOptions {
-    RockingOptions {
-        restitution,
-        walls,
-        until: Until::Settled {
-            at_most_s: LONGEST_TAIL_S,
-        },
-        ..RockingOptions::default()
-    }
-}
-
 /// Shock and demand of a history with the values of its world.
 pub(super) fn axis_motion(
-    subject: &Subject,
-    draw: &Draw,
+    Drawn { subject, draw }: Drawn<'_>,
     axis: usize,
     block: &Block,
     rocking: RockingSummary,
@@ -280,9 +232,68 @@ pub(super) fn axis_motion(
         rocking,
         hit: found,
         strike,
-        roll: None,
+        glide: None,
         terms,
     }
+}
+
+/// An object that rolls or slides: it stays upright, or its stop overturns it.
+pub(super) fn glided(
+    Drawn { subject, draw }: Drawn<'_>,
+    gliding: &Gliding,
+    glide: Glide,
+    through_m_s2: f64,
+) -> AxisMotion {
+    let trips = glide.has_tripped;
+    let rocking = RockingSummary {
+        outcome: if trips {
+            Outcome::Overturned
+        } else {
+            Outcome::NoUplift
+        },
+        stop: if trips {
+            StopReason::Overturned
+        } else {
+            StopReason::Settled
+        },
+        peak_rotation_rad: if trips {
+            std::f64::consts::FRAC_PI_2
+        } else {
+            0.0
+        },
+        sides: [SideExtremes::default(); 2],
+        impact_count: 0,
+        wall_impact_count: 0,
+        uplift_m: 0.0,
+        cg_rise_m: 0.0,
+    };
+    let terms = subject.capacity.as_ref().and_then(|capacity| {
+        if trips {
+            return Some(Terms::OVERTURNED);
+        }
+        let speed_m_s = glide.stop_speed_m_s;
+        let demand =
+            speed_m_s.and_then(|speed| stop_demand(gliding, draw.mass_kg(subject)?, speed));
+        terms(capacity, demand, speed_m_s.is_none(), 0.0, through_m_s2)
+    });
+    AxisMotion {
+        rocking,
+        hit: None,
+        strike: None,
+        glide: Some(glide),
+        terms,
+    }
+}
+
+/// The shock of the stop, v √(k_s/m), a half-sine; an elastic stop turns the speed round. `None`:
+/// its stiffness is not known.
+fn stop_demand(gliding: &Gliding, mass_kg: f64, speed_m_s: f64) -> Option<Demand> {
+    let omega_rad_s = (gliding.stop_stiffness_n_m? / mass_kg).sqrt();
+    Some(Demand {
+        edge_m_s2: speed_m_s * omega_rad_s,
+        velocity_change_m_s: 2.0 * speed_m_s,
+        duration_s: std::f64::consts::PI / omega_rad_s,
+    })
 }
 
 pub(super) fn terms(
@@ -299,122 +310,29 @@ pub(super) fn terms(
 
 /// What a history on pads means in its world.
 pub(super) fn pad_motion(
-    subject: &Subject,
-    draw: &Draw,
-    found: &CompliantSummary,
+    Drawn { subject, draw }: Drawn<'_>,
+    found: OnPads,
     floor_m_s2: f64,
 ) -> PadMotion {
-    let edge_m_s2 = draw.compliant * found.peak_edge_acceleration_m_s2();
+    let edge_m_s2 = draw.compliant * found.edge_acceleration_m_s2;
     let demand = Demand {
         edge_m_s2,
         velocity_change_m_s: found.velocity_change_m_s,
         duration_s: found.pulse_duration_s.unwrap_or(0.0),
     };
-    let has_overturned = found.outcome == PadOutcome::Overturned;
-    let is_at_rest = found.touch_count == 0;
-    let terms = |capacity: &Capacity| match has_overturned {
+    let terms = |capacity: &Capacity| match found.has_overturned {
         true => Some(Terms::OVERTURNED),
-        false => terms(capacity, Some(demand), is_at_rest, found.lift_m, floor_m_s2),
+        false => {
+            let is_at_rest = !found.has_landed;
+            terms(capacity, Some(demand), is_at_rest, found.lift_m, floor_m_s2)
+        }
     };
     PadMotion {
-        has_overturned,
-        has_let_go: found.outcome != PadOutcome::StayedOn,
-        pad_uplift_ratio: Some(found.pad_uplift_ratio),
-        lift_m: found.lift_m,
+        found,
         edge_m_s2,
-        compression_m: found.peak_compression_m,
         space: None,
         fallen: None,
         terms: subject.capacity.as_ref().and_then(terms),
-    }
-}
-
-/// The same from the solver for any contact law.
-pub(super) fn pad_motion_of(
-    subject: &Subject,
-    draw: &Draw,
-    found: &CompliantRocking,
-    pulses: Pulses,
-    floor_m_s2: f64,
-) -> PadMotion {
-    let (velocity_change_m_s, pulse_duration_s) = pulses.found(found);
-    let summary = CompliantSummary {
-        outcome: pad_outcome(found.outcome),
-        pad_uplift_ratio: 0.0,
-        lift_m: found.uplift_m,
-        peak_edge_accelerations_m_s2: found.peak_edge_accelerations_m_s2,
-        touch_count: found.touches.len(),
-        touch_speed_m_s: found
-            .touches
-            .iter()
-            .map(|touch| touch.speed_m_s)
-            .fold(0.0, f64::max),
-        velocity_change_m_s,
-        pulse_duration_s,
-        contact_duration_s: None,
-        peak_compression_m: found.peak_compression_m,
-        let_go_time_s: None,
-        first_uplift_time_s: found.first_uplift_time_s,
-        overturn_time_s: found.overturn_time_s,
-    };
-    PadMotion {
-        pad_uplift_ratio: None,
-        ..pad_motion(subject, draw, &summary, floor_m_s2)
-    }
-}
-
-/// An object that its pads do not keep upright.
-pub(super) const TOPPLED: PadMotion = PadMotion {
-    has_overturned: true,
-    has_let_go: true,
-    pad_uplift_ratio: None,
-    lift_m: 0.0,
-    edge_m_s2: 0.0,
-    compression_m: 0.0,
-    space: None,
-    fallen: None,
-    terms: Some(Terms::OVERTURNED),
-};
-
-/// What a history of bodies in space means in its world.
-pub(super) fn space_motion(
-    subject: &Subject,
-    draw: &Draw,
-    (outcome, body, landings): (Outcome, &BodyMotion, &BaseLandings),
-    floor_m_s2: f64,
-) -> PadMotion {
-    let summary = CompliantSummary {
-        outcome: pad_outcome(outcome),
-        pad_uplift_ratio: 0.0,
-        lift_m: body.uplift_m,
-        peak_edge_accelerations_m_s2: [landings.peak_acceleration_m_s2; 2],
-        // Whether it landed at all is what counts.
-        touch_count: usize::from(landings.pulse_duration_s.is_some()),
-        touch_speed_m_s: 0.0,
-        velocity_change_m_s: landings.velocity_change_m_s,
-        pulse_duration_s: landings.pulse_duration_s,
-        contact_duration_s: None,
-        peak_compression_m: landings.peak_compression_m,
-        let_go_time_s: None,
-        first_uplift_time_s: body.first_uplift_time_s,
-        overturn_time_s: body.overturn_time_s,
-    };
-    let space = Space {
-        tilt_rad: body.peak_tilt_rad,
-        walk_m: body.base_slide_peak_m,
-    };
-    PadMotion {
-        pad_uplift_ratio: None,
-        space: Some(space),
-        ..pad_motion(subject, draw, &summary, floor_m_s2)
-    }
-}
-
-fn pad_outcome(outcome: Outcome) -> PadOutcome {
-    match outcome {
-        Outcome::Overturned | Outcome::Leaned => PadOutcome::Overturned,
-        Outcome::Rocked | Outcome::Unresolved => PadOutcome::LetGo,
-        Outcome::NoUplift => PadOutcome::StayedOn,
     }
 }
 

@@ -2,17 +2,16 @@
 //! what becomes of it.
 
 use freestand::impact::impact_friction_needed_ratio;
+use freestand::respond::rocking_options;
 use freestand::rocking::Outcome;
 use freestand::wall::Walls;
-use rayon::prelude::*;
 
 use crate::worlds::FloorOfWorld;
 
 use super::comparisons::friction_needed_ratio;
 use super::draw::Draw;
 use super::object::Subject;
-use super::respond::on_any_pads;
-use super::response::{AxisMotion, PadResponse, RigidResponse, options};
+use super::response::{AxisMotion, RigidResponse};
 
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
@@ -48,26 +47,11 @@ fn needed_ratio(
     let walls: Walls = draw.walls(subject, axis);
     let rocking = friction_needed_ratio(
         &block,
-        floor.base(draw.is_along_x(axis)),
-        &options(restitution, walls),
+        floor.base(draw.along(axis)),
+        &rocking_options(restitution, walls),
     )?;
     let landing = restitution.ratios(&block).ok().filter(|_| lands);
     Some(landing.map_or(rocking, |[ratio, _]| {
         rocking.max(impact_friction_needed_ratio(&block, ratio))
     }))
-}
-
-/// The histories of such worlds on pads with the friction of the world.
-pub(super) fn slipped<K: Copy + Send + Sync>(
-    jobs: &[(K, &Subject, &Draw, &FloorOfWorld)],
-) -> Vec<(K, PadResponse)> {
-    let one = |&(key, subject, draw, floor): &(K, &Subject, &Draw, &FloorOfWorld)| {
-        let axes = 0..subject.axes.len();
-        (
-            key,
-            axes.map(|axis| on_any_pads(subject, draw, axis, floor, draw.friction_ratio))
-                .collect(),
-        )
-    };
-    jobs.par_iter().map(one).collect()
 }

@@ -100,7 +100,7 @@ fn has_lifted(lived: &Lived) -> bool {
             .iter()
             .copied()
             .flatten()
-            .any(|one| one.has_let_go)
+            .any(|one| one.found.has_let_go)
 }
 
 /// The largest uplift \[m\] and the largest shock \[g\] in a world, of the models by which an edge
@@ -110,13 +110,18 @@ fn uplift_and_shock(lived: &Lived) -> (Option<f64>, Option<f64>) {
         .on_rigid()
         .filter(|axes| lifts(axes) && !overturned(axes));
     let pads = lived.on_pads().filter(|axes| {
-        axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned)
+        axes.iter().any(|one| one.found.has_let_go)
+            && !axes.iter().any(|one| one.found.has_overturned)
     });
     let rigid = || rigid.into_iter().flatten();
-    let pads = || pads.into_iter().flatten().filter(|one| one.has_let_go);
+    let pads = || {
+        pads.into_iter()
+            .flatten()
+            .filter(|one| one.found.has_let_go)
+    };
     let uplift_m = rigid()
         .map(|one| one.rocking.uplift_m)
-        .chain(pads().map(|one| one.lift_m))
+        .chain(pads().map(|one| one.found.lift_m))
         .reduce(f64::max);
     let hits = rigid()
         .filter_map(|one| one.hit.as_ref().map(Hit::larger_g))

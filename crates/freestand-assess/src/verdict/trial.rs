@@ -4,9 +4,8 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use freestand::G0_M_S2;
-use freestand::compliant::{CompliantWorld, rock_compliant_many};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
+use freestand::respond::{Object, Outcome};
 use freestand::worlds::Group;
 use rayon::prelude::*;
 
@@ -17,13 +16,11 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject};
-use super::respond::{
-    Drawn, Outcome, histories_on_rigid, of_springs, on_any_pads, on_rigid, on_springs, whole,
-};
+use super::respond::{Drawn, outcome_on_pads, outcome_on_rigid, responses};
 use super::response::{
-    Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity,
+    Lived, Lost, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity,
 };
-use super::slip::{slipped, slips};
+use super::slip::slips;
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -228,7 +225,7 @@ impl<'a> Trial<'a> {
 
     /// How far it rolls or slides in a world, 0 where it rocks; `None`: that is not known \[m\].
     fn travel_m(&self, lived: &Lived) -> Option<f64> {
-        let outcome = Outcome::on_rigid(&self.subject.way, lived.on_rigid()?);
+        let outcome = outcome_on_rigid(&self.subject.way, lived.on_rigid()?);
         Some(outcome.travelled().map_or(0.0, |way| way.travel_m))
     }
 
@@ -278,13 +275,13 @@ pub(super) fn answer(
             .as_ref()?
             .as_ref()
             .ok()
-            .map(|axes| Outcome::on_rigid(&subject.way, axes)),
+            .map(|axes| outcome_on_rigid(&subject.way, axes)),
         Model::Pads => lived
             .pads
             .as_ref()?
             .as_ref()
             .ok()
-            .map(|axes| Outcome::on_pads(axes)),
+            .map(|axes| outcome_on_pads(axes)),
     };
     let has_fallen = has_fallen.map(Outcome::has_fallen);
     if question == Question::Falls || has_fallen != Some(false) {
@@ -313,7 +310,7 @@ pub(super) fn answer(
             .iter()
             .copied()
             .flatten()
-            .map(|one| one.compression_m)
+            .map(|one| one.found.compression_m)
             .fold(0.0, f64::max),
     };
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
@@ -501,7 +498,8 @@ fn slipped_in_worlds(
     for (world, ((slips, draws), floor)) in slips.iter().zip(draws).zip(floors).enumerate() {
         for (place, ((trial, draw), slips)) in trials.iter().zip(draws).zip(slips).enumerate() {
             if *slips && trial.asks(context, Model::Pads) {
-                jobs.push(((place, world), &trial.subject, draw, &**floor));
+                let subject = &trial.subject;
+                jobs.push(((place, world), Drawn { subject, draw }, &**floor));
             }
         }
     }
@@ -509,8 +507,15 @@ fn slipped_in_worlds(
     // A run can be stopped in between: each takes a while.
     for jobs in jobs.chunks(SLIPPING_WORLDS) {
         context.go_on()?;
-        context.count(jobs.iter().map(|(_, subject, ..)| subject.axes.len()).sum());
-        found.extend(slipped(jobs));
+        context.count(jobs.iter().map(|(_, one, _)| one.subject.axes.len()).sum());
+        let objects = jobs.iter().map(|&(_, one, floor)| {
+            let friction_ratio = one.draw.friction_ratio;
+            Ok((one.on_pads(friction_ratio)?, floor.shaking()))
+        });
+        let answered = jobs.iter().zip(responses(objects));
+        found.extend(
+            answered.map(|(&(key, one, floor), response)| (key, one.pad_response(floor, response))),
+        );
     }
     Ok(found)
 }
@@ -550,21 +555,23 @@ fn rigid_in_world(
             draw,
         })
         .collect();
-    context.count(
-        objects
-            .iter()
-            .map(|one| histories_on_rigid(one.subject))
-            .sum(),
-    );
-    let mut found = on_rigid(&objects, floor).into_iter();
+    let rocking = objects.iter().filter(|one| one.subject.way.rocks());
+    context.count(rocking.map(|one| one.subject.axes.len()).sum());
+    let on_bases = objects
+        .iter()
+        .map(|one| Ok((one.on_rigid_base()?, floor.shaking())));
+    let mut found = objects
+        .iter()
+        .zip(responses(on_bases))
+        .map(|(one, response)| one.rigid_response(floor, response));
     trials
         .iter()
         .map(|trial| asked(&trial).then(|| found.next()).flatten())
         .collect()
 }
 
-/// The place of an object, the place of a world, an axis; its draw and its floor.
-type Job<'a> = (usize, usize, usize, &'a Draw, &'a FloorOfWorld);
+/// The number of a world, an object with its values there, and its floor.
+type Job<'a> = (u32, Drawn<'a>, &'a FloorOfWorld);
 
 /// Of each object whose pads are asked, its response in each world; `None` where its contact law is
 /// curved and enough worlds were followed.
@@ -576,92 +583,57 @@ fn pads_in_worlds(
     floors: &[Arc<FloorOfWorld>],
     first: u32,
 ) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
-    let asked: Vec<(usize, &&Trial)> = trials
-        .iter()
-        .enumerate()
-        .filter(|(_, trial)| is_asked(trial))
-        .collect();
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut jobs: Vec<Job> = Vec::new();
-    for (place, trial) in &asked {
-        for (world, (draws, floor)) in draws.iter().zip(floors).enumerate() {
-            let draw = &draws[*place];
-            // One history of the whole body, or one about each axis.
-            let histories = if trial.subject.way.is_slow() {
-                1
-            } else {
-                trial.subject.axes.len()
-            };
-            jobs.extend((0..histories).map(|axis| (*place, world, axis, draw, &**floor)));
-        }
+    let asked = trials.iter().enumerate().filter(|(_, one)| is_asked(one));
+    for (place, trial) in asked {
+        let subject = &trial.subject;
+        let worlds = (first..).zip(draws).zip(floors);
+        jobs.extend(worlds.map(|((world, draws), floor)| {
+            let draw = &draws[place];
+            (world, Drawn { subject, draw }, &**floor)
+        }));
     }
-    fn spring<'a>(
-        trials: &[&Trial],
-        &(place, _, axis, draw, floor): &Job<'a>,
-    ) -> Option<CompliantWorld<'a>> {
-        on_springs(
-            Drawn {
-                subject: &trials[place].subject,
-                draw,
-            },
-            axis,
-            floor,
-        )
-    }
-    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| spring(trials, job)).collect();
+    let objects: Vec<_> = jobs.par_iter().map(|job| job.1.on_pads(None)).collect();
+    let (sprung, others): (Vec<_>, Vec<_>) = jobs
+        .iter()
+        .zip(objects)
+        .enumerate()
+        .partition(|(_, (_, object))| matches!(object, Ok(Object::Springs(_))));
+    let mut found: Vec<Option<PadResponse>> = vec![None; jobs.len()];
     context.go_on()?;
-    let mut many = rock_compliant_many(&worlds, G0_M_S2).into_iter();
-    context.count(worlds.len());
-    let one_by_one = |job: &Job| -> Result<Option<Result<PadMotion, String>>, Problems> {
-        let (place, world, axis, draw, floor) = *job;
-        let subject = &trials[place].subject;
-        let is_among_first = first + (world as u32) < CURVED_WORLDS;
-        let Some(history) = whole(Drawn { subject, draw }, floor) else {
-            let is_curved = is_among_first && spring(trials, job).is_none();
-            return Ok(is_curved.then(|| on_any_pads(subject, draw, axis, floor, None)));
-        };
-        context.count(1);
-        // Each takes long enough to stop between them.
-        context.go_on()?;
-        Ok(Some(history))
-    };
-    let others: Vec<Result<_, Problems>> = jobs.par_iter().map(one_by_one).collect();
-    let others: Vec<Option<Result<PadMotion, String>>> =
-        others.into_iter().collect::<Result<_, _>>()?;
-    let mut found: Vec<Vec<Option<PadResponse>>> =
-        asked.iter().map(|_| vec![None; floors.len()]).collect();
-    let order: Vec<usize> = asked.iter().map(|(place, _)| *place).collect();
-    for (job, other) in jobs.iter().zip(others) {
-        let (place, world, _, draw, floor) = *job;
-        let one = match other {
-            Some(other) => other,
-            None if spring(trials, job).is_some() => match many.next() {
-                Some(found) => of_springs(
-                    Drawn {
-                        subject: &trials[place].subject,
-                        draw,
-                    },
-                    floor,
-                    found,
-                ),
-                None => Err("the history is missing".to_owned()),
-            },
-            None => continue,
-        };
-        let Some(own) = order
-            .iter()
-            .position(|one| *one == place)
-            .and_then(|own| found[own].get_mut(world))
-        else {
-            continue;
-        };
-        match (own.get_or_insert_with(|| Ok(Vec::new())), one) {
-            (Ok(axes), Ok(one)) => axes.push(one),
-            (Ok(_), Err(error)) => *own = Some(Err(error)),
-            (Err(_), _) => {}
-        }
+    let (places, sprung): (Vec<usize>, Vec<_>) = sprung
+        .into_iter()
+        .map(|(place, (job, object))| (place, object.map(|object| (object, job.2.shaking()))))
+        .unzip();
+    let histories = |place: &usize| jobs[*place].1.subject.axes.len();
+    context.count(places.iter().map(histories).sum());
+    for (place, response) in places.into_iter().zip(responses(sprung)) {
+        let (_, one, floor) = jobs[place];
+        found[place] = Some(one.pad_response(floor, response));
     }
-    Ok(found)
+    let one_by_one = |(place, (job, object)): (usize, (&Job, _))| -> Result<_, Problems> {
+        let &(world, one, floor) = job;
+        if one.subject.way.is_slow() {
+            context.count(1);
+            // Each takes long enough to stop between them.
+            context.go_on()?;
+        } else if world >= CURVED_WORLDS {
+            return Ok((place, None));
+        }
+        let object = Result::map(object, |object| (object, floor.shaking()));
+        let response = responses([object]).pop();
+        Ok((
+            place,
+            response.map(|response| one.pad_response(floor, response)),
+        ))
+    };
+    let others: Result<Vec<_>, _> = others.into_par_iter().map(one_by_one).collect();
+    for (place, response) in others? {
+        found[place] = response;
+    }
+    let of_object = found.chunks(floors.len().max(1));
+    Ok(of_object.map(<[_]>::to_vec).collect())
 }
 
 impl Context<'_> {

@@ -1,7 +1,7 @@
 //! The pulses of landings in a history of the solver for any contact law, as the kernel of linear pads
 //! reports them: an edge about which the object turns on stays in contact for much longer.
 
-use freestand::compliant::{CompliantRocking, EdgeSide, Piece};
+use crate::compliant::{CompliantRocking, EdgeSide, Piece};
 
 const EDGES: [EdgeSide; 2] = [EdgeSide::Left, EdgeSide::Right];
 
@@ -123,15 +123,15 @@ const FLAT_S: f64 = 0.005;
 
 #[cfg(test)]
 mod tests {
-    use freestand::G0_M_S2;
-    use freestand::block::Block;
-    use freestand::compliant::{
+    use crate::G0_M_S2;
+    use crate::block::Block;
+    use crate::compliant::{
         CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant_many,
         rock_compliant_observed,
     };
-    use freestand::cushion::{ContactLaw, Cushion};
-    use freestand::motion::Motion;
-    use freestand::rocking::Base;
+    use crate::cushion::{ContactLaw, Cushion};
+    use crate::motion::Motion;
+    use crate::rocking::Base;
 
     use super::Pulses;
 

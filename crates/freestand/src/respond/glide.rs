@@ -1,0 +1,112 @@
+//! An object that rolls on free casters, or slides on its base, before it could rock: only a stop can
+//! overturn it.
+
+use crate::G0_M_S2;
+use crate::rocking::{LONGEST_TAIL_S, RockingError, Until};
+use crate::sliding::{
+    PlaneMotion, PlaneSliding, Sliding, SlidingOptions, SlidingOutcome, slide, slide_in_plane,
+    trip_speed_m_s,
+};
+
+use super::{Along, Glider, Plane, RespondError, Shaking, Travelled};
+
+/// What an object that rolls or slides does in one plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glide {
+    /// The largest distance from where it stood, as if nothing were in the way \[m\].
+    pub travel_m: f64,
+    /// Whether one component of the floor is all that is known, so that it travels farther.
+    pub is_at_least: bool,
+    /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
+    pub stop_speed_m_s: Option<f64>,
+    /// Whether that stop overturns it.
+    pub has_tripped: bool,
+}
+
+impl Glide {
+    /// Of all planes together.
+    pub fn travelled(planes: &[Self]) -> Travelled {
+        let speeds_m_s = planes.iter().filter_map(|one| one.stop_speed_m_s);
+        Travelled {
+            travel_m: planes.iter().map(|one| one.travel_m).fold(0.0, f64::max),
+            stop_speed_m_s: speeds_m_s.reduce(f64::max),
+            is_at_least: planes.iter().any(|one| one.is_at_least),
+            has_tripped: planes.iter().any(|one| one.has_tripped),
+        }
+    }
+}
+
+impl Glider {
+    pub(super) fn followed(&self, shaking: &Shaking<'_>) -> Result<Vec<Glide>, RespondError> {
+        let options = SlidingOptions {
+            clearance: self.clearance,
+            until: Until::Settled {
+                at_most_s: LONGEST_TAIL_S,
+            },
+            ..SlidingOptions::new(self.friction)
+        };
+        let both = under_both(&options, shaking)?;
+        let in_plane = |plane: &Plane| {
+            let (travel_m, stop_speed_m_s) = match &both {
+                Some(found) => (found.peak_m, self.stop_speed_m_s(plane, found)),
+                None => {
+                    let found = slid(&options, shaking, plane.along)?;
+                    let stop_speed_m_s = found.contact.map(|(_, speed_m_s)| speed_m_s.abs());
+                    (found.peak_m.abs(), stop_speed_m_s)
+                }
+            };
+            let trip_m_s = trip_speed_m_s(&plane.block, G0_M_S2);
+            Ok(Glide {
+                travel_m,
+                is_at_least: both.is_none(),
+                stop_speed_m_s,
+                has_tripped: stop_speed_m_s.is_some_and(|speed_m_s| speed_m_s >= trip_m_s),
+            })
+        };
+        self.planes.iter().map(in_plane).collect()
+    }
+
+    /// Without a width the one block stands for both directions: it meets the stops of both.
+    fn stop_speed_m_s(&self, plane: &Plane, found: &PlaneSliding) -> Option<f64> {
+        let speeds_m_s = [Along::X, Along::Y].into_iter().zip(found.stop_speeds_m_s);
+        speeds_m_s
+            .filter(|(along, _)| self.planes.len() == 1 || *along == plane.along)
+            .filter_map(|(_, speed_m_s)| speed_m_s)
+            .reduce(f64::max)
+    }
+}
+
+/// The slide under both components of the floor; `None`: it has one.
+fn under_both(
+    options: &SlidingOptions,
+    shaking: &Shaking<'_>,
+) -> Result<Option<PlaneSliding>, RespondError> {
+    let Some(y) = shaking.y else {
+        return Ok(None);
+    };
+    let motion = PlaneMotion {
+        x: shaking.x,
+        y,
+        vertical: shaking.vertical,
+    };
+    let found = slide_in_plane(motion, options)?;
+    match found.free_flight_time_s {
+        Some(time_s) => Err(RockingError::FreeFlight { time_s }.into()),
+        None => Ok(Some(found)),
+    }
+}
+
+fn slid(
+    options: &SlidingOptions,
+    shaking: &Shaking<'_>,
+    along: Along,
+) -> Result<Sliding, RespondError> {
+    let found = slide(shaking.base(along), options)?;
+    match found.outcome {
+        SlidingOutcome::FreeFlight => Err(RockingError::FreeFlight {
+            time_s: found.end_time_s,
+        }
+        .into()),
+        SlidingOutcome::Stuck | SlidingOutcome::Slid => Ok(found),
+    }
+}
