@@ -41,6 +41,23 @@ pub(crate) struct OutcomeRun {
     pub(crate) uplift: Option<f64>,
 }
 
+/// A run as a row of a table of outcomes states it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RunRow<'a> {
+    pub(super) object: &'a str,
+    pub(super) motion: &'a str,
+    pub(super) intensity: f64,
+    /// `None`: it could not be followed.
+    pub(super) class: Option<OutcomeClass>,
+    pub(super) shock_g: Option<f64>,
+    pub(super) weight: f64,
+    pub(super) rotation_ratio: Option<f64>,
+    pub(super) uplift: Option<f64>,
+    /// Why it could not be followed; empty: that is not said.
+    pub(super) reason: &'a str,
+    pub(super) caution: Option<TooMild>,
+}
+
 /// A table of outcomes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutcomeTable {
@@ -98,22 +115,8 @@ impl OutcomeTable {
             return Err(problem.hint(hint).into());
         }
         let (column, measure, factor) = measure_of(&table)?;
-        let mut reading = Reading {
-            objects: Names::default(),
-            motions: Names::default(),
-            problems,
-        };
-        let mut read = Self {
-            file: InputFile::new(path, bytes),
-            measure,
-            objects: Vec::new(),
-            motions: Vec::new(),
-            runs: Vec::new(),
-            unresolved: Vec::new(),
-            reasons: Vec::new(),
-            cautions: Vec::new(),
-            first_lines: Vec::new(),
-        };
+        let mut reading = Reading::of(problems);
+        let mut read = Self::empty(InputFile::new(path, bytes), measure);
         let intensity = |row: &Row| Ok::<f64, Problem>(factor * table.positive(row, column)?);
         if table.column("outcome").is_some() || table.column("motion").is_some() {
             read.add_runs(&table, intensity, &mut reading)?;
@@ -123,6 +126,77 @@ impl OutcomeTable {
         reading.problems.finish(path)?;
         (read.objects, read.motions) = (reading.objects.names, reading.motions.names);
         Ok(read)
+    }
+
+    /// The table of these runs, which `file` states from its second line on.
+    ///
+    /// # Errors
+    /// Every intensity that is not above 0, with its line.
+    pub(super) fn of_runs<'a>(
+        file: InputFile,
+        measure: Measure,
+        rows: impl Iterator<Item = RunRow<'a>>,
+        progress: Progress,
+    ) -> Result<Self, Problems> {
+        let mut reading = Reading::of(RowProblems::watched(progress));
+        let mut table = Self::empty(file, measure);
+        for (line, row) in (2..).zip(rows) {
+            reading.problems.row()?;
+            if row.intensity > 0.0 && row.intensity.is_finite() {
+                table.add_run(&mut reading, line, &row);
+            } else {
+                let name = measure.name();
+                let message = format!("{name}: {} is not a number above 0", row.intensity);
+                let problem = Problem::value(message, "leave out this motion");
+                let of_row = problem.in_file(&table.file.path).at_line(line);
+                reading.problems.push(of_row);
+            }
+        }
+        reading.problems.finish(&table.file.path)?;
+        (table.objects, table.motions) = (reading.objects.names, reading.motions.names);
+        Ok(table)
+    }
+
+    fn empty(file: InputFile, measure: Measure) -> Self {
+        Self {
+            file,
+            measure,
+            objects: Vec::new(),
+            motions: Vec::new(),
+            runs: Vec::new(),
+            unresolved: Vec::new(),
+            reasons: Vec::new(),
+            cautions: Vec::new(),
+            first_lines: Vec::new(),
+        }
+    }
+
+    fn add_run(&mut self, reading: &mut Reading<'_>, line: usize, row: &RunRow<'_>) {
+        let object = self.object(reading, row.object, line, row.caution);
+        let motion = reading.motions.place(row.motion);
+        let Some(class) = row.class else {
+            self.unresolved[object] += 1;
+            let known = &mut self.reasons[object];
+            if !row.reason.is_empty() && known.iter().all(|one| one != row.reason) {
+                known.push(row.reason.to_owned());
+            }
+            return;
+        };
+        let is_known = |ratio: f64| ratio >= LEAST_ROTATION_RATIO;
+        self.runs.push(OutcomeRun {
+            object,
+            line,
+            run: Run {
+                motion: Some(motion),
+                intensity: row.intensity,
+                class,
+                weight: row.weight,
+            },
+            shock_g: row
+                .shock_g
+                .filter(|_| row.rotation_ratio.is_none_or(is_known)),
+            uplift: row.uplift.filter(|uplift| *uplift > 0.0),
+        });
     }
 
     fn add_runs(
@@ -187,39 +261,19 @@ impl OutcomeTable {
                 continue;
             };
             let Some(caution) = caution else { continue };
-            let shock =
-                shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
-            let object = self.object(reading, object, row.line, caution);
-            let motion = reading.motions.place(motion);
-            let Some(class) = class else {
-                self.unresolved[object] += 1;
-                let why = reason
-                    .map(|reason| table.text(row, reason))
-                    .filter(|why| !why.is_empty());
-                if let (Some(why), Some(known)) = (why, self.reasons.get_mut(object))
-                    && known.iter().all(|one| one != why)
-                {
-                    known.push(why.to_owned());
-                }
-                continue;
-            };
-            let run = Run {
-                motion: Some(motion),
+            let run = RunRow {
+                object,
+                motion,
                 intensity,
                 class,
+                shock_g: shock.map(|shock| to_g * shock),
                 weight: weight.unwrap_or(1.0),
+                rotation_ratio: rotation,
+                uplift: uplift.map(|uplift| uplift_factor * uplift),
+                reason: reason.map_or("", |reason| table.text(row, reason)),
+                caution,
             };
-            let shock_g = shock.map(|shock| to_g * shock);
-            let uplift = uplift
-                .filter(|uplift| *uplift > 0.0)
-                .map(|uplift| uplift_factor * uplift);
-            self.runs.push(OutcomeRun {
-                object,
-                line: row.line,
-                run,
-                shock_g,
-                uplift,
-            });
+            self.add_run(reading, row.line, &run);
         }
         Ok(())
     }
@@ -444,6 +498,16 @@ struct Reading<'p> {
     objects: Names,
     motions: Names,
     problems: RowProblems<'p>,
+}
+
+impl<'p> Reading<'p> {
+    fn of(problems: RowProblems<'p>) -> Self {
+        Self {
+            objects: Names::default(),
+            motions: Names::default(),
+            problems,
+        }
+    }
 }
 
 /// Names in the order in which they first appear, with their places.

@@ -14,25 +14,25 @@ use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
     FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked,
     Response, Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
-    TooMild, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
-use freestand_input::quantity::UnitSystem;
-use freestand_input::words::{counted, number};
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
-use super::decision::{Case, decide, deciding, percent};
+use super::decision::{Case, decide, deciding, settled};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
 use super::respond::{Drawn, outcome_on_rigid};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Strike, demand_capacity, governing, leans, lifts,
-    overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, leans, lifts, overturned,
+    pads_demand_capacity, ranked,
 };
-use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
 use super::trial::{Question, Trial};
+use super::words::{
+    band_words, beside_words, note_failures, roll_words, slip_words, space_notes, space_words,
+    stack_words, unknown_wall_shock, unstated_words,
+};
 use super::{Context, blank};
 
 fn larger_g(one: &AxisMotion) -> f64 {
@@ -60,23 +60,6 @@ fn share(values: impl Iterator<Item = bool>) -> f64 {
         (holds + usize::from(one), count + 1)
     });
     holds as f64 / count.max(1) as f64
-}
-
-/// The worlds whose histories on a rigid base are complete, with their numbers.
-fn followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (usize, &'a [AxisMotion])> {
-    trial
-        .lived
-        .iter()
-        .enumerate()
-        .filter_map(|(i, one)| Some((i, one.on_rigid()?)))
-}
-
-/// The worlds whose histories on pads are complete.
-fn on_pads_followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (&'a Lived, &'a [PadMotion])> {
-    trial
-        .lived
-        .iter()
-        .filter_map(|one| Some((one, one.on_pads()?)))
 }
 
 /// What a world is ranked by on a rigid base: demand/capacity where it is known, else the shock, else
@@ -112,7 +95,8 @@ fn severity_on_pads(trial: &Trial, axes: &[PadMotion]) -> f64 {
 /// The worlds from the mildest to the hardest: on a rigid base where that is asked, else on pads.
 fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
     let mut order: Vec<(f64, usize)> = if trial.asks(context, Model::Rigid) {
-        followed(trial)
+        trial
+            .followed()
             .map(|(i, axes)| (severity(trial, axes), i))
             .collect()
     } else {
@@ -145,8 +129,10 @@ pub(super) fn assessment(
         .map(|place| order[place]);
     let governs = world.and_then(|world| governing_criterion(trial, world));
     let missing = missing(trial);
-    let lifts_at_all = followed(trial).any(|(_, axes)| lifts(axes))
-        || on_pads_followed(trial).any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go));
+    let lifts_at_all = trial.followed().any(|(_, axes)| lifts(axes))
+        || trial
+            .followed_on_pads()
+            .any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go));
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
         answers: &answers,
@@ -168,7 +154,7 @@ pub(super) fn assessment(
             .as_ref()
             .map_or("", |tolerance| &tolerance.source),
     });
-    (assessed.decision, assessed.why) = (decision, why);
+    assessed.why = why;
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some()
     {
         assessed
@@ -194,21 +180,26 @@ pub(super) fn assessment(
             "rolls"
         };
         assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
-        if let Some(braked) = assessed
-            .braked
-            .filter(|_| [Decision::Leave, Decision::NoVerdict].contains(&decision))
-        {
-            let (loose, why) =
-                super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio);
-            assessed.why.push_str(&format!(" {why}"));
-            assessed.decision = loose;
-        }
     }
-    if let Some(unstated) = context.study.unstated(trial.subject.level_ratio)
-        && assessed.decision == Decision::Leave
-    {
-        (assessed.decision, assessed.unstated) = (Decision::NoVerdict, Some(unstated));
-        assessed.why.push_str(&unstated_words(unstated));
+    let loose = assessed
+        .rolled
+        .as_ref()
+        .zip(assessed.braked)
+        .map(|(rolled, braked)| {
+            super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio)
+        });
+    let unstated = context.study.unstated(trial.subject.level_ratio);
+    let by_room = loose.as_ref().map(|(decision, _)| *decision);
+    assessed.decision = settled(decision, by_room, unstated.is_some());
+    if assessed.decision != decision {
+        match (loose, unstated) {
+            (Some((_, why)), _) => assessed.why.push_str(&format!(" {why}")),
+            (None, Some(unstated)) => {
+                assessed.unstated = Some(unstated);
+                assessed.why.push_str(&unstated_words(unstated));
+            }
+            (None, None) => {}
+        }
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
@@ -293,20 +284,22 @@ pub(super) fn assessment(
 /// What happens at its wall; `None`: there is none, or every history failed.
 fn at_wall(trial: &Trial) -> Option<AtWall> {
     let beside = trial.subject.way.walls()?;
-    followed(trial).next()?;
+    trial.followed().next()?;
     let strikes = |number: fn(&Strike) -> f64| {
         let most = |axes: &[AxisMotion]| {
             axes.iter()
                 .filter_map(|one| one.strike.as_ref().map(number))
                 .fold(0.0, f64::max)
         };
-        quantile(followed(trial).map(|(_, axes)| most(axes)), 0.5)
+        quantile(trial.followed().map(|(_, axes)| most(axes)), 0.5)
     };
     let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
     Some(AtWall {
-        lean_share: share(followed(trial).map(|(_, axes)| leans(axes))),
+        lean_share: share(trial.followed().map(|(_, axes)| leans(axes))),
         strike_share: share(
-            followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some())),
+            trial
+                .followed()
+                .map(|(_, axes)| axes.iter().any(|one| one.strike.is_some())),
         ),
         speed_m_s_median: strikes(|strike| strike.speed_m_s),
         acceleration_g_median: is_known.then(|| {
@@ -322,9 +315,10 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 /// How it rolls or slides; `None`: it rocks, or every history failed.
 fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
-    followed(trial).next()?;
+    trial.followed().next()?;
     let ways = || {
-        followed(trial)
+        trial
+            .followed()
             .filter_map(|(_, axes)| outcome_on_rigid(&trial.subject.way, axes).travelled())
     };
     let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
@@ -352,7 +346,7 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
     if !matches!(trial.subject.way, Way::Spatial(_)) {
         return None;
     }
-    on_pads_followed(trial).next()?;
+    trial.followed_on_pads().next()?;
     let of = |number: fn(&Tilt) -> f64| {
         let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.found.has_overturned) {
             true => f64::INFINITY,
@@ -361,7 +355,7 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
                 .filter_map(|one| one.space.as_ref().map(number))
                 .fold(0.0, f64::max),
         };
-        quantiles(on_pads_followed(trial).map(|(_, axes)| of_world(axes)))
+        quantiles(trial.followed_on_pads().map(|(_, axes)| of_world(axes)))
     };
     let ([_, tilt_rad_median, tilt_rad_p84], [_, walk_m_median, walk_m_p84]) =
         (of(|space| space.tilt_rad), of(|space| space.walk_m));
@@ -373,26 +367,15 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
     })
 }
 
-/// How far it tilts and walks.
-fn space_words(in_space: &InSpace) -> String {
-    match (in_space.tilt_rad_p84, in_space.walk_m_p84) {
-        (Ranked::Value(tilt_rad), Ranked::Value(walk_m)) => format!(
-            " In three dimensions it tilts up to {}° and its base walks up to {} mm in 84 % of the worlds.",
-            number(tilt_rad.to_degrees(), 2),
-            number((1e3 * walk_m).ceil(), 6)
-        ),
-        _ => " In three dimensions it falls in more than 16 % of the worlds.".to_owned(),
-    }
-}
-
 /// What falls of a stack; `None`: it is none, or every history failed.
 fn stacked(trial: &Trial) -> Option<Stacked> {
     let Way::Stack(upper) = &trial.subject.way else {
         return None;
     };
-    let (first, _) = on_pads_followed(trial).next()?;
+    let (first, _) = trial.followed_on_pads().next()?;
     let falls = |part: StackPart| {
-        on_pads_followed(trial)
+        trial
+            .followed_on_pads()
             .filter(|(_, axes)| axes.iter().any(|one| one.fallen == Some(part)))
             .count() as u32
     };
@@ -403,111 +386,12 @@ fn stacked(trial: &Trial) -> Option<Stacked> {
     }
     .stack(upper)?;
     Some(Stacked {
-        worlds: on_pads_followed(trial).count() as u32,
+        worlds: trial.followed_on_pads().count() as u32,
         lower_falls: falls(StackPart::Lower),
         upper_falls: falls(StackPart::Upper),
         threshold_upper_g: listed.threshold_upper(),
         threshold_together_g: listed.threshold_together(),
     })
-}
-
-/// Which body of a stack falls, and which begins to rock.
-fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
-    let falls = format!(
-        " The object itself falls first in {} of {}, what stands on it in {}.",
-        stacked.lower_falls,
-        counted(stacked.worlds as usize, "world"),
-        stacked.upper_falls
-    );
-    let [alone, together] =
-        [stacked.threshold_upper_g, stacked.threshold_together_g].map(|g| number(g, 3));
-    let begins = if stacked.threshold_upper_g < stacked.threshold_together_g {
-        format!(
-            " What stands on it begins to rock alone at {alone} g, both together at {together} g."
-        )
-    } else {
-        format!(
-            " Both begin to rock together at {together} g, what stands on it alone at {alone} g."
-        )
-    };
-    let wall = trial
-        .member
-        .item
-        .surroundings
-        .wall_gap_m
-        .map_or("", |_| " Its wall does not count.");
-    falls + &begins + wall
-}
-
-/// What is left out of three dimensions and of stacks.
-fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems> {
-    let mut notes = Vec::new();
-    match &trial.subject.way {
-        Way::Spatial(beside) => {
-            notes.push(
-                "In three dimensions a single history is one realisation: its shares and fractiles can be trusted."
-                    .to_owned(),
-            );
-            if context.worlds.floor(0, trial.subject.level_ratio)?.motion.across.is_none() {
-                notes.push("Its floor moves in one direction only: the motions have one component.".to_owned());
-            }
-            if trial.subject.too_mild == Some(TooMild::FeetPassWall) {
-                notes.push(
-                    "Its top and its face meet its wall, and its feet pass through it: it may fall more often."
-                        .to_owned(),
-                );
-            }
-            if beside.is_some() && trial.subject.capacity.is_some() {
-                notes.push("The shock at its wall is not compared with its tolerance.".to_owned());
-            }
-        }
-        Way::Stack(_) => notes.push(
-            "The object and what stands on it move in the plane of the thickness, with the same pads and the same \
-             friction under both. The shock is that of the object itself, and forces for a restraint leave out what \
-             stands on it."
-                .to_owned(),
-        ),
-        Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
-    }
-    Ok(notes)
-}
-
-/// Why an object is not left as it is in shaking that nobody stated.
-fn unstated_words(unstated: Unstated) -> String {
-    format!(
-        " But nobody stated {}: this is the answer for another one, and no verdict. Give {}.",
-        unstated.words(),
-        unstated.keys()
-    )
-}
-
-/// How far it rolls or slides, and what a stop does.
-fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel = format!(
-        "It {verb}: up to {} in 84 % of worlds, farther in the rest",
-        rolled.reach_words(UnitSystem::Si)
-    );
-    let Some(clearance_m) = rolled.clearance_m else {
-        if has_wall {
-            return format!(
-                "{travel}; it may run into what stands beside it, which is not calculated."
-            );
-        }
-        return format!(
-            "{travel}; nothing in the list stops it, and nothing overturns it without a stop."
-        );
-    };
-    let trip = number(rolled.trip_speed_m_s, 3);
-    let speed = rolled
-        .stop_speed_m_s_p84
-        .map_or_else(String::new, |speed_m_s| {
-            format!(" (up to {} m/s there in 84 %)", number(speed_m_s, 3))
-        });
-    format!(
-        "{travel}. It reaches its clearance of {} mm in {} of them{speed}; a stop there overturns it from {trip} m/s.",
-        number(1e3 * clearance_m, 6),
-        percent(rolled.stop_share)
-    )
 }
 
 /// The worlds in which it slides while it rocks; `None`: there are none.
@@ -518,119 +402,6 @@ fn slipped(trial: &Trial) -> Option<Slipped> {
         worlds,
         on_pads: slips().all(Lived::is_for_pads),
     })
-}
-
-/// Why the friction does not suffice.
-fn too_little_friction(trial: &Trial, slipped: &Slipped) -> String {
-    let (low, high) = trial.subject.friction_ratio.unwrap_or_default();
-    let range = if low == high {
-        number(low, 3)
-    } else {
-        format!("{} to {}", number(low, 3), number(high, 3))
-    };
-    format!(
-        "In {} of {} its friction ({range}) is less than rocking needs",
-        slipped.worlds,
-        counted(trial.lived.len(), "world")
-    )
-}
-
-fn slip_words(trial: &Trial, slipped: &Slipped) -> String {
-    format!(
-        " {}: there it slides as well, and its pads answer for both models.",
-        too_little_friction(trial, slipped)
-    )
-}
-
-/// What sliding changes where no pads can answer.
-fn band_words(trial: &Trial, slipped: &Slipped, rigid: Option<ModelAnswers>) -> String {
-    let why = match trial.subject.way {
-        Way::Walled(_) => "beside a wall its pads are not followed",
-        _ if trial.subject.body.is_none() => "its mass or its pads are not given",
-        _ => "its pads are not followed",
-    };
-    let p = rigid.map_or(0.0, |rigid| rigid.overturn.value);
-    let [low, high] = FALLS_WITH_FRICTION.map(|(friction_ratio, factor)| {
-        format!(
-            "{factor} times the one without, {}, at a friction of {friction_ratio}",
-            percent((factor * p).min(1.0))
-        )
-    });
-    format!(
-        "{}: there it slides as well. That is not calculated, because {why}; in an audit of one object the probability \
-         of falling was {low}, and {high}.",
-        too_little_friction(trial, slipped)
-    )
-}
-
-/// What a wall changes about an answer.
-fn beside_words(context: &Context, trial: &Trial, at_wall: &AtWall) -> String {
-    let mut words = String::new();
-    if at_wall.lean_share > 0.0 {
-        let leaning = followed(trial).filter(|(_, axes)| leans(axes)).count();
-        words.push_str(&format!(
-            " It ends leaning on its wall in {leaning} of {}, which count as falls.",
-            counted(followed(trial).count(), "world")
-        ));
-    }
-    if context.study.assessment.compliant && trial.subject.body.is_some() {
-        words.push_str(" Beside a wall its pads are not followed: the rigid base alone answers.");
-    }
-    words
-}
-
-/// Said where a shock is asked and that at the wall cannot be calculated.
-fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
-    let is_asked = trial.subject.capacity.is_some() && at_wall.strike_share > 0.0;
-    (is_asked && at_wall.acceleration_g_median.is_none())
-        .then(|| "The shock at its wall is not compared with its tolerance: give wall_stiffness and mass.".to_owned())
-}
-
-fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
-    let rigid = trial
-        .lived
-        .iter()
-        .filter_map(|one| Some(one.failure()?.why()));
-    let pads = trial
-        .lived
-        .iter()
-        .filter_map(|one| one.pads.as_ref()?.as_ref().err().map(Lost::why));
-    for (model, errors) in [
-        ("a rigid base", rigid.collect::<Vec<_>>()),
-        ("its pads", pads.collect()),
-    ] {
-        if let Some(first) = errors.first() {
-            notes.push(format!(
-                "The histories on {model} failed in {} of {} worlds ({first}); they count as exceeded in the upper \
-                 end of an interval and as not exceeded in the lower.",
-                errors.len(),
-                trial.lived.len()
-            ));
-        }
-    }
-    let is_flight = |one: &&Lived| matches!(one.rigid, Some(Err(Lost::Flight(_))));
-    let answered = trial
-        .lived
-        .iter()
-        .filter(|one| is_flight(one) && one.is_for_pads())
-        .count();
-    if answered > 0 {
-        notes.push(format!(
-            "In {answered} of {} worlds its floor falls away (g + vertical acceleration ≤ 0), and it flies: there its \
-             pads answer for both models.",
-            trial.lived.len()
-        ));
-    }
-    let unknown = trial
-        .lived
-        .iter()
-        .filter(|one| is_flight(one) && !one.is_for_pads())
-        .count();
-    if unknown > 0 && trial.subject.way == Way::Planar && trial.subject.body.is_none() {
-        notes.push(
-            "Its pads could follow it through the air: give its mass and its pads.".to_owned(),
-        );
-    }
 }
 
 fn floor_facts(trial: &Trial) -> FloorFacts {
@@ -667,19 +438,9 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let [rigid, compliant] =
         [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
     let too_mild = trial.subject.too_mild;
-    let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
-        FallsAnswer::Stays if too_mild.is_some() => FallsAnswer::Close,
-        falls => falls,
-    };
-    let shock = match (&trial.subject.capacity, is_known) {
-        (None, _) => ShockAnswer::Unknown,
-        (Some(_), true) => ShockAnswer::of(trial.side(context, Question::Shock)),
-        // The acceleration of the floor alone is too much, or nothing can be said.
-        (Some(_), false) => match ShockAnswer::of(trial.side(context, Question::Shock)) {
-            ShockAnswer::Exceeded => ShockAnswer::Exceeded,
-            _ => ShockAnswer::Unknown,
-        },
-    };
+    let falls = FallsAnswer::of(trial.side(context, Question::Falls), too_mild);
+    let capacity = trial.subject.capacity.as_ref();
+    let shock_side = capacity.map(|_| trial.side(context, Question::Shock));
     let is_above = |p: crate::result::Probability| p.value > accepted;
     let models_agree = rigid.zip(compliant).map(|(rigid, pads)| {
         let falls = is_above(rigid.overturn) == is_above(pads.overturn);
@@ -690,11 +451,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let restitutions = || trial.lived.iter().map(|one| one.draw.restitution[0]);
     Answers {
         falls,
-        shock: if is_known || shock == ShockAnswer::Exceeded {
-            shock
-        } else {
-            ShockAnswer::Unknown
-        },
+        shock: ShockAnswer::of(shock_side, is_known),
         asks_shock: trial.member.asks_shock,
         models_agree,
         worlds: trial.worlds(),
@@ -722,7 +479,7 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
         return None;
     }
     let body = trial.subject.body.as_ref()?;
-    let worlds = || on_pads_followed(trial);
+    let worlds = || trial.followed_on_pads();
     let most = |axes: &[PadMotion], number: fn(&PadMotion) -> f64| {
         axes.iter().map(number).fold(0.0, f64::max)
     };
@@ -783,19 +540,20 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
 
 /// Demand/capacity on pads of the median world; no data where that of a world is not known.
 fn ratios_on_pads(trial: &Trial) -> Ranked {
-    let ratios: Option<Vec<f64>> = on_pads_followed(trial)
+    let ratios: Option<Vec<f64>> = trial
+        .followed_on_pads()
         .map(|(_, axes)| pads_demand_capacity(axes))
         .collect();
     ratios.map_or(Ranked::NoData, |ratios| quantiles(ratios.into_iter())[1])
 }
 
 fn response(trial: &Trial) -> Option<Response> {
-    let worlds = followed(trial).count();
+    let worlds = trial.followed().count();
     if worlds == 0 {
         return None;
     }
     let over = |number: &dyn Fn(&AxisMotion) -> f64| {
-        quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)))
+        quantiles(trial.followed().map(|(_, axes)| ranked(axes, number)))
     };
     Some(Response {
         motions: worlds,
@@ -808,11 +566,16 @@ fn response(trial: &Trial) -> Option<Response> {
             .lived
             .iter()
             .find_map(|one| Some(one.failure()?.why().to_owned())),
-        uplift_share: share(followed(trial).map(|(_, axes)| lifts(axes))),
-        overturn_share: share(followed(trial).map(|(_, axes)| overturned(axes))),
+        uplift_share: share(trial.followed().map(|(_, axes)| lifts(axes))),
+        overturn_share: share(trial.followed().map(|(_, axes)| overturned(axes))),
         uplift_m: over(&|one| one.rocking.uplift_m),
-        rotation_ratio: quantiles(followed(trial).map(|(_, axes)| rotation_ratio(trial, axes))),
-        impacts_max: followed(trial)
+        rotation_ratio: quantiles(
+            trial
+                .followed()
+                .map(|(_, axes)| rotation_ratio(trial, axes)),
+        ),
+        impacts_max: trial
+            .followed()
             .flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count))
             .max()?,
         axes: (0..trial.subject.axes.len())
@@ -836,7 +599,7 @@ fn rotation_ratio(trial: &Trial, axes: &[AxisMotion]) -> f64 {
 fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
     let geometry = &trial.subject.axes[axis];
     let pivot = geometry.block.pivot();
-    let worlds = || followed(trial).filter_map(|(_, axes)| axes.get(axis));
+    let worlds = || trial.followed().filter_map(|(_, axes)| axes.get(axis));
     let shock = |one: &AxisMotion| ranked(std::slice::from_ref(one), larger_g);
     AxisResponse {
         axis: geometry.axis,
@@ -874,11 +637,13 @@ fn shock(trial: &Trial) -> Option<Shock> {
         .body
         .as_ref()
         .filter(|_| trial.subject.way.rocks())?;
-    followed(trial).next()?;
+    trial.followed().next()?;
     let of = |number: fn(&AxisMotion) -> f64| {
-        quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)))
+        quantiles(trial.followed().map(|(_, axes)| ranked(axes, number)))
     };
-    let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
+    let survived = trial
+        .followed()
+        .filter(|(_, axes)| !overturned(axes) && lifts(axes));
     let survived: Vec<(usize, f64)> = survived
         .filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, larger_g(one))))
         .collect();
@@ -914,7 +679,9 @@ fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
 
 /// Whether the demand of every world is known: that of a stop needs its stiffness and the mass.
 fn stop_is_known(trial: &Trial) -> bool {
-    followed(trial).all(|(_, axes)| axes.iter().all(|one| one.terms.is_some()))
+    trial
+        .followed()
+        .all(|(_, axes)| axes.iter().all(|one| one.terms.is_some()))
 }
 
 fn missing(trial: &Trial) -> Vec<&'static str> {
@@ -990,10 +757,12 @@ fn capacity_check(
         trial.member.item.tolerance.as_ref()?,
     );
     let ratios: Option<Vec<f64>> = match trial.subject.way.asks(Model::Rigid) {
-        true => followed(trial)
+        true => trial
+            .followed()
             .map(|(_, axes)| demand_capacity(axes))
             .collect(),
-        false => on_pads_followed(trial)
+        false => trial
+            .followed_on_pads()
             .map(|(_, axes)| pads_demand_capacity(axes))
             .collect(),
     };
@@ -1134,7 +903,8 @@ fn clearance(trial: &Trial) -> Option<f64> {
             ),
         }
     };
-    followed(trial)
+    trial
+        .followed()
         .flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>())
         .reduce(f64::max)
 }

@@ -10,24 +10,40 @@ use crate::result::{
 use freestand_input::words::{counted, percent_significant};
 
 impl FallsAnswer {
-    /// From where the probability lies.
-    pub(super) fn of(side: Side) -> Self {
+    /// From where the probability lies. An object that is calculated too mildly never stays for certain.
+    pub(super) fn of(side: Side, too_mild: Option<TooMild>) -> Self {
         match side {
-            Side::Below => Self::Stays,
+            Side::Below if too_mild.is_none() => Self::Stays,
             Side::Above => Self::Falls,
-            Side::Open => Self::Close,
+            Side::Below | Side::Open => Self::Close,
         }
     }
 }
 
 impl ShockAnswer {
-    /// From where the probability lies.
-    pub(super) fn of(side: Side) -> Self {
-        match side {
-            Side::Below => Self::Stands,
-            Side::Above => Self::Exceeded,
-            Side::Open => Self::Close,
+    /// From where the probability lies; `None`: it has no tolerance. Where its shock is not known, the
+    /// acceleration of the floor alone may be too much.
+    pub(super) fn of(side: Option<Side>, shock_is_known: bool) -> Self {
+        match (side, shock_is_known) {
+            (Some(Side::Above), _) => Self::Exceeded,
+            (Some(Side::Below), true) => Self::Stands,
+            (Some(Side::Open), true) => Self::Close,
+            (None, _) | (Some(Side::Below | Side::Open), false) => Self::Unknown,
         }
+    }
+}
+
+/// The last word on an object: one that goes farther than it has room is locked or restrained instead
+/// of being left or without a verdict, and in shaking that nobody stated nothing is left as it is.
+pub(super) fn settled(by_answers: Decision, loose: Option<Decision>, unstated: bool) -> Decision {
+    let decision = match by_answers {
+        Decision::Leave | Decision::NoVerdict => loose.unwrap_or(by_answers),
+        Decision::Restrain | Decision::Soften | Decision::Lock => by_answers,
+    };
+    if decision == Decision::Leave && unstated {
+        Decision::NoVerdict
+    } else {
+        decision
     }
 }
 
@@ -412,6 +428,66 @@ mod tests {
             "It stays standing: at most 1.4 % fall (0 of 320 worlds; accepted 10 %). Only falling was assessed: no \
              tolerance was given."
         );
+    }
+
+    #[test]
+    fn answers_from_where_a_probability_lies() {
+        use Side::{Above, Below, Open};
+        let falls = |too_mild| [Below, Open, Above].map(|side| FallsAnswer::of(side, too_mild));
+        let [stays, close, fall] = [FallsAnswer::Stays, FallsAnswer::Close, FallsAnswer::Falls];
+        assert_eq!(falls(None), [stays, close, fall]);
+        for why in [TooMild::Round, TooMild::FeetPassWall] {
+            assert_eq!(falls(Some(why)), [close, close, fall]);
+        }
+        let shock = |is_known| {
+            [Some(Below), Some(Open), Some(Above), None].map(|side| ShockAnswer::of(side, is_known))
+        };
+        use ShockAnswer::{Close, Exceeded, Stands, Unknown};
+        assert_eq!(shock(true), [Stands, Close, Exceeded, Unknown]);
+        assert_eq!(shock(false), [Unknown, Unknown, Exceeded, Unknown]);
+    }
+
+    /// Every decision by the answers, with and without the room to move, stated and not.
+    #[test]
+    fn the_last_word() {
+        use Decision::{Leave, Lock, NoVerdict, Restrain, Soften};
+        for unstated in [false, true] {
+            for firm in [Restrain, Soften, Lock] {
+                assert_eq!(settled(firm, Some(Lock), unstated), firm);
+            }
+            for open in [Leave, NoVerdict] {
+                for loose in [Lock, Restrain] {
+                    assert_eq!(settled(open, Some(loose), unstated), loose);
+                }
+            }
+            assert_eq!(settled(NoVerdict, None, unstated), NoVerdict);
+        }
+        assert_eq!(settled(Leave, None, false), Leave);
+        assert_eq!(settled(Leave, None, true), NoVerdict);
+    }
+
+    /// No pad lowers the acceleration of the floor, and an object that was calculated too mildly is told
+    /// as that.
+    #[test]
+    fn the_floor_alone_and_what_is_too_mild() {
+        let exceeded = answers(FallsAnswer::Stays, ShockAnswer::Exceeded);
+        let of = |governing| {
+            decide(&Case {
+                governing: Some(governing),
+                ..case(&exceeded)
+            })
+        };
+        let (decision, why) = of(Criterion::FloorAcceleration);
+        assert_eq!(decision, Decision::Restrain);
+        assert!(why.contains("move it to a lower floor"), "{why}");
+        assert!(of(Criterion::Peak).1.contains("No softer pad helps"));
+        let mild = Answers {
+            too_mild: Some(TooMild::Round),
+            ..answers(FallsAnswer::Close, ShockAnswer::Stands)
+        };
+        let (decision, why) = decide(&case(&mild));
+        assert_eq!(decision, Decision::Restrain);
+        assert!(why.starts_with("It is round"), "{why}");
     }
 
     #[test]

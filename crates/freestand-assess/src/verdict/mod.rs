@@ -26,6 +26,7 @@ mod slip;
 mod softer;
 mod tally;
 mod trial;
+mod words;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

@@ -18,7 +18,8 @@ use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject};
 use super::respond::{Drawn, outcome_on_pads, outcome_on_rigid, responses};
 use super::response::{
-    Lived, Lost, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity,
+    AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity,
+    pads_demand_capacity,
 };
 use super::slip::slips;
 use super::{Context, Member};
@@ -73,6 +74,18 @@ impl<'a> Trial<'a> {
     /// Number of worlds.
     pub(super) fn worlds(&self) -> u32 {
         u32::try_from(self.lived.len()).unwrap_or(u32::MAX)
+    }
+
+    /// The worlds whose histories on a rigid base are complete, with their numbers.
+    pub(super) fn followed(&self) -> impl Iterator<Item = (usize, &[AxisMotion])> {
+        let worlds = self.lived.iter().enumerate();
+        worlds.filter_map(|(i, one)| Some((i, one.on_rigid()?)))
+    }
+
+    /// The worlds whose histories on pads are complete.
+    pub(super) fn followed_on_pads(&self) -> impl Iterator<Item = (&Lived, &[PadMotion])> {
+        let worlds = self.lived.iter();
+        worlds.filter_map(|one| Some((one, one.on_pads()?)))
     }
 
     /// The largest number of worlds.

@@ -17,10 +17,11 @@ mod shaking;
 mod table;
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use freestand::fragility::{LimitState, resurrections};
+use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::name_of;
@@ -338,10 +339,13 @@ fn fit(
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
         super::go_on(progress)?;
-        let outcomes = table::outcomes(&report, (*measure, place, *at), progress)?;
+        let lines = table::lines(&report, (*measure, place, *at), progress)?;
+        let outcomes = table::outcomes(*measure, &lines)?;
         super::go_on(progress)?;
         let name = file_name("outcomes", place, *measure);
-        let table = table::read(outcomes.as_ref(), &name, progress)?;
+        let file = InputFile::new(Path::new(&name), outcomes.as_ref());
+        let runs = lines.iter().map(|line| line.run);
+        let table = OutcomeTable::of_runs(file, *measure, runs, progress)?;
         let limits = shock_limits(request.fit, &report.objects, &table);
         let fits = FragilityRequest {
             outcomes: PathBuf::from(name),

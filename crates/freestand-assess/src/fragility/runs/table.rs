@@ -1,10 +1,8 @@
-//! The outcomes of runs in the form that the fit reads.
+//! The outcomes of runs by one measure, as they are fitted and as they are written.
 
-use std::path::Path;
-
-use freestand::fragility::level_weights;
+use freestand::fragility::{OutcomeClass, level_weights};
 use freestand_input::formula::guarded;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{name_of, shortest};
 use freestand_output::rows::{csv_writer, table_of_csv};
 use freestand_output::table::Table;
@@ -13,7 +11,7 @@ use freestand_study::run::Progress;
 use super::super::curves::CAUTION;
 use super::super::go_on;
 use super::super::measure::{At, Measure};
-use super::super::outcomes::{OutcomeTable, UNRESOLVED, UPLIFT};
+use super::super::outcomes::{RunRow, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
 use super::{Method, ObjectRuns, RunsReport};
@@ -46,19 +44,75 @@ pub fn file_name(what: &str, place: usize, measure: Measure) -> String {
     format!("{what}_{}.csv", plain.trim_matches('_'))
 }
 
-/// The runs of all objects by one measure. Extra columns say how each run came about.
-pub(super) fn outcomes(
-    report: &RunsReport,
+/// A run, and the factor on its motion.
+pub(super) struct Line<'a> {
+    pub(super) run: RunRow<'a>,
+    scale_ratio: f64,
+}
+
+/// The runs of all objects by one measure.
+pub(super) fn lines<'a>(
+    report: &'a RunsReport,
     (measure, place, at): (Measure, usize, At),
     progress: Progress,
-) -> Result<Table, Problem> {
+) -> Result<Vec<Line<'a>>, Problem> {
+    let is_weighted = report.method == Method::Incremental && report.scales.is_none();
+    let is_of_stripes = report.method == Method::Stripes && place == 0;
+    let scales = report.scales.as_deref().filter(|_| is_of_stripes);
+    let levels = Levels::new(scales.unwrap_or_default());
+    let mut lines = Vec::new();
+    for one in &report.objects {
+        let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
+        let units: Vec<Option<f64>> = shakings
+            .iter()
+            .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+            .collect();
+        let weights = weights(one, place, &units);
+        let runs = one.motions.iter().flatten();
+        let known = runs.filter(|run| run.found.is_ok()).count() as f64;
+        let all: f64 = weights.iter().flatten().sum();
+        // Together they count as many as there are runs.
+        let factor = if all > 0.0 { known / all } else { 1.0 };
+        let each = one
+            .motions
+            .iter()
+            .zip(&one.uplifts_ratio)
+            .zip(&weights)
+            .zip(shakings)
+            .zip(&units);
+        for ((((runs, uplift), weights), shaking), unit) in each {
+            let Some(unit) = unit else { continue };
+            go_on(progress)?;
+            for (followed, weight) in runs.iter().zip(weights) {
+                let found = followed.run();
+                let run = RunRow {
+                    object: &one.id,
+                    motion: &shaking.name,
+                    intensity: levels.exact(unit * followed.scale_ratio),
+                    class: found.map(|run| run.class),
+                    shock_g: found.and_then(|run| run.edge_acceleration_g),
+                    weight: if is_weighted { factor * weight } else { 1.0 },
+                    rotation_ratio: found.and_then(|run| run.rotation_ratio),
+                    uplift: uplift.map(|uplift| unit * uplift),
+                    reason: followed.found.as_ref().err().map_or("", String::as_str),
+                    caution: one.nominal.too_mild(),
+                };
+                let scale_ratio = followed.scale_ratio;
+                lines.push(Line { run, scale_ratio });
+            }
+        }
+    }
+    Ok(lines)
+}
+
+/// As a table. Extra columns say how each run came about.
+pub(super) fn outcomes(measure: Measure, lines: &[Line<'_>]) -> Result<Table, Problem> {
     let broken = |error: &dyn std::fmt::Display| {
         Problem::new(
             ProblemKind::Computation,
             format!("the outcomes cannot be written: {error}"),
         )
     };
-    let is_weighted = report.method == Method::Incremental && report.scales.is_none();
     let [intensity, uplift] = [measure.name().as_str(), UPLIFT].map(|name| match measure.unit() {
         "1" => name.to_owned(),
         unit => format!("{name} [{unit}]"),
@@ -77,82 +131,33 @@ pub(super) fn outcomes(
         ("reason", false),
         (CAUTION, false),
     ];
-    let is_of_stripes = report.method == Method::Stripes && place == 0;
-    let levels = Levels::new(
-        report
-            .scales
-            .as_deref()
-            .filter(|_| is_of_stripes)
-            .unwrap_or_default(),
-    );
     let mut writer = csv_writer();
     writer
         .write_record(columns.map(|(name, _)| name))
         .map_err(|error| broken(&error))?;
-    for one in &report.objects {
-        let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
-        let units: Vec<Option<f64>> = shakings
-            .iter()
-            .map(|shaking| shaking.intensity(measure, place, at, one.factors))
-            .collect();
-        let weights = weights(one, place, &units);
-        let known = one
-            .motions
-            .iter()
-            .flatten()
-            .filter(|run| run.found.is_ok())
-            .count() as f64;
-        let all: f64 = weights.iter().flatten().sum();
-        // Together they count as many as there are runs.
-        let factor = if all > 0.0 { known / all } else { 1.0 };
-        let each = one
-            .motions
-            .iter()
-            .zip(&one.uplifts_ratio)
-            .zip(&weights)
-            .zip(shakings)
-            .zip(&units);
-        for ((((runs, uplift), weights), shaking), unit) in each {
-            let Some(unit) = unit else { continue };
-            go_on(progress)?;
-            for (run, weight) in runs.iter().zip(weights) {
-                let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-                let record = [
-                    guarded(&one.id).into_owned(),
-                    guarded(&shaking.name).into_owned(),
-                    shortest(levels.exact(unit * run.scale_ratio)),
-                    run.run()
-                        .map_or(UNRESOLVED, |run| run.class.name())
-                        .to_owned(),
-                    text(run.run().and_then(|run| run.edge_acceleration_g)),
-                    if is_weighted {
-                        shortest(factor * weight)
-                    } else {
-                        "1".to_owned()
-                    },
-                    shortest(run.scale_ratio),
-                    text(run.run().and_then(|run| run.rotation_ratio)),
-                    text(uplift.map(|uplift| unit * uplift)),
-                    run.found
-                        .as_ref()
-                        .err()
-                        .map(|why| guarded(why).into_owned())
-                        .unwrap_or_default(),
-                    one.nominal
-                        .too_mild()
-                        .map_or("", |why| name_of(TOO_MILD, why))
-                        .to_owned(),
-                ];
-                writer
-                    .write_record(&record)
-                    .map_err(|error| broken(&error))?;
-            }
-        }
+    let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
+    for Line { run, scale_ratio } in lines {
+        let record = [
+            guarded(run.object).into_owned(),
+            guarded(run.motion).into_owned(),
+            shortest(run.intensity),
+            run.class.map_or(UNRESOLVED, OutcomeClass::name).to_owned(),
+            text(run.shock_g),
+            shortest(run.weight),
+            shortest(*scale_ratio),
+            text(run.rotation_ratio),
+            text(run.uplift),
+            guarded(run.reason).into_owned(),
+            run.caution
+                .map_or("", |why| name_of(TOO_MILD, why))
+                .to_owned(),
+        ];
+        writer
+            .write_record(&record)
+            .map_err(|error| broken(&error))?;
     }
-    Ok(table_of_csv(
-        writer.into_inner().map_err(|error| broken(&error))?,
-        &columns,
-    ))
+    let bytes = writer.into_inner().map_err(|error| broken(&error))?;
+    Ok(table_of_csv(bytes, &columns))
 }
 
 /// How much each run counts by the measure at a place of the request, for each motion with its
@@ -176,9 +181,4 @@ pub(super) fn weights(one: &ObjectRuns, place: usize, units: &[Option<f64>]) -> 
             .collect()
     };
     one.motions.iter().zip(units).map(of_motion).collect()
-}
-
-/// What the fit reads: the very bytes that are written.
-pub(super) fn read(bytes: &[u8], name: &str, progress: Progress) -> Result<OutcomeTable, Problems> {
-    OutcomeTable::read(bytes, Path::new(name), progress)
 }
