@@ -285,7 +285,8 @@ fn is_unit_like(text: &str) -> bool {
 }
 
 /// What a row is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum RowKind {
     /// The name of a section of the list.
     Section,
@@ -302,13 +303,7 @@ pub enum RowKind {
 impl RowKind {
     /// Its name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Section => "section",
-            Self::Total => "total",
-            Self::Note => "note",
-            Self::Header => "header",
-            Self::Units => "units",
-        }
+        self.into()
     }
 }
 

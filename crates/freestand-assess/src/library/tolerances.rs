@@ -82,7 +82,8 @@ impl ToleranceLibrary {
 }
 
 /// What the numbers of an entry are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// The maker states that it withstands this; not a median.
@@ -107,17 +108,13 @@ impl Kind {
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::VendorLimit => "vendor-limit",
-            Self::TestSeverity => "test-severity",
-            Self::Class => "class",
-            Self::Fragility => "fragility",
-        }
+        self.into()
     }
 }
 
 /// The state of the object to which the tolerance applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
     /// Operating, and continues to operate.
@@ -141,12 +138,7 @@ impl State {
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Operating => "operating",
-            Self::NonOperating => "non-operating",
-            Self::Packaged => "packaged",
-            Self::Any => "any",
-        }
+        self.into()
     }
 }
 

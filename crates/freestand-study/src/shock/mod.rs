@@ -340,7 +340,8 @@ fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
 }
 
 /// How the energy of the landing is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 enum EnergySource {
     Uplift,
     ImpactVelocity,
@@ -351,12 +352,7 @@ enum EnergySource {
 impl EnergySource {
     /// The name in outputs.
     fn name(self) -> &'static str {
-        match self {
-            Self::Uplift => "uplift",
-            Self::ImpactVelocity => "impact-velocity",
-            Self::FallFromBalance => "fall-from-balance",
-            Self::Measured => "measured",
-        }
+        self.into()
     }
 }
 

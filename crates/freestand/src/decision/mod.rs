@@ -130,7 +130,8 @@ impl Interval {
 }
 
 /// Where a probability lies relative to the accepted one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Side {
     /// Below it: the upper end is.
     Below,
@@ -143,11 +144,7 @@ pub enum Side {
 impl Side {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Below => "below",
-            Self::Above => "above",
-            Self::Open => "open",
-        }
+        self.into()
     }
 
     /// The side of a question that several models answer: above where any model is, below where all

@@ -12,7 +12,8 @@ pub const WORLD_GENERATOR: &str = "ChaCha8Rng (rand_chacha 0.10), 256-bit key of
 
 /// What a draw is for. Each group has its own random numbers, so drawing one again leaves all
 /// others as they are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr, strum::VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Group {
     /// The spectra of the components of the ground motion.
     Motion,
@@ -35,32 +36,9 @@ pub enum Group {
 }
 
 impl Group {
-    /// All groups.
-    pub const ALL: [Self; 9] = [
-        Self::Motion,
-        Self::Building,
-        Self::Orientation,
-        Self::Restitution,
-        Self::Pad,
-        Self::Body,
-        Self::Model,
-        Self::Wall,
-        Self::Friction,
-    ];
-
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Motion => "motion",
-            Self::Building => "building",
-            Self::Orientation => "orientation",
-            Self::Restitution => "restitution",
-            Self::Pad => "pad",
-            Self::Body => "body",
-            Self::Model => "model",
-            Self::Wall => "wall",
-            Self::Friction => "friction",
-        }
+        self.into()
     }
 
     /// Part of the key: a number once given stays.

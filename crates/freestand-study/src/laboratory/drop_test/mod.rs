@@ -92,7 +92,8 @@ pub struct DropRequest {
 }
 
 /// Where the impact velocity comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(super) enum VelocitySource {
     Given,
     Height,
@@ -102,11 +103,7 @@ pub(super) enum VelocitySource {
 impl VelocitySource {
     /// The name in outputs.
     fn name(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::Height => "height",
-            Self::Impulse => "impulse",
-        }
+        self.into()
     }
 }
 
