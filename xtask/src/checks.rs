@@ -91,11 +91,6 @@ struct Row {
 }
 
 impl Check {
-    /// Its name on the command line.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     fn title(self) -> &'static str {
         match self {
             Self::Arrows => "arrows between crates and modules",
@@ -167,7 +162,7 @@ impl Check {
                 let program = std::env::current_exe()
                     .map_err(|error| format!("cannot find xtask: {error}"))?;
                 let mut command = Command::new(program);
-                command.args(["check", self.name()]).current_dir(root);
+                command.args(["check", self.into()]).current_dir(root);
                 command
             }
         })

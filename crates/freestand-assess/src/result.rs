@@ -60,13 +60,6 @@ pub enum FallsAnswer {
     Close,
 }
 
-impl FallsAnswer {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-}
-
 /// Whether a shock exceeds the tolerance of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
@@ -80,13 +73,6 @@ pub enum ShockAnswer {
     Close,
     /// Data are missing.
     Unknown,
-}
-
-impl ShockAnswer {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
 }
 
 /// The answers to both questions, and how sure they are.
@@ -475,7 +461,8 @@ impl Criterion {
 }
 
 /// The side of an object that lies in the plane of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// The thickness.
@@ -487,10 +474,7 @@ pub enum Axis {
 impl Axis {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Thickness => "thickness",
-            Self::Width => "width",
-        }
+        self.into()
     }
 }
 

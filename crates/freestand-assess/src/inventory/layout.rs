@@ -300,13 +300,6 @@ pub enum RowKind {
     Units,
 }
 
-impl RowKind {
-    /// Its name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-}
-
 /// A row that is not an object.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LeftOut {
@@ -725,7 +718,7 @@ mod tests {
         let kinds: Vec<(u32, &str)> = body
             .left_out
             .iter()
-            .map(|left| (left.row, left.kind.name()))
+            .map(|left| (left.row, <&str>::from(left.kind)))
             .collect();
         assert_eq!(
             kinds,

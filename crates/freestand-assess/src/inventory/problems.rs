@@ -8,7 +8,8 @@ use freestand_input::words::counted;
 use super::columns::{Column, letters};
 
 /// How serious a problem is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Severity {
     /// The cell has no value.
     Error,
@@ -19,10 +20,7 @@ pub enum Severity {
 impl Severity {
     /// Its name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Error => "error",
-            Self::Doubt => "doubt",
-        }
+        self.into()
     }
 }
 

@@ -30,10 +30,6 @@ pub(super) enum UnitSource {
 }
 
 impl UnitSource {
-    pub(super) fn name(self) -> &'static str {
-        self.into()
-    }
-
     /// Whether a person might have chosen another.
     pub(super) fn is_assumed(self) -> bool {
         matches!(self, Self::Cells | Self::Plausibility)

@@ -61,7 +61,7 @@ static SHELF: Shelf<ToleranceEntry> = Shelf {
             note,
             ..
         } = entry;
-        vec![id, class, kind.name(), state.name(), source, clause, note]
+        vec![id, class, kind.into(), state.into(), source, clause, note]
     },
 };
 
@@ -105,11 +105,6 @@ impl Kind {
         Self::Class,
         Self::Fragility,
     ];
-
-    /// The name in files and outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
 }
 
 /// The state of the object to which the tolerance applies.
@@ -135,11 +130,6 @@ impl State {
         Self::Packaged,
         Self::Any,
     ];
-
-    /// The name in files and outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
 }
 
 /// An entry of the tolerance library; `None` where its source gives no value. The keys are those of
@@ -213,8 +203,8 @@ impl ToleranceEntry {
         let mut reader = RowReader::new(table, row);
         let id = reader.id();
         let class = reader.needed("class");
-        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.name(), kind)));
-        let state = reader.word("state", &State::ALL.map(|state| (state.name(), state)));
+        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.into(), kind)));
+        let state = reader.word("state", &State::ALL.map(|state| (state.into(), state)));
         let peak_m_s2 = reader.positive("peak", Dimension::Acceleration);
         let peak_high_m_s2 = reader.positive("peak_high", Dimension::Acceleration);
         let duration_s = reader.positive("duration", Dimension::Time);

@@ -50,11 +50,6 @@ impl AnswerKind {
         }
     }
 
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     fn words(self) -> &'static str {
         match self {
             Self::DoesNotRock => "does not rock",
@@ -904,7 +899,7 @@ mod tests {
         ];
         for (answer, kind, sentence) in expected {
             assert_eq!(
-                (answer.kind.name(), answer.sentence().as_str()),
+                (answer.kind.into(), answer.sentence().as_str()),
                 (kind, sentence)
             );
         }
@@ -1005,7 +1000,7 @@ mod tests {
                 overturned,
                 ..Counts::default()
             };
-            AnswerKind::of(&counts, accepted_ratio, probability).name()
+            <&str>::from(AnswerKind::of(&counts, accepted_ratio, probability))
         };
         assert_eq!(
             [2, 3].map(|overturned| kind(20, overturned, 0.1)),
@@ -1031,7 +1026,7 @@ mod tests {
             ..Counts::default()
         };
         assert_eq!(
-            [2, 3].map(|n| AnswerKind::of(&given(n), 0.1, None).name()),
+            [2, 3].map(|n| <&str>::from(AnswerKind::of(&given(n), 0.1, None))),
             ["may-fall", "falls"]
         );
         assert_eq!(kind(1, 1, 0.1), "falls");

@@ -349,13 +349,6 @@ enum EnergySource {
     Measured,
 }
 
-impl EnergySource {
-    /// The name in outputs.
-    fn name(self) -> &'static str {
-        self.into()
-    }
-}
-
 /// The energy of the landing, as a fall of the centre of gravity.
 struct Fall {
     source: EnergySource,
@@ -633,7 +626,7 @@ fn report(
     let facts = Facts::default()
         .fact("scenario", "scenario", name_of(SCENARIOS, request.scenario))
         .fact("model", "model", name_of(MODELS, landing.model))
-        .key("energy_source", fall.source.name())
+        .key("energy_source", <&str>::from(fall.source))
         .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
         .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
         .key("edge_acceleration_m_s2", edge_m_s2)

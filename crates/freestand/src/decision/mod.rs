@@ -130,8 +130,7 @@ impl Interval {
 }
 
 /// Where a probability lies relative to the accepted one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// Below it: the upper end is.
     Below,
@@ -142,11 +141,6 @@ pub enum Side {
 }
 
 impl Side {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     /// The side of a question that several models answer: above where any model is, below where all
     /// are, otherwise open. Without models it is open.
     ///

@@ -12,8 +12,7 @@ pub const WORLD_GENERATOR: &str = "ChaCha8Rng (rand_chacha 0.10), 256-bit key of
 
 /// What a draw is for. Each group has its own random numbers, so drawing one again leaves all
 /// others as they are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr, strum::VariantArray)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::VariantArray)]
 pub enum Group {
     /// The spectra of the components of the ground motion.
     Motion,
@@ -36,11 +35,6 @@ pub enum Group {
 }
 
 impl Group {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-
     /// Part of the key: a number once given stays.
     fn code(self) -> u64 {
         match self {

@@ -100,13 +100,6 @@ pub(super) enum VelocitySource {
     Impulse,
 }
 
-impl VelocitySource {
-    /// The name in outputs.
-    fn name(self) -> &'static str {
-        self.into()
-    }
-}
-
 /// One drop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropReport {
@@ -510,7 +503,7 @@ impl DropReport {
             .key("start_time_s", self.start_time_s)
             .key("mass_kg", self.mass_kg)
             .fact("impact_velocity_m_s", "impact velocity", test.impact_velocity_m_s)
-            .fact("impact_velocity_source", "  source", self.velocity_source.name())
+            .fact("impact_velocity_source", "  source", <&str>::from(self.velocity_source))
             .key("fitted_velocity_m_s", found.map(|f| f.fitted_velocity_m_s))
             .fact("peak_acceleration_g", "peak acceleration", test.peak_acceleration_m_s2.map(|a| a / G0_M_S2))
             .and(facts!(test; contact_time_s "contact time", max_compression_m "largest compression",
