@@ -14,8 +14,8 @@ pub const FACTOR_LIMITS: (f64, f64) = (0.25, 4.0);
 const BETTER_BY_RATIO: f64 = 1e-9;
 
 /// How the records of a suite are scaled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::EnumString, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case", ascii_case_insensitive)]
 pub enum SuiteScale {
     /// Each by a factor of its own.
     Each,
