@@ -2,6 +2,7 @@
 
 use freestand_input::quantity::UnitSystem;
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 pub use freestand_study::result::Ranked;
 pub use freestand_study::study::Unstated;
@@ -9,7 +10,10 @@ pub use freestand_study::study::Unstated;
 pub use crate::too_mild::TooMild;
 
 /// The verdict: what to do with an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, IntoStaticStr,
+)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Decision {
     /// Fix it to the building.
@@ -39,18 +43,13 @@ impl Decision {
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Restrain => "restrain",
-            Self::Soften => "soften",
-            Self::Lock => "lock",
-            Self::NoVerdict => "no-verdict",
-            Self::Leave => "leave",
-        }
+        self.into()
     }
 }
 
 /// Whether an object falls.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum FallsAnswer {
     /// The probability is below the accepted one.
@@ -61,19 +60,9 @@ pub enum FallsAnswer {
     Close,
 }
 
-impl FallsAnswer {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stays => "stays",
-            Self::Falls => "falls",
-            Self::Close => "close",
-        }
-    }
-}
-
 /// Whether a shock exceeds the tolerance of an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum ShockAnswer {
     /// The probability is below the accepted one.
@@ -84,18 +73,6 @@ pub enum ShockAnswer {
     Close,
     /// Data are missing.
     Unknown,
-}
-
-impl ShockAnswer {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stands => "stands",
-            Self::Exceeded => "exceeded",
-            Self::Close => "close",
-            Self::Unknown => "unknown",
-        }
-    }
 }
 
 /// The answers to both questions, and how sure they are.
@@ -193,7 +170,8 @@ pub struct ModelAnswers {
 }
 
 /// The model of an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum ObjectModel {
     /// It stands freely on a rigid base.
@@ -208,6 +186,7 @@ pub enum ObjectModel {
     Slide,
     /// It moves in three dimensions on its pads.
     #[serde(rename = "compliant-3d")]
+    #[strum(serialize = "compliant-3d")]
     Spatial,
     /// It moves in a plane on its pads, with another body on it.
     Stack,
@@ -216,15 +195,7 @@ pub enum ObjectModel {
 impl ObjectModel {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Rock => "rock",
-            Self::RockWall => "rock-wall",
-            Self::Compliant => "compliant",
-            Self::Roll => "roll",
-            Self::Slide => "slide",
-            Self::Spatial => "compliant-3d",
-            Self::Stack => "stack",
-        }
+        self.into()
     }
 }
 
@@ -383,7 +354,8 @@ pub struct Shares {
 }
 
 /// What an answer may depend on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Cause {
     /// The ground motion.
@@ -413,14 +385,7 @@ impl Cause {
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Motion => "motion",
-            Self::Building => "building",
-            Self::Restitution => "restitution",
-            Self::Pad => "pad",
-            Self::Body => "body",
-            Self::Model => "model",
-        }
+        self.into()
     }
 }
 
@@ -468,7 +433,8 @@ impl AcceptedFor {
 }
 
 /// The criteria by which a tolerance can be exceeded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
     /// The peak of the shock.
@@ -490,20 +456,13 @@ pub enum Criterion {
 impl Criterion {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::DamageBoundary => "damage-boundary",
-            Self::VelocityChange => "velocity-change",
-            Self::Spectrum => "spectrum",
-            Self::EdgeLift => "edge-lift",
-            Self::FloorAcceleration => "floor-acceleration",
-            Self::Overturning => "overturning",
-        }
+        self.into()
     }
 }
 
 /// The side of an object that lies in the plane of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// The thickness.
@@ -515,10 +474,7 @@ pub enum Axis {
 impl Axis {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Thickness => "thickness",
-            Self::Width => "width",
-        }
+        self.into()
     }
 }
 
@@ -773,7 +729,8 @@ pub struct Sliding {
 }
 
 /// Whether an object slides.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum SlidingVerdict {
     /// It does not slide, even with the lowest friction.
@@ -787,11 +744,7 @@ pub enum SlidingVerdict {
 impl SlidingVerdict {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::No => "no",
-            Self::Possible => "possible",
-            Self::Yes => "yes",
-        }
+        self.into()
     }
 }
 

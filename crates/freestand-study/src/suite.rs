@@ -30,9 +30,6 @@ const FAR_LN: f64 = 0.1;
 /// The default of `suite_scale`.
 pub const DEFAULT_SCALE: SuiteScale = SuiteScale::Each;
 
-/// Every way to scale.
-pub const SCALES: [SuiteScale; 2] = [SuiteScale::Each, SuiteScale::One];
-
 /// A file that is not in a suite because it cannot be.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LeftOut {

@@ -14,7 +14,8 @@ pub const FACTOR_LIMITS: (f64, f64) = (0.25, 4.0);
 const BETTER_BY_RATIO: f64 = 1e-9;
 
 /// How the records of a suite are scaled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::EnumString, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case", ascii_case_insensitive)]
 pub enum SuiteScale {
     /// Each by a factor of its own.
     Each,
@@ -25,10 +26,7 @@ pub enum SuiteScale {
 impl SuiteScale {
     /// The name in studies and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Each => "each",
-            Self::One => "one",
-        }
+        self.into()
     }
 
     /// Standard deviation of ln Sa that the suite is to have.

@@ -261,18 +261,17 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
                     .cell_problem(row, unit, &problem.message)
                     .hint(problem.hint.unwrap_or_default())
             })?;
-        let place = At::parse(table.filled(row, at)?);
-        let place =
-            place.ok_or_else(|| bad(at, "a place of a measure", "write ground or floor"))?;
+        let place = table
+            .filled(row, at)?
+            .parse()
+            .map_err(|_| bad(at, "a place of a measure", "write ground or floor"))?;
         measure
             .at(Some(place))
             .map_err(|problem| table.cell_problem(row, at, &problem.message))?;
-        let text = table.filled(row, state)?;
-        let limit_state = LimitState::ALL
-            .into_iter()
-            .find(|state| state.name() == text);
-        let limit_state = limit_state
-            .ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
+        let limit_state = table
+            .filled(row, state)?
+            .parse()
+            .map_err(|_| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
         let kind = kind_of(&table, row, (kind, median, beta), factor)?;
         let curve = Curve { limit_state, kind };
         let found = table.given(row, CAPACITY).map(|column| {

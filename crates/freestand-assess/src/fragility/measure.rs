@@ -6,7 +6,8 @@ use freestand_input::quantity::{Dimension, lookup, parse_grid, parse_in_unit, pa
 use freestand_input::words::shortest;
 
 /// Where a measure is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum At {
     /// Of the ground motion.
     Ground,
@@ -17,17 +18,7 @@ pub enum At {
 impl At {
     /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Ground => "ground",
-            Self::Floor => "floor",
-        }
-    }
-
-    /// The place with a name.
-    pub fn parse(text: &str) -> Option<Self> {
-        [Self::Ground, Self::Floor]
-            .into_iter()
-            .find(|at| at.name() == text)
+        self.into()
     }
 }
 

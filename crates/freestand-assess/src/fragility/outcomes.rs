@@ -541,10 +541,7 @@ fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeCl
     } else {
         text
     };
-    let class = OutcomeClass::ALL
-        .into_iter()
-        .find(|class| class.name() == text);
-    class.map(Some).ok_or_else(|| {
+    text.parse().map(Some).map_err(|_| {
         let names = OutcomeClass::ALL.map(OutcomeClass::name);
         let near = nearest(text, &names)
             .map(|near| format!("; is it {near}?"))

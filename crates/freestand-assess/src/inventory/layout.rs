@@ -285,7 +285,8 @@ fn is_unit_like(text: &str) -> bool {
 }
 
 /// What a row is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum RowKind {
     /// The name of a section of the list.
     Section,
@@ -297,19 +298,6 @@ pub enum RowKind {
     Header,
     /// A row of units.
     Units,
-}
-
-impl RowKind {
-    /// Its name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Section => "section",
-            Self::Total => "total",
-            Self::Note => "note",
-            Self::Header => "header",
-            Self::Units => "units",
-        }
-    }
 }
 
 /// A row that is not an object.
@@ -730,7 +718,7 @@ mod tests {
         let kinds: Vec<(u32, &str)> = body
             .left_out
             .iter()
-            .map(|left| (left.row, left.kind.name()))
+            .map(|left| (left.row, <&str>::from(left.kind)))
             .collect();
         assert_eq!(
             kinds,

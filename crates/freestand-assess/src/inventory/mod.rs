@@ -48,6 +48,7 @@ mod workbook;
 mod write;
 
 use std::path::PathBuf;
+use strum::IntoStaticStr;
 
 use freestand::rocking::Restitution;
 use serde::{Deserialize, Serialize};
@@ -93,7 +94,10 @@ pub struct Consequences {
 }
 
 /// A rating of a consequence.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, IntoStaticStr,
+)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Rating {
     /// `L`: low.
     Low,
@@ -106,11 +110,7 @@ pub enum Rating {
 impl Rating {
     /// Its name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Low => "low",
-            Self::Medium => "medium",
-            Self::High => "high",
-        }
+        self.into()
     }
 }
 

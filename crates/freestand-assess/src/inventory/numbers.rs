@@ -9,7 +9,8 @@ use freestand::cushion::PAD_STIFFNESS_N_M;
 use super::columns::Column;
 
 /// A decimal sign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Decimal {
     /// `85.5`
     Point,
@@ -20,10 +21,7 @@ pub enum Decimal {
 impl Decimal {
     /// Its name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Point => "point",
-            Self::Comma => "comma",
-        }
+        self.into()
     }
 
     fn of(sign: char) -> Self {

@@ -8,7 +8,8 @@ use freestand_input::words::counted;
 use super::columns::{Column, letters};
 
 /// How serious a problem is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Severity {
     /// The cell has no value.
     Error,
@@ -19,17 +20,15 @@ pub enum Severity {
 impl Severity {
     /// Its name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Error => "error",
-            Self::Doubt => "doubt",
-        }
+        self.into()
     }
 }
 
 macro_rules! kinds {
-    ($($kind:ident $severity:ident $name:literal $what:literal $hint:literal;)*) => {
+    ($($kind:ident $severity:ident $what:literal $hint:literal;)*) => {
         /// The kind of a problem.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, strum::IntoStaticStr)]
+        #[strum(serialize_all = "kebab-case")]
         pub enum Kind {
             $(#[doc = $what] $kind,)*
         }
@@ -37,7 +36,7 @@ macro_rules! kinds {
         impl Kind {
             /// Its name in outputs.
             pub fn name(self) -> &'static str {
-                match self { $(Self::$kind => $name,)* }
+                self.into()
             }
 
             /// How serious it is.
@@ -59,81 +58,81 @@ macro_rules! kinds {
 }
 
 kinds! {
-    Unreadable Error "unreadable" "cannot be read"
+    Unreadable Error "cannot be read"
         "correct the cell, or leave it empty if the value is not known";
-    UnitMissing Error "unit-missing" "has no unit"
+    UnitMissing Error "has no unit"
         "put the unit into the heading, such as \"Height (mm)\", or give it in a mapping file (`columns`)";
-    UnitWrong Error "unit-wrong" "has a unit that does not fit or is not known"
+    UnitWrong Error "has a unit that does not fit or is not known"
         "write a unit that is known, such as mm, in, kg, lb";
-    UnitContradicted Error "unit-contradicted" "has one unit by its heading and another by the column of units or a sentence of the list"
+    UnitContradicted Error "has one unit by its heading and another by the column of units or a sentence of the list"
         "write the unit into the cell, such as \"200 cm\", or correct the heading, the column of units or the sentence";
-    NumberAmbiguous Error "number-ambiguous" "can be read in two ways"
+    NumberAmbiguous Error "can be read in two ways"
         "write the number without thousands, or give decimal = \"comma\" or \"point\" under [numbers] of a mapping file (`columns`)";
-    OutOfRange Error "out-of-range" "is not possible"
+    OutOfRange Error "is not possible"
         "check the number and its unit";
-    FloorUnknown Error "floor-unknown" "is not a floor that is known"
+    FloorUnknown Error "is not a floor that is known"
         "name it under [floors] of a mapping file, or among the floors under [building] of the study";
-    StoreysMissing Error "storeys-missing" "names floors, and nothing says how many storeys the building has"
+    StoreysMissing Error "names floors, and nothing says how many storeys the building has"
         "give `storeys`, or a study with the building";
-    Formula Error "formula" "is a formula without a value"
+    Formula Error "is a formula without a value"
         "open the workbook in a spreadsheet program, correct the formula and save it again";
-    DimensionOrder Doubt "dimension-order" "does not say which size is which; the largest was taken as the height"
+    DimensionOrder Doubt "does not say which size is which; the largest was taken as the height"
         "write the order into the heading, such as \"Size (H x W x D)\"";
-    UnitAssumed Doubt "unit-assumed" "states no unit; the one that fits the list was taken"
+    UnitAssumed Doubt "states no unit; the one that fits the list was taken"
         "put the unit into the heading";
-    Approximate Doubt "approximate" "is a rough value or a range; its middle was taken"
+    Approximate Doubt "is a rough value or a range; its middle was taken"
         "measure it if the verdict depends on it";
-    DuplicateId Doubt "duplicate-id" "occurs more than once; a number was added to the later ones"
+    DuplicateId Doubt "occurs more than once; a number was added to the later ones"
         "give every row its own id";
-    FloorNumbering Doubt "floor-numbering" "does not say whether floor 1 is the ground; it was taken as the one above"
+    FloorNumbering Doubt "does not say whether floor 1 is the ground; it was taken as the one above"
         "give first_floor = \"ground\" or \"above\" under [building] of the study or [floors] of a mapping file";
-    FloorFromSection Doubt "floor-from-section" "was taken from the heading of the section"
+    FloorFromSection Doubt "was taken from the heading of the section"
         "add a column with the floor";
-    Density Doubt "density" "does not fit the size: the density is outside 20 to 3000 kg/m³"
+    Density Doubt "does not fit the size: the density is outside 20 to 3000 kg/m³"
         "check the mass, the sizes and their units";
-    Height Doubt "height" "is outside 0.1 to 6 m"
+    Height Doubt "is outside 0.1 to 6 m"
         "check the number and its unit";
-    Side Doubt "side" "is outside 0.05 to 6 m"
+    Side Doubt "is outside 0.05 to 6 m"
         "check the number and its unit";
-    Slenderness Doubt "slenderness" "is more than 15 times the shorter side"
+    Slenderness Doubt "is more than 15 times the shorter side"
         "check the height and the sides";
-    Low Doubt "low" "is less than half of the shorter side"
+    Low Doubt "is less than half of the shorter side"
         "check that height and depth are not swapped";
-    Mass Doubt "mass" "is outside 0.5 kg to 100 t"
+    Mass Doubt "is outside 0.5 kg to 100 t"
         "check the number and its unit";
-    Tolerance Doubt "tolerance" "is outside 0.3 to 1000 g"
+    Tolerance Doubt "is outside 0.3 to 1000 g"
         "check the number and its unit";
-    Stiffness Doubt "stiffness" "is outside 10 to 1000000 N/mm, or the object alone would press its pads by more than 20 mm"
+    Stiffness Doubt "is outside 10 to 1000000 N/mm, or the object alone would press its pads by more than 20 mm"
         "check that N/m was not typed for N/mm";
-    TwoColumns Doubt "two-columns" "differs from another column with the same meaning; this one was used"
+    TwoColumns Doubt "differs from another column with the same meaning; this one was used"
         "correct one of the columns, or set it to \"ignore\" in a mapping file";
-    Merged Doubt "merged" "is merged over several objects; only the first has the value"
+    Merged Doubt "is merged over several objects; only the first has the value"
         "unmerge the cells and put the value into each row";
-    Casters Doubt "casters" "speaks of wheels and does not say for certain that all of them are braked, or that there are none: taken as free to roll, so it does not rock"
+    Casters Doubt "speaks of wheels and does not say for certain that all of them are braked, or that there are none: taken as free to roll, so it does not rock"
         "write no, free or braked in a column casters";
-    PadsMissing Doubt "pads-missing" "is the stiffness of one pad without pads_per_edge; no shock is computed"
+    PadsMissing Doubt "is the stiffness of one pad without pads_per_edge; no shock is computed"
         "add a column pads_per_edge";
-    DampingMass Doubt "damping-mass" "is a cushion with a damping ratio but no mass; no shock is computed"
+    DampingMass Doubt "is a cushion with a damping ratio but no mass; no shock is computed"
         "give the mass";
-    PadAlone Doubt "pad-alone" "describes a pad without its stiffness; it is ignored"
+    PadAlone Doubt "describes a pad without its stiffness; it is ignored"
         "give the stiffness of the pad";
-    UpperAlone Doubt "upper-alone" "describes what stands on the object in part only; it is ignored"
+    UpperAlone Doubt "describes what stands on the object in part only; it is ignored"
         "give upper_height and upper_thickness, and upper_mass";
-    PulseAlone Doubt "pulse-alone" "is the duration of a pulse without its peak"
+    PulseAlone Doubt "is the duration of a pulse without its peak"
         "give the peak of that pulse as the tolerance";
-    ImplausibleSize Doubt "implausible-size" "is a size that such an object can hardly have: no verdict until it is confirmed"
+    ImplausibleSize Doubt "is a size that such an object can hardly have: no verdict until it is confirmed"
         "correct the cell, or confirm it as it is";
-    Mezzanine Doubt "mezzanine" "is half a storey; it was taken as the one above the ground"
+    Mezzanine Doubt "is half a storey; it was taken as the one above the ground"
         "give its height under [floors] of a mapping file, such as \"Mezzanine\" = 0.2";
-    NotUnderstood Doubt "not-understood" "is not understood; it was not used"
+    NotUnderstood Doubt "is not understood; it was not used"
         "write it in one of the usual words, or leave the cell empty if it is not known";
-    AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored, or its casters are free; it was assessed as free"
+    AnchoredUnclear Doubt "does not clearly say that it is anchored, or its casters are free; it was assessed as free"
         "write yes or no; what is anchored does not roll";
-    Round Doubt "round" "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
+    Round Doubt "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
         "if it is not round, write box in a column shape";
-    HiddenRow Doubt "hidden-row" "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
+    HiddenRow Doubt "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
         "show the row, or delete it if the object is no longer there";
-    Example Doubt "example" "is an example of the template"
+    Example Doubt "is an example of the template"
         "delete the row";
 }
 

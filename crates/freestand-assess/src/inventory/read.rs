@@ -889,7 +889,7 @@ fn columns_read(
             unit: one.unit.map(|unit| unit.symbol().to_owned()),
             unit_source: one
                 .unit_source
-                .map(|source| source.name())
+                .map(|source| source.into())
                 .or(has_unit.then_some("cell")),
             dialect: one.dialect.name(),
             values: *values,

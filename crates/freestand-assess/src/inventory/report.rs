@@ -212,7 +212,7 @@ pub fn check_report(
     let inventory = &reading.inventory;
     let left_out = reading.left_out.iter().map(|left| LeftOutReport {
         row: left.row,
-        kind: left.kind.name(),
+        kind: left.kind.into(),
         text: left.text.clone(),
     });
     CheckReport {

@@ -18,7 +18,8 @@ use super::units::{CellUnit, find, is_metric};
 use super::vocabulary::{is_missing, rating};
 
 /// Where the unit of a column comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(super) enum UnitSource {
     Mapping,
     Heading,
@@ -29,17 +30,6 @@ pub(super) enum UnitSource {
 }
 
 impl UnitSource {
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Mapping => "mapping",
-            Self::Heading => "heading",
-            Self::UnitRow => "unit-row",
-            Self::Sentence => "sentence",
-            Self::Cells => "cells",
-            Self::Plausibility => "plausibility",
-        }
-    }
-
     /// Whether a person might have chosen another.
     pub(super) fn is_assumed(self) -> bool {
         matches!(self, Self::Cells | Self::Plausibility)

@@ -191,7 +191,7 @@ fn settings(settings: &Settings) -> Value {
         "friction_ratio": friction_ratio,
         "pad_strain_ratio": pad_strain_ratio,
         "compliant": compliant,
-        "walls": walls.name(),
+        "walls": <&str>::from(walls),
         "dimensions": dimensions.name(),
         "restraint": [Some(*dead_load_ratio), *overstrength_ratio, *amplification_ratio, *response_ratio, *importance_ratio],
         "restraint_asce7_22": [resonance_ratio, strength_ratio, building_ductility_ratio],

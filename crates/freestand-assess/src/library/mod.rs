@@ -13,6 +13,7 @@ mod table;
 mod tolerances;
 
 use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 pub use collection::Library;
 pub use cushions::{CushionEntry, CushionLibrary};
@@ -65,7 +66,10 @@ impl Libraries {
 }
 
 /// How far a number can be trusted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, IntoStaticStr,
+)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Confidence {
     /// Stated by the user: a data sheet, a test.
@@ -131,13 +135,7 @@ impl Confidence {
 
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Stated => "stated",
-            Self::Primary => "primary",
-            Self::Secondary => "secondary",
-            Self::Assumption => "assumption",
-            Self::Recalled => "recalled",
-        }
+        self.into()
     }
 
     /// What it means, in a few words.

@@ -61,7 +61,7 @@ static SHELF: Shelf<ToleranceEntry> = Shelf {
             note,
             ..
         } = entry;
-        vec![id, class, kind.name(), state.name(), source, clause, note]
+        vec![id, class, kind.into(), state.into(), source, clause, note]
     },
 };
 
@@ -82,7 +82,8 @@ impl ToleranceLibrary {
 }
 
 /// What the numbers of an entry are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// The maker states that it withstands this; not a median.
@@ -104,20 +105,11 @@ impl Kind {
         Self::Class,
         Self::Fragility,
     ];
-
-    /// The name in files and outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::VendorLimit => "vendor-limit",
-            Self::TestSeverity => "test-severity",
-            Self::Class => "class",
-            Self::Fragility => "fragility",
-        }
-    }
 }
 
 /// The state of the object to which the tolerance applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
     /// Operating, and continues to operate.
@@ -138,16 +130,6 @@ impl State {
         Self::Packaged,
         Self::Any,
     ];
-
-    /// The name in files and outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Operating => "operating",
-            Self::NonOperating => "non-operating",
-            Self::Packaged => "packaged",
-            Self::Any => "any",
-        }
-    }
 }
 
 /// An entry of the tolerance library; `None` where its source gives no value. The keys are those of
@@ -221,8 +203,8 @@ impl ToleranceEntry {
         let mut reader = RowReader::new(table, row);
         let id = reader.id();
         let class = reader.needed("class");
-        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.name(), kind)));
-        let state = reader.word("state", &State::ALL.map(|state| (state.name(), state)));
+        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.into(), kind)));
+        let state = reader.word("state", &State::ALL.map(|state| (state.into(), state)));
         let peak_m_s2 = reader.positive("peak", Dimension::Acceleration);
         let peak_high_m_s2 = reader.positive("peak_high", Dimension::Acceleration);
         let duration_s = reader.positive("duration", Dimension::Time);

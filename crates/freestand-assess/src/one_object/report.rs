@@ -83,7 +83,7 @@ pub(super) fn report(
     let assumptions = assumptions(request, (row, &shaken.study), &found, is_given);
     let facts = Facts::default()
         .key("answer", sentence.clone())
-        .key("answer_kind", answer.kind.name())
+        .key("answer_kind", <&str>::from(answer.kind))
         .fact("earthquake", "earthquake", shaken.words.clone())
         .fact("building", "building", building)
         .and(numbers(
@@ -222,8 +222,8 @@ fn numbers(
             .key(name[2], p.map(|p| p.high))
     };
     Facts::default()
-        .key("falls", answers.map(|answers| answers.falls.name()))
-        .key("shock", answers.map(|answers| answers.shock.name()))
+        .key("falls", answers.map(|answers| <&str>::from(answers.falls)))
+        .key("shock", answers.map(|answers| <&str>::from(answers.shock)))
         .fact("motions", noun, u64::from(tally.worlds))
         .fact(
             "motions_lifted",

@@ -6,7 +6,8 @@ use freestand_input::words::{number, percent_significant};
 use crate::result::{Probability, Rolled, TooMild};
 
 /// What the answer says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr, strum::VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum AnswerKind {
     /// Nothing that was tried lifts an edge.
     DoesNotRock,
@@ -26,17 +27,6 @@ pub enum AnswerKind {
 }
 
 impl AnswerKind {
-    /// Every kind, from the best to the worst.
-    pub const ALL: [Self; 7] = [
-        Self::DoesNotRock,
-        Self::Rolls,
-        Self::Slides,
-        Self::Rocks,
-        Self::ProbablyStands,
-        Self::MayFall,
-        Self::Falls,
-    ];
-
     /// The kind that belongs to these counts; `probability`: that it is overturned, `None` where the motions
     /// are given and are all there is.
     pub(super) fn of(
@@ -57,19 +47,6 @@ impl AnswerKind {
             _ if share <= accepted_ratio => Self::ProbablyStands,
             _ if falls => Self::Falls,
             _ => Self::MayFall,
-        }
-    }
-
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::DoesNotRock => "does-not-rock",
-            Self::Rolls => "rolls",
-            Self::Slides => "slides",
-            Self::Rocks => "rocks",
-            Self::ProbablyStands => "probably-stands",
-            Self::MayFall => "may-fall",
-            Self::Falls => "falls",
         }
     }
 
@@ -922,7 +899,7 @@ mod tests {
         ];
         for (answer, kind, sentence) in expected {
             assert_eq!(
-                (answer.kind.name(), answer.sentence().as_str()),
+                (answer.kind.into(), answer.sentence().as_str()),
                 (kind, sentence)
             );
         }
@@ -982,11 +959,14 @@ mod tests {
             (counts(40, 40, 40), "falls over: all 40"),
         ];
         for (earthquake, under, noun) in earthquakes {
-            for ((counts, words), kind) in of_kind.into_iter().zip(AnswerKind::ALL) {
+            for ((counts, words), kind) in of_kind
+                .into_iter()
+                .zip(<AnswerKind as strum::VariantArray>::VARIANTS)
+            {
                 let told = answer(earthquake.clone(), counts);
                 let sentence = told.sentence();
-                assert_eq!(told.kind, kind);
-                let comma = if kind == AnswerKind::DoesNotRock {
+                assert_eq!(told.kind, *kind);
+                let comma = if *kind == AnswerKind::DoesNotRock {
                     ","
                 } else {
                     ""
@@ -1020,7 +1000,7 @@ mod tests {
                 overturned,
                 ..Counts::default()
             };
-            AnswerKind::of(&counts, accepted_ratio, probability).name()
+            <&str>::from(AnswerKind::of(&counts, accepted_ratio, probability))
         };
         assert_eq!(
             [2, 3].map(|overturned| kind(20, overturned, 0.1)),
@@ -1046,7 +1026,7 @@ mod tests {
             ..Counts::default()
         };
         assert_eq!(
-            [2, 3].map(|n| AnswerKind::of(&given(n), 0.1, None).name()),
+            [2, 3].map(|n| <&str>::from(AnswerKind::of(&given(n), 0.1, None))),
             ["may-fall", "falls"]
         );
         assert_eq!(kind(1, 1, 0.1), "falls");

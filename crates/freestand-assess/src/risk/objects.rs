@@ -16,20 +16,14 @@ use super::rates::{Open, StateRates, least_fall, object_rates};
 use super::{LOSS_STATES, rate_words};
 
 /// Whether an object fails more often than accepted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(crate) enum RiskVerdict {
     Accepted,
     Exceeds,
 }
 
 impl RiskVerdict {
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Accepted => "accepted",
-            Self::Exceeds => "exceeds",
-        }
-    }
-
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Accepted => "accepted",
@@ -388,7 +382,7 @@ impl ObjectRisk {
             .key("deaggregation", bins)
             .key("accepted_annual_rate", self.accepted_rate)
             .key("accepted_exceed_annual_rate", self.accepted_exceed_rate)
-            .key("verdict", self.verdict.map(RiskVerdict::name))
+            .key("verdict", self.verdict.map(<&str>::from))
             .key("certain", self.is_certain)
             .key("why", self.why)
             .key("expected_annual_loss", self.expected_annual_loss)
@@ -466,7 +460,7 @@ impl ObjectRisk {
                 .key("is_at_most", one.rates.is_at_most())
                 .key("probability", one.probability)
                 .key("years", years)
-                .key("verdict", self.verdict.map(RiskVerdict::name))
+                .key("verdict", self.verdict.map(<&str>::from))
                 .key("expected_annual_loss", self.expected_annual_loss)
                 .key(
                     "expected_annual_loss_lower",

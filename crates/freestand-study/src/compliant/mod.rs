@@ -423,7 +423,7 @@ fn report(
 
 fn touch(touch: &Touch) -> Facts<'static> {
     facts!(touch; time_s)
-        .key("edge", touch.edge.name())
+        .key("edge", <&str>::from(touch.edge))
         .and(facts!(touch; speed_m_s, omega_before_rad_s, omega_after_rad_s, end_time_s, rebound_m_s))
         .key("edge_acceleration_g", touch.peak_acceleration_m_s2 / G0_M_S2)
         .key("force_n", touch.peak_force_n)

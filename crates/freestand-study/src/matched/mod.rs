@@ -19,7 +19,8 @@ use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 
 /// How the spectrum of a record is matched to the target.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case", ascii_case_insensitive)]
 pub enum MatchMethod {
     /// Scales wavelets, which preserves more of the record.
     #[default]
@@ -29,22 +30,9 @@ pub enum MatchMethod {
 }
 
 impl MatchMethod {
-    /// All methods.
-    pub const ALL: [Self; 2] = [Self::Wavelet, Self::Fft];
-
     /// The name in commands and files.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Wavelet => "wavelet",
-            Self::Fft => "fft",
-        }
-    }
-
-    /// The method with this name, in upper or lower case.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|method| method.name().eq_ignore_ascii_case(name.trim()))
+        self.into()
     }
 }
 

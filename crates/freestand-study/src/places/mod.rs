@@ -204,7 +204,8 @@ fn fault_words(fault_distance_km: f64) -> String {
 }
 
 /// How far the values of a place can be trusted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Confidence {
     /// Read in a public source.
     Read,
@@ -215,10 +216,7 @@ pub enum Confidence {
 impl Confidence {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Read => "read",
-            Self::Approximate => "approximate",
-        }
+        self.into()
     }
 }
 

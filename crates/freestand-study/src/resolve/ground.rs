@@ -146,7 +146,7 @@ impl Resolver<'_> {
         by: &Written<String>,
     ) -> Option<Vec<RecordedMotion>> {
         let before = self.problems.len();
-        let method = MatchMethod::parse(&by.value);
+        let method = by.value.trim().parse::<MatchMethod>().ok();
         if method.is_none() {
             let message = format!("match \"{}\" is not known", shorten(&by.value));
             self.note(Some(by.line), message, "use wavelet or fft");

@@ -18,8 +18,8 @@ use crate::options::{ComponentsOption, GroundOptions};
 use crate::recorded::{Folder, MotionFiles, ReadMotion, Second, read_folder};
 use crate::study::{BuildingInput, Level, RecordedMotion};
 use crate::suite::{
-    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, SCALES, Spectra,
-    Suite, select, some_left_out,
+    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, Spectra, Suite,
+    select, some_left_out,
 };
 use crate::target::Target;
 
@@ -161,9 +161,7 @@ impl Resolver<'_> {
         let Some(Written { value, line }) = &written.suite_scale else {
             return DEFAULT_SCALE;
         };
-        let named = SCALES
-            .into_iter()
-            .find(|scale| scale.name().eq_ignore_ascii_case(value.trim()));
+        let named = value.trim().parse().ok();
         if named.is_none() {
             let message = format!("suite_scale \"{}\" is not known", shorten(value));
             self.note(

@@ -340,24 +340,13 @@ fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
 }
 
 /// How the energy of the landing is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 enum EnergySource {
     Uplift,
     ImpactVelocity,
     FallFromBalance,
     Measured,
-}
-
-impl EnergySource {
-    /// The name in outputs.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Uplift => "uplift",
-            Self::ImpactVelocity => "impact-velocity",
-            Self::FallFromBalance => "fall-from-balance",
-            Self::Measured => "measured",
-        }
-    }
 }
 
 /// The energy of the landing, as a fall of the centre of gravity.
@@ -637,7 +626,7 @@ fn report(
     let facts = Facts::default()
         .fact("scenario", "scenario", name_of(SCENARIOS, request.scenario))
         .fact("model", "model", name_of(MODELS, landing.model))
-        .key("energy_source", fall.source.name())
+        .key("energy_source", <&str>::from(fall.source))
         .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
         .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
         .key("edge_acceleration_m_s2", edge_m_s2)

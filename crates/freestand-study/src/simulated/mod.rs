@@ -430,7 +430,7 @@ pub(crate) fn source_facts(source: &PointSource) -> Facts<'static> {
             source.profile.as_ref().map(ShearWaveProfile::vs30_m_s),
         )
         .key("path_duration", path_words(source.path_duration))
-        .key("window", source.window.name())
+        .key("window", <&str>::from(source.window))
 }
 
 /// The same parameters in words, for a report.
@@ -467,7 +467,7 @@ pub(crate) fn source_words(source: &PointSource) -> String {
         spreading.join(", "),
         quality_words(&source.quality),
         path_words(source.path_duration),
-        source.window.name()
+        <&str>::from(source.window)
     )
 }
 

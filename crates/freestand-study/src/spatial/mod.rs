@@ -498,7 +498,7 @@ fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static>
         .key("base", "compliant")
         .key("model", "stack")
         .fact("outcome", "outcome", rocking.outcome.name())
-        .fact("overturned_body", "body that falls", rocking.overturned_body.map(|part| part.name()))
+        .fact("overturned_body", "body that falls", rocking.overturned_body.map(<&str>::from))
         .fact("end_time_s", "end", rocking.end_time_s)
         .key("lower", body(&rocking.lower))
         .line("largest rotation, lower body", radians(rocking.lower.peak_tilt_rad))

@@ -70,7 +70,8 @@ impl Questions {
 }
 
 /// What becomes of the walls and neighbours of a list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum WallUse {
     /// They count.
     AsListed,
@@ -82,14 +83,6 @@ impl WallUse {
     /// Every value with the name that studies use.
     pub const ALL: [(&'static str, Self); 2] =
         [("as-listed", Self::AsListed), ("ignore", Self::Ignore)];
-
-    /// The name in studies and outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::AsListed => "as-listed",
-            Self::Ignore => "ignore",
-        }
-    }
 }
 
 /// In how many dimensions objects move.

@@ -36,7 +36,7 @@ impl Edition {
 }
 
 /// Site sub-soil class of AS 1170.4, clause 4.2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 pub enum SiteClass {
     /// Strong rock.
     Ae,
@@ -56,13 +56,7 @@ impl SiteClass {
 
     /// The class as the code writes it, for example `"De"`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Ae => "Ae",
-            Self::Be => "Be",
-            Self::Ce => "Ce",
-            Self::De => "De",
-            Self::Ee => "Ee",
-        }
+        self.into()
     }
 
     /// The class in words.

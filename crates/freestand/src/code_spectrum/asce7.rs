@@ -23,7 +23,7 @@ impl Asce7Edition {
 }
 
 /// Site class of ASCE 7-16, chapter 20. Class F has no coefficients and is not part of this list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 pub enum Asce7Site {
     /// Hard rock.
     A,
@@ -43,13 +43,7 @@ impl Asce7Site {
 
     /// The class as the code writes it.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::A => "A",
-            Self::B => "B",
-            Self::C => "C",
-            Self::D => "D",
-            Self::E => "E",
-        }
+        self.into()
     }
 
     /// The class in words.

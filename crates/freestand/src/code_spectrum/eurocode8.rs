@@ -22,7 +22,7 @@ impl SpectrumType {
 }
 
 /// Ground type, EN 1998-1, Table 3.1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 pub enum GroundType {
     /// Rock.
     A,
@@ -42,13 +42,7 @@ impl GroundType {
 
     /// The type as the code writes it.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::A => "A",
-            Self::B => "B",
-            Self::C => "C",
-            Self::D => "D",
-            Self::E => "E",
-        }
+        self.into()
     }
 
     /// The type in words.

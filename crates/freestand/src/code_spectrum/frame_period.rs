@@ -34,13 +34,6 @@ impl FrameKind {
         }
     }
 
-    /// The kind with a given name, in upper or lower case.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|kind| kind.name().eq_ignore_ascii_case(name.trim()))
-    }
-
     /// The factor kt of AS 1170.4, clause 6.2.3.
     pub fn period_factor(self) -> f64 {
         match self {

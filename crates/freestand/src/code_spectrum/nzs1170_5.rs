@@ -3,7 +3,7 @@
 use super::{CodeSpectrumError, positive};
 
 /// Site subsoil class of NZS 1170.5, clause 3.1.3.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 pub enum SubsoilClass {
     /// Strong rock.
     A,
@@ -40,13 +40,7 @@ impl SubsoilClass {
 
     /// The class as the code writes it.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::A => "A",
-            Self::B => "B",
-            Self::C => "C",
-            Self::D => "D",
-            Self::E => "E",
-        }
+        self.into()
     }
 
     /// The class in words.

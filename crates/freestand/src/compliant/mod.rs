@@ -202,7 +202,8 @@ impl Default for CompliantOptions {
 }
 
 /// An edge of the base.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum EdgeSide {
     /// The left edge.
     Left,
@@ -213,14 +214,6 @@ pub enum EdgeSide {
 impl EdgeSide {
     /// Both edges.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// `left`, `right`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
-    }
 }
 
 /// One contact of an edge with its cushion.

@@ -24,7 +24,8 @@ pub const PAD_STIFFNESS_N_M: std::ops::RangeInclusive<f64> = 1e4..=1e9;
 ///
 /// With the feature `serde`, a law is read and written under the names of its fields, in SI:
 /// `{"linear": {"stiffness_n_m": 4.38e6}}`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -187,15 +188,7 @@ fn exponent(law: &'static str, value: f64) -> Result<(), CushionError> {
 impl ContactLaw {
     /// The name in flags, files and outputs.
     pub fn name(&self) -> &'static str {
-        match self {
-            Self::Linear { .. } => "linear",
-            Self::Power { .. } => "power",
-            Self::KelvinVoigt { .. } => "kelvin-voigt",
-            Self::HuntCrossley { .. } => "hunt-crossley",
-            Self::Tangent { .. } => "tangent",
-            Self::Tabulated { .. } => "tabulated",
-            Self::Series { .. } => "series",
-        }
+        self.into()
     }
 
     /// Whether the force depends on the speed.

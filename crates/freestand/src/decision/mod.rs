@@ -141,15 +141,6 @@ pub enum Side {
 }
 
 impl Side {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Below => "below",
-            Self::Above => "above",
-            Self::Open => "open",
-        }
-    }
-
     /// The side of a question that several models answer: above where any model is, below where all
     /// are, otherwise open. Without models it is open.
     ///

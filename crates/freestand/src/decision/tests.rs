@@ -4,6 +4,7 @@ use super::*;
 
 #[test]
 fn sides_of_intervals_and_models() {
+    use Side::{Above, Below, Open};
     let side = |low, high| Interval { low, high }.side(0.1);
     assert_eq!(
         [
@@ -11,11 +12,9 @@ fn sides_of_intervals_and_models() {
             side(0.05, 0.1),
             side(0.1, 0.2),
             side(0.11, 0.2)
-        ]
-        .map(Side::name),
-        ["below", "open", "open", "above"]
+        ],
+        [Below, Open, Open, Above]
     );
-    use Side::{Above, Below, Open};
     assert_eq!(Side::of_models(&[]), Open);
     assert_eq!(Side::of_models(&[Below]), Below);
     assert_eq!(Side::of_models(&[Below, Below]), Below);

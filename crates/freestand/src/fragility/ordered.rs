@@ -9,7 +9,8 @@ use super::outcomes::{Counts, LimitState, Outcomes};
 use super::{lognormal_probability, normal_ratio};
 
 /// What is known about the probability of a limit state as a function of the intensity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum CurveKind {
     /// Φ(ln(x/median)/β).
     Lognormal {
@@ -61,14 +62,7 @@ pub enum CurveKind {
 impl CurveKind {
     /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Lognormal { .. } => "lognormal",
-            Self::Step { .. } => "step",
-            Self::Bounds { .. } => "bounds",
-            Self::None { .. } => "none",
-            Self::All { .. } => "all",
-            Self::NotIncreasing { .. } => "not-increasing",
-        }
+        self.into()
     }
 
     /// The intensity at which half of the runs reach it; of a step the geometric mean of its ends.

@@ -1,9 +1,11 @@
 //! How runs ended, at which intensity and under which motion.
 
+use strum::{EnumString, IntoStaticStr};
 use thiserror::Error;
 
 /// How a run ended. The classes exclude each other and are in the order of severity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum OutcomeClass {
     /// No edge left the floor.
     NoUplift,
@@ -26,12 +28,7 @@ impl OutcomeClass {
 
     /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::NoUplift => "no-uplift",
-            Self::Rocked => "rocked",
-            Self::Exceeded => "exceeded",
-            Self::Overturned => "overturned",
-        }
+        self.into()
     }
 
     /// Its place among [`OutcomeClass::ALL`].
@@ -41,7 +38,8 @@ impl OutcomeClass {
 }
 
 /// An outcome of a class or of a more severe one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum LimitState {
     /// It rocks, or worse.
     Rocks,
@@ -57,11 +55,7 @@ impl LimitState {
 
     /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Rocks => "rocks",
-            Self::Exceeds => "exceeds",
-            Self::Overturns => "overturns",
-        }
+        self.into()
     }
 
     /// The least severe class that reaches it.

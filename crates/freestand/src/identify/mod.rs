@@ -33,7 +33,8 @@ use thiserror::Error;
 use crate::cushion::ContactLaw;
 
 /// The laws that are fitted to a drop test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum FittedLaw {
     /// F = k d.
     Linear,
@@ -54,20 +55,13 @@ pub enum FittedLaw {
 impl FittedLaw {
     /// The name in flags, files and outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Linear => "linear",
-            Self::Power => "power",
-            Self::KelvinVoigt => "kelvin-voigt",
-            Self::HuntCrossley => "hunt-crossley",
-            Self::DampedPower => "damped-power",
-            Self::Cubic => "cubic",
-            Self::Tabulated => "tabulated",
-        }
+        self.into()
     }
 }
 
 /// A fault of a drop test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Flag {
     /// No pulse exceeds the noise.
     NoPulse,
@@ -103,22 +97,7 @@ pub enum Flag {
 impl Flag {
     /// The name in outputs.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::NoPulse => "no-pulse",
-            Self::UpsideDown => "upside-down",
-            Self::NoPreTrigger => "no-pre-trigger",
-            Self::CutOff => "cut-off",
-            Self::Clipped => "clipped",
-            Self::FewSamples => "few-samples",
-            Self::ZeroShift => "zero-shift",
-            Self::Drift => "drift",
-            Self::Filter => "filter",
-            Self::Impulse => "impulse",
-            Self::Velocity => "velocity",
-            Self::Damping => "damping",
-            Self::PoorFit => "poor-fit",
-            Self::Integration => "integration",
-        }
+        self.into()
     }
 
     /// What the flag means and how to remove its cause.

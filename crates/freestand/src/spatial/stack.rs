@@ -62,22 +62,13 @@ pub struct StackRocking {
 }
 
 /// A body of a stack.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum StackPart {
     /// The lower body.
     Lower,
     /// The upper body.
     Upper,
-}
-
-impl StackPart {
-    /// `lower`, `upper`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lower => "lower",
-            Self::Upper => "upper",
-        }
-    }
 }
 
 impl StackBody {

@@ -24,7 +24,8 @@ pub(super) fn noise(seed: u64, stream: u64) -> impl FnMut() -> f64 {
 }
 
 /// How the strength of shaking rises and falls over a duration T_d.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Window {
     /// `e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`: its maximum is 0.3849 at 0.2289 T_d (Lam, Wilson and
     /// Hutchinson 2000).
@@ -40,14 +41,6 @@ const SARAGONI_HART_PEAK_RATIO: f64 = 0.2;
 const SARAGONI_HART_END_RATIO: f64 = 0.05;
 
 impl Window {
-    /// The names of the windows in commands and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lam => "lam",
-            Self::SaragoniHart => "saragoni-hart",
-        }
-    }
-
     /// The value of the window at `time_ratio` = t/T_d; 0 before it begins.
     ///
     /// # Example

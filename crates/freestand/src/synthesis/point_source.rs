@@ -158,14 +158,6 @@ impl Preset {
         }
     }
 
-    /// The preset with a given name; `melbourne` is [`Preset::Victoria`].
-    pub fn parse(name: &str) -> Option<Self> {
-        if name == "melbourne" {
-            return Some(Self::Victoria);
-        }
-        Self::ALL.into_iter().find(|preset| preset.name() == name)
-    }
-
     /// The source with these parameters, a magnitude and a distance.
     pub fn source(self, magnitude: f64, distance_m: f64) -> PointSource {
         let piece = |from_distance_m, exponent_ratio| SpreadingPiece {
@@ -600,7 +592,6 @@ mod tests {
         };
         for preset in Preset::ALL {
             assert_eq!(preset.source(6.0, 30e3).check(), Ok(()));
-            assert_eq!(Preset::parse(preset.name()), Some(preset));
         }
         assert_eq!(name(Preset::Victoria.source(9.0, 30e3)), "magnitude");
         assert_eq!(

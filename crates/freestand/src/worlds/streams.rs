@@ -12,7 +12,7 @@ pub const WORLD_GENERATOR: &str = "ChaCha8Rng (rand_chacha 0.10), 256-bit key of
 
 /// What a draw is for. Each group has its own random numbers, so drawing one again leaves all
 /// others as they are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::VariantArray)]
 pub enum Group {
     /// The spectra of the components of the ground motion.
     Motion,
@@ -35,34 +35,6 @@ pub enum Group {
 }
 
 impl Group {
-    /// All groups.
-    pub const ALL: [Self; 9] = [
-        Self::Motion,
-        Self::Building,
-        Self::Orientation,
-        Self::Restitution,
-        Self::Pad,
-        Self::Body,
-        Self::Model,
-        Self::Wall,
-        Self::Friction,
-    ];
-
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Motion => "motion",
-            Self::Building => "building",
-            Self::Orientation => "orientation",
-            Self::Restitution => "restitution",
-            Self::Pad => "pad",
-            Self::Body => "body",
-            Self::Model => "model",
-            Self::Wall => "wall",
-            Self::Friction => "friction",
-        }
-    }
-
     /// Part of the key: a number once given stays.
     fn code(self) -> u64 {
         match self {

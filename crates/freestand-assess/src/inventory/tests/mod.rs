@@ -555,7 +555,7 @@ fn doubts_are_one_for_each_kind_and_column() {
     let left: Vec<(u32, &str)> = reading
         .left_out
         .iter()
-        .map(|left| (left.row, left.kind.name()))
+        .map(|left| (left.row, <&str>::from(left.kind)))
         .collect();
     assert_eq!(left, [(47, "total")]);
     // The value is kept, and waits for a person; with `strict` the doubts are errors.

@@ -142,12 +142,12 @@ pub(crate) const COLUMNS: &[Column] = &[
         of_text(l, |found| Some(found.accepted_for.name()))
     }),
     text("falls", "whether it falls: stays, falls, close", |l| {
-        of_text(l, |found| Some(found.answers.as_ref()?.falls.name()))
+        of_text(l, |found| Some(found.answers.as_ref()?.falls.into()))
     }),
     text(
         "shock",
         "whether a shock is too hard: stands, exceeded, close, unknown",
-        |l| of_text(l, |found| Some(found.answers.as_ref()?.shock.name())),
+        |l| of_text(l, |found| Some(found.answers.as_ref()?.shock.into())),
     ),
     flag(
         "close_call",

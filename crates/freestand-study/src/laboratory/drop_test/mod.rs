@@ -92,22 +92,12 @@ pub struct DropRequest {
 }
 
 /// Where the impact velocity comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(super) enum VelocitySource {
     Given,
     Height,
     Impulse,
-}
-
-impl VelocitySource {
-    /// The name in outputs.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::Height => "height",
-            Self::Impulse => "impulse",
-        }
-    }
 }
 
 /// One drop.
@@ -513,7 +503,7 @@ impl DropReport {
             .key("start_time_s", self.start_time_s)
             .key("mass_kg", self.mass_kg)
             .fact("impact_velocity_m_s", "impact velocity", test.impact_velocity_m_s)
-            .fact("impact_velocity_source", "  source", self.velocity_source.name())
+            .fact("impact_velocity_source", "  source", <&str>::from(self.velocity_source))
             .key("fitted_velocity_m_s", found.map(|f| f.fitted_velocity_m_s))
             .fact("peak_acceleration_g", "peak acceleration", test.peak_acceleration_m_s2.map(|a| a / G0_M_S2))
             .and(facts!(test; contact_time_s "contact time", max_compression_m "largest compression",
