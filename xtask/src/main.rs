@@ -43,10 +43,10 @@ fn main() -> ExitCode {
         .split_first()
         .map_or(("", &[][..]), |(command, rest)| (command.as_str(), rest));
     if let ("check", [name]) = (command, rest) {
-        return match name.parse::<Check>() {
-            Ok(check) => ExitCode::from(check.run(&root)),
-            Err(_) => {
-                let names = <Check as strum::VariantNames>::VARIANTS.join(", ");
+        return match Check::ALL.into_iter().find(|check| check.name() == name) {
+            Some(check) => ExitCode::from(check.run(&root)),
+            None => {
+                let names = Check::ALL.map(Check::name).join(", ");
                 eprintln!("there is no check {name:?}; checks: {names}");
                 ExitCode::from(2)
             }

@@ -78,7 +78,7 @@ const LAYOUT: Layout<ToleranceEntry> = Layout {
     headings: ["id", "withstands", "state", "confidence", "class", "source"],
     cells: |entry| {
         let (state, confidence) = (
-            entry.state.name().to_owned(),
+            <&str>::from(entry.state).to_owned(),
             entry.confidence.name().to_owned(),
         );
         [
@@ -125,8 +125,8 @@ fn fields(entry: &ToleranceEntry) -> Fields {
     vec![
         ("id", text(&entry.id)),
         ("class", text(&entry.class)),
-        ("kind", text(entry.kind.name())),
-        ("state", text(entry.state.name())),
+        ("kind", text(entry.kind.into())),
+        ("state", text(<&str>::from(entry.state))),
         ("axis", text(&entry.axis)),
         ("peak", si(entry.peak_m_s2, Dimension::Acceleration)),
         (

@@ -111,7 +111,7 @@ fn withstands() -> Value {
     let known = KNOWN.iter().filter_map(|id| library.find(id));
     let facts = known.map(|entry| {
         json!({
-            "class": entry.class, "state": entry.state.name(), "peak_g": entry.peak_g,
+            "class": entry.class, "state": <&str>::from(entry.state), "peak_g": entry.peak_g,
             "confidence": entry.confidence.name(),
         })
     });
