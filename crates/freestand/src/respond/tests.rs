@@ -308,7 +308,7 @@ fn the_worse_plane_counts() {
         )])
         .remove(0)
         .map(|found| match found {
-            Response::Rigid(planes) => planes[0].clone(),
+            Response::Rigid(planes) => planes[0],
             other => panic!("{other:?}"),
         })
         .unwrap()
