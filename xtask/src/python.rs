@@ -143,11 +143,24 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
     found.ok_or_else(|| Trouble::Wrong(format!("maturin wrote no wheel into {}", out.display())))
 }
 
-/// Builds the wheel, installs it, and runs its tests and the checks of its types.
-pub fn test(root: &Path) -> Result<(), Trouble> {
+/// Builds the wheel, installs it, and runs its tests and the checks of its types. All of it: with
+/// the wheel that is published, the tests that take long, and the notebooks.
+pub fn test(root: &Path, all: bool) -> Result<(), Trouble> {
     install(root, &[&BUILD[..], &TEST[..]].concat())?;
     let more = install(root, &MORE);
-    let wheel = wheel(root, &root.join("target/wheels-dev"), Profile::Dev)?;
+    let (profile, marked) = if all {
+        (Profile::Published, "")
+    } else {
+        for part in [
+            "the wheel as it is published",
+            "tests that are marked `long`",
+            "the notebooks",
+        ] {
+            println!("left out: {part}");
+        }
+        (Profile::Dev, "not long")
+    };
+    let wheel = wheel(root, &root.join("target/wheels-tested"), profile)?;
     let wheel = wheel.to_string_lossy();
     let python = python(root);
     let pip = [
@@ -163,7 +176,7 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
     let package = root.join(CRATE);
     let mut wrong = Vec::new();
     let checks: [&[&str]; 3] = [
-        &["-m", "pytest", "--quiet", "-rs"],
+        &["-m", "pytest", "--quiet", "-rs", "-m", marked],
         &["-m", "mypy", "python/freestand", "tests/typed.py"],
         &["-m", "mypy.stubtest", "freestand._freestand", "--concise"],
     ];
@@ -174,6 +187,7 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
         }
     }
     match more {
+        Ok(()) if !all => {}
         // Their pages are made as docs/python.md says.
         Ok(()) => match run(root, &python, &["examples/notebooks/run.py"]) {
             Ok(()) => {}
