@@ -29,7 +29,7 @@ fn tell(request: &Request, what: &str) {
 }
 
 /// Waits until the request of a name has told something.
-fn told(name: &str, what: &str) {
+fn await_told(name: &str, what: &str) {
     let (began, told) = (Instant::now(), format!("\"{name}\" {what}"));
     while !TOLD.lock().unwrap().contains(&told) {
         assert!(began.elapsed() < Duration::from_secs(60), "never: {told}");
@@ -758,7 +758,7 @@ fn the_newer_request_of_a_slot_wins() {
         json!({"command": "wait", "options": {"steps": 500, "name": "older"}, "slot": "one"});
     std::thread::scope(|scope| {
         let older = scope.spawn(|| site.post("/api/v1/run", &slow));
-        told("older", "has begun");
+        await_told("older", "has begun");
         let other = site.post(
             "/api/v1/run",
             &json!({"command": "wait", "options": {"steps": 1}, "slot": "two"}),
@@ -788,7 +788,7 @@ fn the_newer_request_of_another_tab_stops_nothing() {
     };
     std::thread::scope(|scope| {
         let older = scope.spawn(|| asked("a", 40));
-        told("a", "has begun");
+        await_told("a", "has begun");
         assert_eq!(asked("b", 1).status, 200);
         assert_eq!(
             older.join().unwrap().status,
@@ -942,10 +942,10 @@ fn a_client_that_leaves_stops_its_work() {
             body.len()
         );
         let client = site.send(format!("{head}{body}").as_bytes());
-        told(name, "has begun");
+        await_told(name, "has begun");
         drop(client);
         // The work would take 30 s, and tells nothing when it ends by itself.
-        told(name, "is stopped");
+        await_told(name, "is stopped");
     }
 }
 
