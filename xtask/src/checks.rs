@@ -1,4 +1,5 @@
-//! `cargo xtask test`: all checks, and a table of what they found.
+//! `cargo xtask test`: all checks but for what takes long, and a table of what they found. With
+//! `--all`, the rest as well.
 //!
 //! Compilers use the whole processor; a browser, Python and Node mostly wait, and use one core.
 //! Therefore two rows of checks run at the same time. Every check is a program of its own, whose
@@ -20,6 +21,26 @@ const NOT_RUN: u8 = 3;
 /// The longest that a check may take. What hangs is stopped before whatever waits for all of them
 /// gives up, and its output says where it was. The slowest check takes a third of it.
 const LIMIT: Duration = Duration::from_secs(45 * 60);
+
+/// What may be left out even under `CI`, and why: a part of the reason that a check or a test gives.
+/// Anything else that is left out there counts as failed, because nobody would notice.
+const OPTIONAL: [(&str, &str); 6] = [
+    ("$FREESTAND_SHARED", "records that are not ours to publish"),
+    (
+        "`cargo xtask validate-shock`",
+        "fetches its tools on demand",
+    ),
+    ("`cargo xtask risk-tools`", "fetches its tools on demand"),
+    (
+        "this processor has no",
+        "vector units that not every processor has",
+    ),
+    ("the vector units of x86-64", "other processors"),
+    (
+        "hanging up is ignored",
+        "what `nohup` starts cannot be hung up",
+    ),
+];
 
 /// All packages that have tests. The benchmarks have none, and would request other features of
 /// shared dependencies, so that the Python package could not share them.
@@ -64,6 +85,15 @@ const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
     ],
 ];
 
+/// How much is checked, and how strictly.
+#[derive(Debug, Clone, Copy)]
+pub struct Extent {
+    /// Also what takes long.
+    pub all: bool,
+    /// What is skipped has failed, unless it is optional.
+    pub strict: bool,
+}
+
 /// The result of a check.
 #[derive(Debug, PartialEq)]
 enum Outcome {
@@ -86,6 +116,7 @@ struct Row {
     title: &'static str,
     outcome: Outcome,
     seconds: f64,
+    left_out: LeftOut,
 }
 
 impl Check {
@@ -146,18 +177,19 @@ impl Check {
     }
 
     /// The command that runs it: cargo or this program.
-    fn command(self, root: &Path) -> Result<Command, String> {
+    fn command(self, root: &Path, all: bool) -> Result<Command, String> {
         let cargo = |arguments: &[&str]| {
             let mut command = Command::new("cargo");
             command.args(arguments).current_dir(root);
             command
         };
-        let tested = |kind| {
+        let tested = |kind, more: &[&str]| {
             cargo(
                 &[
                     &["test", kind, "--no-fail-fast"],
                     &TESTED[..],
                     &["--", "--show-output"],
+                    more,
                 ]
                 .concat(),
             )
@@ -178,8 +210,9 @@ impl Check {
             Self::Compiling => {
                 cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat())
             }
-            Self::Tests => tested("--tests"),
-            Self::Examples => tested("--doc"),
+            Self::Tests if all => tested("--tests", &["--include-ignored"]),
+            Self::Tests => tested("--tests", &[]),
+            Self::Examples => tested("--doc", &[]),
             Self::Documentation => {
                 let mut command =
                     cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
@@ -198,14 +231,17 @@ impl Check {
                     .map_err(|error| format!("cannot find xtask: {error}"))?;
                 let mut command = Command::new(program);
                 command.args(["check", self.name()]).current_dir(root);
+                if all {
+                    command.arg("--all");
+                }
                 command
             }
         })
     }
 
     /// Runs it and prints its findings, for `cargo xtask check NAME`. Returns the exit status.
-    pub fn run(self, root: &Path) -> u8 {
-        match self.done(root) {
+    pub fn run(self, root: &Path, all: bool) -> u8 {
+        match self.done(root, all) {
             Ok(()) => 0,
             Err(Problem::Wrong(problem)) => {
                 eprintln!("{problem}");
@@ -218,7 +254,7 @@ impl Check {
         }
     }
 
-    fn done(self, root: &Path) -> Result<(), Problem> {
+    fn done(self, root: &Path, all: bool) -> Result<(), Problem> {
         let not_here = |why: Option<String>| {
             why.map_or(Ok(()), |why| {
                 Err(Problem::NotHere(format!("not run: {why}")))
@@ -232,7 +268,7 @@ impl Check {
             | Self::Examples
             | Self::Documentation => {
                 let status = self
-                    .command(root)?
+                    .command(root, all)?
                     .status()
                     .map_err(|error| format!("cannot run cargo: {error}"))?;
                 return if status.success() {
@@ -253,9 +289,9 @@ impl Check {
             }
             Self::PageBrowsed => {
                 not_here(page::missing_node().or_else(page::missing_browser))?;
-                page::browse(root)?;
+                page::browse(root, all)?;
             }
-            Self::Python => match python::test(root) {
+            Self::Python => match python::test(root, all) {
                 Ok(()) => {}
                 Err(Trouble::NotHere(why)) => not_here(Some(format!("it needs {why}")))?,
                 Err(Trouble::Wrong(problem)) => return Err(Problem::Wrong(problem)),
@@ -288,40 +324,45 @@ impl From<String> for Problem {
 }
 
 /// Runs every check, also after one that fails, and prints the table.
-pub fn all(root: &Path) -> bool {
+pub fn all(root: &Path, extent: Extent) -> bool {
     let start = Instant::now();
-    let mut tests = Tests::default();
-    let mut rows = in_a_row(&FIRST, root, &mut tests);
+    let mut rows = in_a_row(&FIRST, root, extent);
     for [one, other] in SIDE_BY_SIDE {
         std::thread::scope(|scope| {
-            let beside = scope.spawn(|| in_a_row(other, root, &mut Tests::default()));
-            rows.extend(in_a_row(one, root, &mut tests));
+            let beside = scope.spawn(|| in_a_row(other, root, extent));
+            rows.extend(in_a_row(one, root, extent));
             match beside.join() {
                 Ok(found) => rows.extend(found),
                 Err(panic) => std::panic::resume_unwind(panic),
             }
         });
     }
-    print!("\n{}", table(&rows, start.elapsed().as_secs_f64(), &tests));
+    print!("\n{}", table(&rows, start.elapsed().as_secs_f64()));
     rows.iter()
         .all(|row| !matches!(row.outcome, Outcome::Failed))
 }
 
 /// Runs one check after the other. The output of each is printed when it ends.
-fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
+fn in_a_row(checks: &[Check], root: &Path, extent: Extent) -> Vec<Row> {
     let run = |check: &Check| {
         println!("== begun: {} ==", check.title());
         let start = Instant::now();
         let mut text = String::new();
-        let ended = check.command(root).and_then(|command| {
+        let mut left_out = LeftOut::default();
+        let ended = check.command(root, extent.all).and_then(|command| {
             printed(command, LIMIT, |line| {
-                if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end())
-                {
+                let is_shown = if matches!(check, Check::Tests | Check::Examples) {
+                    left_out.test_shows(line.trim_end())
+                } else {
+                    left_out.read(line.trim_end(), check.title());
+                    true
+                };
+                if is_shown {
                     text.push_str(line);
                 }
             })
         });
-        let outcome = match ended {
+        let mut outcome = match ended {
             Ok(status) if status.success() => Outcome::Passed,
             Ok(status) if status.code() == Some(NOT_RUN.into()) => {
                 Outcome::Skipped(text.lines().last().unwrap_or_default().to_owned())
@@ -335,10 +376,19 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
                 Outcome::Failed
             }
         };
+        let missing = missing(&outcome, &left_out);
+        if extent.strict && !missing.is_empty() {
+            text.push_str(&format!(
+                "== failed: skipped where nothing may be: {} ==\n",
+                missing.join("; ")
+            ));
+            outcome = Outcome::Failed;
+        }
         let row = Row {
             title: check.title(),
             outcome,
             seconds: start.elapsed().as_secs_f64(),
+            left_out,
         };
         // In one piece, so that a check that runs at the same time does not print between the
         // lines.
@@ -351,6 +401,20 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
         row
     };
     checks.iter().map(run).collect()
+}
+
+/// The reasons for what was skipped and is not optional.
+fn missing<'a>(outcome: &'a Outcome, left_out: &'a LeftOut) -> Vec<&'a str> {
+    let check = match outcome {
+        Outcome::Skipped(why) => Some(why),
+        Outcome::Passed | Outcome::Failed => None,
+    };
+    let is_optional = |why: &str| OPTIONAL.iter().any(|(part, _)| why.contains(part));
+    let reasons = check.into_iter().chain(left_out.skipped.keys());
+    reasons
+        .map(String::as_str)
+        .filter(|why| !is_optional(why))
+        .collect()
 }
 
 /// Runs a command and passes its lines on, those of standard output and standard error in the order
@@ -389,7 +453,7 @@ fn printed(
                 return child.wait().map_err(|error| error.to_string());
             }
             Err(RecvTimeoutError::Timeout) => {
-                // What the command started goes on, but nobody waits for it.
+                stop(&child.id().to_string());
                 child.kill().and_then(|()| child.wait()).map_err(cannot)?;
                 return Err(format!(
                     "not ended after {} minutes, and stopped",
@@ -398,6 +462,17 @@ fn printed(
             }
         }
     }
+}
+
+/// Kills a process after all that it started. Groups of processes would do it at once, but Ctrl-C
+/// would not reach another group than that of the terminal.
+fn stop(process: &str) {
+    if let Ok(children) = Command::new("pgrep").args(["-P", process]).output() {
+        String::from_utf8_lossy(&children.stdout)
+            .lines()
+            .for_each(stop);
+    }
+    _ = Command::new("kill").args(["-KILL", process]).status();
 }
 
 pub fn arrows(root: &Path) -> Result<(), String> {
@@ -461,11 +536,14 @@ fn packages(root: &Path, selected: &[&str]) -> Result<BTreeSet<String>, String> 
         .collect())
 }
 
-/// What tests left out: reasons, and which tests gave them. A test says so in a line `skipped: …` on its standard output.
+/// What was left out: reasons, and the tests or checks that gave them.
 #[derive(Default)]
-struct Tests {
+struct LeftOut {
+    /// What cannot run here says so in a line `skipped: REASON`.
     skipped: BTreeMap<String, Vec<String>>,
-    ignored: BTreeMap<String, Vec<String>>,
+    /// What takes long: tests that are marked `#[ignore = "REASON"]`, and parts of other checks,
+    /// which say so in a line `left out: PART`.
+    long: BTreeMap<String, Vec<String>>,
     part: Part,
     /// The test whose output is being read.
     test: String,
@@ -483,9 +561,20 @@ enum Part {
     Failures,
 }
 
-impl Tests {
-    /// Takes a line of the test harness in; whether it is for people, who want to see failures and totals.
-    fn shows(&mut self, line: &str) -> bool {
+impl LeftOut {
+    /// Takes a line of a test or of a check in. `SKIPPED [1] FILE:LINE: REASON` is what pytest says.
+    fn read(&mut self, line: &str, whose: &str) {
+        let pytest = || Some(line.strip_prefix("SKIPPED [")?.split_once("] ")?.1);
+        if let Some(why) = line.strip_prefix("skipped: ").or_else(pytest) {
+            add(&mut self.skipped, why, whose);
+        } else if let Some(part) = line.strip_prefix("left out: ") {
+            add(&mut self.long, whose, part);
+        }
+    }
+
+    /// Takes a line of the test harness in; whether it is for people, who want to see failures and
+    /// totals.
+    fn test_shows(&mut self, line: &str) -> bool {
         match line {
             "successes:" => self.part = Part::Successes,
             "failures:" => self.part = Part::Failures,
@@ -500,11 +589,8 @@ impl Tests {
                     .and_then(|line| line.strip_suffix(" stdout ----"))
                 {
                     name.clone_into(&mut self.test);
-                } else if let Some(reason) = line.strip_prefix("skipped: ") {
-                    self.skipped
-                        .entry(reason.to_owned())
-                        .or_default()
-                        .push(self.test.clone());
+                } else {
+                    self.read(line, &self.test.clone());
                 }
                 false
             }
@@ -514,10 +600,7 @@ impl Tests {
                     .and_then(|line| line.split_once(" ... ignored"));
                 if let Some((test, reason)) = ignored {
                     let reason = reason.strip_prefix(", ").unwrap_or("no reason given");
-                    self.ignored
-                        .entry(reason.to_owned())
-                        .or_default()
-                        .push(test.to_owned());
+                    add(&mut self.long, reason, test);
                 }
                 ignored.is_none()
                     && !line.is_empty()
@@ -528,14 +611,19 @@ impl Tests {
     }
 }
 
+fn add(to: &mut BTreeMap<String, Vec<String>>, why: &str, what: &str) {
+    to.entry(why.to_owned()).or_default().push(what.to_owned());
+}
+
 /// The table at the end of a run.
-fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
+fn table(rows: &[Row], all_s: f64) -> String {
     let width = rows.iter().map(|row| row.title.len()).max().unwrap_or(0);
     let mut text = format!("{:<width$}  {:<7}  seconds\n", "check", "result");
     for Row {
         title,
         outcome,
         seconds,
+        ..
     } in rows
     {
         text.push_str(&format!(
@@ -552,16 +640,16 @@ fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
         Outcome::Skipped(why) => Some(format!("  {}: {why}\n", row.title)),
         _ => None,
     });
-    let listed = |tests: &BTreeMap<String, Vec<String>>| -> Vec<String> {
-        tests
-            .iter()
-            .map(|(why, tests)| format!("  {why}\n    {}\n", tests.join("\n    ")))
+    let listed = |of: fn(&LeftOut) -> &BTreeMap<String, Vec<String>>| -> Vec<String> {
+        rows.iter()
+            .flat_map(|row| of(&row.left_out))
+            .map(|(why, what)| format!("  {why}\n    {}\n", what.join("\n    ")))
             .collect()
     };
     for (title, lines) in [
         ("skipped checks", skipped_checks.collect()),
-        ("skipped by tests", listed(&tests.skipped)),
-        ("ignored tests", listed(&tests.ignored)),
+        ("skipped by tests", listed(|left_out| &left_out.skipped)),
+        ("long", listed(|left_out| &left_out.long)),
     ] {
         let lines: Vec<String> = lines;
         text.push_str(&if lines.is_empty() {
@@ -570,12 +658,23 @@ fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
             format!("\n{title}:\n{}", lines.concat())
         });
     }
+    let long: usize = rows
+        .iter()
+        .flat_map(|row| row.left_out.long.values())
+        .map(Vec::len)
+        .sum();
+    if long > 0 {
+        text.push_str(&format!(
+            "\nleft out: {long} long tests; `cargo xtask test --all` runs them\n"
+        ));
+    }
     text
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::Read as _;
 
     /// Both outputs of a command are read, up to a last line without a line end, and its status.
     #[cfg(unix)]
@@ -596,12 +695,15 @@ mod tests {
         );
     }
 
-    /// What hangs is stopped, and what it printed before is kept.
+    /// What hangs is stopped with all that it started, and what it printed before is kept.
     #[cfg(unix)]
     #[test]
     fn a_command_that_hangs_is_stopped() {
         let mut command = Command::new("sh");
-        command.args(["-c", "echo one; exec sleep 3600"]);
+        command.args(["-c", "echo one; (sleep 3600; true); true"]);
+        // Whatever it starts holds an end of this pipe.
+        let (mut held, end) = std::io::pipe().unwrap();
+        command.stdin(end);
         let mut text = String::new();
         let problem =
             printed(command, Duration::from_secs(1), |line| text.push_str(line)).unwrap_err();
@@ -609,6 +711,7 @@ mod tests {
             (text.as_str(), problem.as_str()),
             ("one\n", "not ended after 0 minutes, and stopped")
         );
+        held.read_to_end(&mut Vec::new()).unwrap();
     }
 
     /// Each check runs once, in one of the rows.
@@ -633,10 +736,21 @@ mod tests {
         successes:\n    a::passes\n\nfailures:\n\n---- a::fails stdout ----\nskipped: part of a failure\n\n\
         failures:\n    a::fails\n\ntest result: FAILED. 1 passed; 1 failed; 2 ignored\n";
 
+    fn left_out(output: &str) -> LeftOut {
+        let mut left_out = LeftOut::default();
+        output
+            .lines()
+            .for_each(|line| _ = left_out.test_shows(line));
+        left_out
+    }
+
     #[test]
     fn failures_are_shown_and_what_was_left_out_is_kept() {
-        let mut tests = Tests::default();
-        let shown: Vec<&str> = OUTPUT.lines().filter(|line| tests.shows(line)).collect();
+        let mut tests = LeftOut::default();
+        let shown: Vec<&str> = OUTPUT
+            .lines()
+            .filter(|line| tests.test_shows(line))
+            .collect();
         assert_eq!(
             shown,
             [
@@ -658,25 +772,67 @@ mod tests {
             BTreeMap::from([one("no records in ../shared", "a::passes")])
         );
         assert_eq!(
-            tests.ignored,
+            tests.long,
             BTreeMap::from([one("minutes", "a::slow"), one("no reason given", "b")])
         );
     }
 
+    /// What other checks say of their parts.
+    #[test]
+    fn a_check_says_what_it_left_out() {
+        let mut check = LeftOut::default();
+        for line in [
+            "ok: a story",
+            "skipped: the notebooks",
+            "SKIPPED [1] tests/test_dask.py:19: no Dask",
+            "left out: phone, dark",
+        ] {
+            check.read(line, "Python");
+        }
+        let whys: Vec<&str> = check.skipped.keys().map(String::as_str).collect();
+        assert_eq!(whys, ["tests/test_dask.py:19: no Dask", "the notebooks"]);
+        assert_eq!(check.long["Python"], ["phone, dark"]);
+    }
+
+    /// In CI a check or a test that is skipped has failed, unless it is optional; what takes long
+    /// is left out on purpose.
+    #[test]
+    fn what_is_skipped_and_not_optional_is_missing() {
+        let skipped = |why: &str| Outcome::Skipped(why.to_owned());
+        let nothing = LeftOut::default();
+        let node = skipped("not run: Node is not installed");
+        assert_eq!(missing(&node, &nothing), ["not run: Node is not installed"]);
+        let shock = skipped("not run: `cargo xtask validate-shock` fetches pyyeti and endaq");
+        assert!(missing(&shock, &nothing).is_empty());
+        let tests = left_out(OUTPUT);
+        assert_eq!(
+            missing(&Outcome::Passed, &tests),
+            ["no records in ../shared"]
+        );
+        let records = OUTPUT.replace("../shared", "$FREESTAND_SHARED/records (../shared)");
+        assert!(missing(&Outcome::Passed, &left_out(&records)).is_empty());
+    }
+
     #[test]
     fn the_table_names_every_check_and_what_was_left_out() {
-        let mut tests = Tests::default();
-        let row = |title, outcome| Row {
+        let row = |title, outcome, left_out| Row {
             title,
             outcome,
             seconds: 1.25,
+            left_out,
         };
-        let rows = [
-            row("lints", Outcome::Passed),
-            row("tests", Outcome::Failed),
-            row("spectra", Outcome::Skipped("not here".to_owned())),
-        ];
-        let text = table(&rows, 2.5, &tests);
+        let rows = |tests| {
+            [
+                row("lints", Outcome::Passed, LeftOut::default()),
+                row("tests", Outcome::Failed, tests),
+                row(
+                    "spectra",
+                    Outcome::Skipped("not here".to_owned()),
+                    LeftOut::default(),
+                ),
+            ]
+        };
+        let text = table(&rows(LeftOut::default()), 2.5);
         assert!(
             text.contains(
                 "lints    passed       1.2\ntests    FAILED       1.2\nspectra  skipped      1.2\n"
@@ -685,13 +841,16 @@ mod tests {
         );
         assert!(text.contains("  spectra: not here\n"), "{text}");
         assert!(
-            text.ends_with("skipped by tests: none\n\nignored tests: none\n"),
+            text.ends_with("skipped by tests: none\n\nlong: none\n"),
             "{text}"
         );
-        OUTPUT.lines().for_each(|line| _ = tests.shows(line));
+        let text = table(&rows(left_out(OUTPUT)), 2.5);
         assert!(
-            table(&rows, 2.5, &tests)
-                .ends_with("\nignored tests:\n  minutes\n    a::slow\n  no reason given\n    b\n")
+            text.ends_with(
+                "\nlong:\n  minutes\n    a::slow\n  no reason given\n    b\n\n\
+                 left out: 2 long tests; `cargo xtask test --all` runs them\n"
+            ),
+            "{text}"
         );
     }
 }

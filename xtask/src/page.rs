@@ -103,8 +103,9 @@ pub fn check(root: &Path) -> Result<(), String> {
     npm(root, &["test"])
 }
 
-/// What people do on the page, in a browser, with the program that the tests have just built.
-pub fn browse(root: &Path) -> Result<(), String> {
+/// What people do on the page, in a browser, with the program that the tests have just built; all of
+/// it, or without what takes long.
+pub fn browse(root: &Path, all: bool) -> Result<(), String> {
     install(root)?;
     let browser = browser().ok_or("no browser")?;
     let path = printed("which", &[browser]).ok_or("no browser")?;
@@ -115,7 +116,13 @@ pub fn browse(root: &Path) -> Result<(), String> {
         ("FREESTAND", program.display().to_string()),
         ("CHROMIUM", path.trim().to_owned()),
     ];
-    run(root, "npm", &["run", "browser"], &environment)
+    let extent: &[&str] = if all { &["--", "--all"] } else { &[] };
+    run(
+        root,
+        "npm",
+        &[&["run", "browser"], extent].concat(),
+        &environment,
+    )
 }
 
 /// Installs the packages of the lock file, unless they are those that were installed last.

@@ -9,8 +9,8 @@
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use freestand_page::{
@@ -19,8 +19,23 @@ use freestand_page::{
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-/// Requests with the option `counted` that were stopped.
-static STOPPED: AtomicUsize = AtomicUsize::new(0);
+/// What requests with the option `name` have told: that they have begun, and that they were stopped.
+static TOLD: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+fn tell(request: &Request, what: &str) {
+    if let Some(name) = request.options.get("name") {
+        TOLD.lock().unwrap().push(format!("{name} {what}"));
+    }
+}
+
+/// Waits until the request of a name has told something.
+fn await_told(name: &str, what: &str) {
+    let (began, told) = (Instant::now(), format!("\"{name}\" {what}"));
+    while !TOLD.lock().unwrap().contains(&told) {
+        assert!(began.elapsed() < Duration::from_secs(60), "never: {told}");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
 
 const FAKE: Program = Program {
     facts,
@@ -86,11 +101,10 @@ fn fake(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Re
             })
         }
         "wait" => {
+            tell(request, "has begun");
             for step in 0..steps {
                 if cancel.is_cancelled() {
-                    if request.options.contains_key("counted") {
-                        STOPPED.fetch_add(1, Ordering::SeqCst);
-                    }
+                    tell(request, "is stopped");
                     return Ok(Reply {
                         document: "{}".to_owned(),
                         is_stopped: true,
@@ -740,10 +754,11 @@ fn bad_requests_are_told() {
 #[test]
 fn the_newer_request_of_a_slot_wins() {
     let site = Site::new();
-    let slow = json!({"command": "wait", "options": {"steps": 500}, "slot": "one"});
+    let slow =
+        json!({"command": "wait", "options": {"steps": 500, "name": "older"}, "slot": "one"});
     std::thread::scope(|scope| {
         let older = scope.spawn(|| site.post("/api/v1/run", &slow));
-        std::thread::sleep(Duration::from_millis(200));
+        await_told("older", "has begun");
         let other = site.post(
             "/api/v1/run",
             &json!({"command": "wait", "options": {"steps": 1}, "slot": "two"}),
@@ -768,12 +783,12 @@ fn the_newer_request_of_another_tab_stops_nothing() {
     let asked = |tab: &str, steps: u32| {
         site.post(
             "/api/v1/run",
-            &json!({"command": "wait", "options": {"steps": steps}, "slot": "one", "tab": tab}),
+            &json!({"command": "wait", "options": {"steps": steps, "name": tab}, "slot": "one", "tab": tab}),
         )
     };
     std::thread::scope(|scope| {
         let older = scope.spawn(|| asked("a", 40));
-        std::thread::sleep(Duration::from_millis(100));
+        await_told("a", "has begun");
         assert_eq!(asked("b", 1).status, 200);
         assert_eq!(
             older.join().unwrap().status,
@@ -916,10 +931,9 @@ fn a_job_is_cancelled() {
 #[test]
 fn a_client_that_leaves_stops_its_work() {
     let site = Site::new();
-    for slot in ["", ",\"slot\":\"one\""] {
-        let stopped = STOPPED.load(Ordering::SeqCst);
+    for (name, slot) in [("alone", ""), ("of a slot", ",\"slot\":\"one\"")] {
         let body = format!(
-            "{{\"command\":\"wait\",\"options\":{{\"steps\":3000,\"counted\":true}}{slot}}}"
+            "{{\"command\":\"wait\",\"options\":{{\"steps\":3000,\"name\":\"{name}\"}}{slot}}}"
         );
         let head = format!(
             "POST /api/v1/run HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n",
@@ -928,17 +942,10 @@ fn a_client_that_leaves_stops_its_work() {
             body.len()
         );
         let client = site.send(format!("{head}{body}").as_bytes());
-        std::thread::sleep(Duration::from_millis(300));
+        await_told(name, "has begun");
         drop(client);
-        // It looks every 10 ms; the work would take 30 s, and is not counted when it ends by itself.
-        let began = Instant::now();
-        while STOPPED.load(Ordering::SeqCst) == stopped {
-            assert!(
-                began.elapsed() < Duration::from_secs(60),
-                "the work goes on: {slot:?}"
-            );
-            std::thread::sleep(Duration::from_millis(10));
-        }
+        // The work would take 30 s, and tells nothing when it ends by itself.
+        await_told(name, "is stopped");
     }
 }
 

@@ -340,3 +340,28 @@ fn no_headings() -> Problem {
     );
     Problem::new(ProblemKind::Format, message).hint(hint)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inventory::cell::Cell;
+
+    /// Reading stops where there are too many cells, and not before.
+    #[test]
+    fn cells_are_counted() {
+        let row = |number| Row {
+            number,
+            line: None,
+            cells: vec![
+                (0, Cell::Text("a".to_owned())),
+                (1, Cell::Text("b".to_owned())),
+            ],
+            width: None,
+        };
+        let mut all = Collected::up_to(4);
+        assert!(matches!(all.take(row(1)), Flow::More) && matches!(all.take(row(2)), Flow::More));
+        assert!(matches!(all.take(row(3)), Flow::Enough));
+        let problem = all.finish().unwrap_err();
+        assert!(problem.message.contains("more than 4 cells"), "{problem:?}");
+    }
+}

@@ -142,13 +142,26 @@ const THREE: &str = "id,level_ratio,height [mm],thickness [mm],width [mm]\ngroun
 /// On the ground no building matters.
 #[test]
 fn what_nobody_stated_leaves_nothing_as_it_is() {
-    for (text, ground, roof, keys) in [
+    left_as_it_is(&[
         (
             "[assessment]\n",
             "no-verdict",
             "no-verdict",
             "give place and storeys.",
         ),
+        (
+            "[ground]\nplace = \"Melbourne\"\n",
+            "leave",
+            "no-verdict",
+            "give storeys.",
+        ),
+    ]);
+}
+
+#[test]
+#[ignore = "half a minute: three towers"]
+fn every_other_thing_that_nobody_stated() {
+    left_as_it_is(&[
         (
             "[building]\nname = \"Our museum\"\n",
             "no-verdict",
@@ -162,18 +175,17 @@ fn what_nobody_stated_leaves_nothing_as_it_is() {
             "give place.",
         ),
         (
-            "[ground]\nplace = \"Melbourne\"\n",
-            "leave",
-            "no-verdict",
-            "give storeys.",
-        ),
-        (
             "[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 30\n",
             "leave",
             "leave",
             "",
         ),
-    ] {
+    ]);
+}
+
+/// Studies with the decisions on the ground and on the roof, and what the roof is to be given.
+fn left_as_it_is(studies: &[(&str, &str, &str, &str)]) {
+    for &(text, ground, roof, keys) in studies {
         let found = assess(&study(text), THREE);
         assert_eq!(
             (found.of("ground", "decision"), found.of("roof", "decision")),

@@ -171,7 +171,9 @@ fn message(result: Result<impl std::fmt::Debug, Problems>) -> String {
 /// The merge has the files of one process, with report and manifest, to the byte.
 #[test]
 fn shards_in_any_order_give_the_bytes_of_one_process() {
-    let place = Place::new(STUDY, 30);
+    // The second of two objects with one id is number 17.
+    const ROWS: usize = 18;
+    let place = Place::new(STUDY, ROWS);
     let whole = place.whole();
     assert_eq!(whole.len(), 8, "{:?}", whole.keys());
     for (shards, step, threads) in [(1, 1, 2), (7, 3, 1), (64, 27, 2)] {
@@ -179,7 +181,7 @@ fn shards_in_any_order_give_the_bytes_of_one_process() {
         let report = place.plan(&plan, shards).unwrap();
         assert_eq!(
             (report.rows, report.shards, report.problems.is_empty()),
-            (30, shards, false)
+            (ROWS, shards, false)
         );
         assert_eq!(place.merged(&plan).unwrap_err().len(), shards);
         // The step has no divisor in common with the number: every shard once, out of order.
@@ -194,6 +196,7 @@ fn shards_in_any_order_give_the_bytes_of_one_process() {
 /// The parts of a shard, and what depends on the number of rows of the whole list: from 501 on no shares
 /// are computed, however few rows a shard has.
 #[test]
+#[ignore = "half a minute: 510 rows, three times"]
 fn a_long_list_is_the_same_in_shards_of_several_parts() {
     let place = Place::new(
         "[building]\nstoreys = 8\n[worlds]\nfirst = 2\nmost = 2\n[assessment]\ncompliant = false\npages = 3\n",

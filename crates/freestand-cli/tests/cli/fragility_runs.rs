@@ -924,7 +924,7 @@ fn what_memory_cannot_hold_is_refused_with_its_bound() {
     assert!(said(&many).contains("realizations are too many"));
 }
 
-/// Runs a command up to the moment at which it listens to signals, stops it, and returns its status.
+/// Runs a command until it listens to signals and has worked, stops it, and returns its status.
 #[cfg(target_os = "linux")]
 pub(crate) fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
     let mut child = command(folder).args(args).spawn().unwrap();
@@ -939,11 +939,20 @@ pub(crate) fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
         mask.and_then(|mask| u64::from_str_radix(mask, 16).ok())
             .is_some_and(|mask| mask >> 14 & 1 == 1)
     };
-    while !listens() && child.try_wait().unwrap().is_none() {
+    // It has used 0.1 s of processor, which is counted in hundredths: fields 14 and 15, where the name
+    // of the program in brackets is field 2.
+    let stat = format!("/proc/{}/stat", child.id());
+    let has_worked = || {
+        let stat = fs::read_to_string(&stat).unwrap_or_default();
+        let fields = stat.rsplit(") ").next().into_iter();
+        let used = fields.flat_map(|rest| rest.split(' ').skip(11).take(2));
+        used.filter_map(|ticks| ticks.parse::<u64>().ok())
+            .sum::<u64>()
+            >= 10
+    };
+    while !(listens() && has_worked()) && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
-    // Time to begin the work; the status is the same wherever the signal arrives.
-    std::thread::sleep(std::time::Duration::from_millis(300));
     assert!(
         Command::new("kill")
             .arg(child.id().to_string())

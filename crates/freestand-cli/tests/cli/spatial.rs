@@ -141,7 +141,10 @@ fn every_case_of_stacks() {
 fn every_shared_case_in_space_and_of_stacks() {
     let path = shared().join("cases/object_cases.json");
     let Ok(text) = fs::read_to_string(&path) else {
-        eprintln!("skipped: {} is not there", path.display());
+        eprintln!(
+            "skipped: {} is not there ($FREESTAND_SHARED)",
+            path.display()
+        );
         return;
     };
     let cases = cases_of(&text);

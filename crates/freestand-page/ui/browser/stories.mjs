@@ -1,4 +1,5 @@
-// What people do on the page, in a browser: FREESTAND=path/to/freestand CHROMIUM=path node browser/stories.mjs
+// What people do on the page, in a browser: FREESTAND=path/to/freestand CHROMIUM=path node browser/stories.mjs [--all] [NAME]
+// Without --all and a name, stories are left out that are long and told in part by others.
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -22,7 +23,8 @@ const LONG = { timeout: 300_000 };
 
 const validation = fileURLToPath(new URL('../../../../validation/', import.meta.url));
 
-const only = process.argv[2];
+const all = process.argv.includes('--all');
+const only = process.argv.slice(2).find((one) => one !== '--all');
 const server = spawn(program, ['serve', '--json', '--no-open'], { stdio: ['ignore', 'pipe', 'inherit'] });
 const line = await new Promise((resolve, reject) => {
   let text = '';
@@ -56,8 +58,13 @@ async function compare(response) {
   return against(type, document);
 }
 
-async function story(name, options, tell) {
+async function story(name, { long = false, ...options }, tell) {
   if (only && !name.includes(only)) return;
+  if (long && !all && !only) {
+    console.log(`left out: ${name}`);
+    return;
+  }
+  const begun = Date.now();
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'no-preference', ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
@@ -74,7 +81,7 @@ async function story(name, options, tell) {
     assert.deepEqual(errors, []);
     assert.deepEqual((await Promise.all(documents)).flat(), [], 'documents have the types of the page');
     passed += 1;
-    console.log(`ok: ${name}`);
+    console.log(`ok: ${name}, ${((Date.now() - begun) / 1000).toFixed(1)} s`);
   } catch (error) {
     failures.push(name);
     console.log(`FAILED: ${name}\n${error.stack}\n${errors.join('\n')}`);
@@ -902,7 +909,9 @@ await story('a record is looked at and used', {}, async (page) => {
 
 for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], ['reflow', 320, 600]]) {
   for (const colorScheme of ['light', 'dark']) {
-    await story(`${name}, ${colorScheme}`, { viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
+    // Each width and each colour once, and not with each other.
+    const long = (name === 'phone') !== (colorScheme === 'dark') || name === 'reflow';
+    await story(`${name}, ${colorScheme}`, { long, viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
       await answered(page);
       await accessible(page, 'fall');
       await fits(page);
@@ -921,7 +930,7 @@ for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], [
 
 for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844]]) {
   for (const colorScheme of ['light', 'dark']) {
-    await story(`a list, ${name}, ${colorScheme}`, { viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
+    await story(`a list, ${name}, ${colorScheme}`, { long: name === 'wide' || colorScheme === 'light', viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
       await uploaded(page);
       await page.click('#next-problem');
       await page.waitForSelector('#cells input');

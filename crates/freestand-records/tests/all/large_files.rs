@@ -1,6 +1,6 @@
-//! Files of 100 MB that hold nothing, and records of ten million samples: read or refused in
-//! bounded time and memory. What it took is printed; a limit on time would fail on a busy machine,
-//! so a reader that does not end is what fails.
+//! Large files that hold nothing, and records of many samples: read or refused in bounded time and
+//! memory. What it took is printed; a limit on time would fail on a busy machine, so a reader that
+//! does not end is what fails. Where time grows as the square of the size, 5 MB take hours as well.
 
 #![allow(
     clippy::expect_used,
@@ -16,7 +16,8 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-const BYTES: usize = 100_000_000;
+/// Of a file, in the quick tests and in the long ones.
+const BYTES: [usize; 2] = [5_000_000, 100_000_000];
 const DIGITS: &[u8] = b"0123456789.-+eE \n";
 
 fn read(title: &str, bytes: Vec<u8>, options: &ReadOptions) -> Result<MotionFile, Problems> {
@@ -52,7 +53,7 @@ fn peak_megabytes() -> String {
 }
 
 /// Knuth's linear congruential generator (TAOCP 2, MMIX), its upper bits.
-fn random_bytes(alphabet: &[u8]) -> Vec<u8> {
+fn random_bytes(alphabet: &[u8], count: usize) -> Vec<u8> {
     let mut state = 1u64;
     let next = || {
         state = state
@@ -60,7 +61,7 @@ fn random_bytes(alphabet: &[u8]) -> Vec<u8> {
             .wrapping_add(1_442_695_040_888_963_407);
         alphabet[(state >> 33) as usize % alphabet.len()]
     };
-    std::iter::repeat_with(next).take(BYTES).collect()
+    std::iter::repeat_with(next).take(count).collect()
 }
 
 fn seed(name: &str) -> Vec<u8> {
@@ -74,51 +75,65 @@ fn seed(name: &str) -> Vec<u8> {
 
 #[test]
 fn large_files_end() {
+    files_end(BYTES[0]);
+}
+
+#[test]
+#[ignore = "half a minute: files of 100 MB"]
+fn files_of_100_mb_end() {
+    files_end(BYTES[1]);
+}
+
+fn files_end(count: usize) {
     let told = ReadOptions {
         unit: Some("g".to_owned()),
         dt_s: Some(0.01),
         ..ReadOptions::default()
     };
     // Made one at a time: together they would take more memory than any reader.
-    type Kind = (&'static str, fn() -> Vec<u8>, &'static str);
+    type Kind = (&'static str, fn(usize) -> Vec<u8>, &'static str);
     let kinds: [Kind; 8] = [
-        ("zeros", || vec![0; BYTES], "binary file"),
+        ("zeros", |count| vec![0; count], "binary file"),
         (
             "random bytes",
-            || random_bytes(&Vec::from_iter(0..=255)),
+            |count| random_bytes(&Vec::from_iter(0..=255), count),
             "binary file",
         ),
         (
             "random digits and line ends",
-            || random_bytes(DIGITS),
+            |count| random_bytes(DIGITS, count),
             "is not a number",
         ),
         (
             "one line of digits",
-            || vec![b'7'; BYTES],
+            |count| vec![b'7'; count],
             "not a row of a table",
         ),
         (
             "one line of numbers",
-            || b" 1.25".repeat(BYTES / 5),
+            |count| b" 1.25".repeat(count / 5),
             "not a row of a table",
         ),
         (
             "one line of letters",
-            || vec![b'x'; BYTES],
+            |count| vec![b'x'; count],
             "not a row of a table",
         ),
-        ("line ends", || vec![b'\n'; BYTES], "empty"),
-        ("comments", || b"#\n".repeat(BYTES / 2), "no row of numbers"),
+        ("line ends", |count| vec![b'\n'; count], "empty"),
+        (
+            "comments",
+            |count| b"#\n".repeat(count / 2),
+            "no row of numbers",
+        ),
     ];
     for (title, bytes, message) in kinds {
-        let error = read(title, bytes(), &told).expect_err(title);
+        let error = read(title, bytes(count), &told).expect_err(title);
         assert!(
             error.problems[0].message.contains(message),
             "{title}: {error}"
         );
     }
-    let digits = random_bytes(DIGITS);
+    let digits = random_bytes(DIGITS, count - 4096);
     for name in [
         "at2/nga2.at2",
         "bhrc/vol1.v1",
@@ -137,7 +152,7 @@ fn large_files_end() {
         "smc/corrected.smc",
         "unam/three.asa",
     ] {
-        let bytes = [seed(name), digits[..BYTES - 4096].to_vec()].concat();
+        let bytes = [seed(name), digits.clone()].concat();
         let options = if name.starts_with("sac") {
             &told
         } else {
@@ -151,13 +166,20 @@ fn large_files_end() {
     assert!(read("SAC of 2e9 samples", bytes, &told).is_err());
 }
 
-/// Of 26 MB: making the bytes takes longer than reading them.
-const CHANNELS: usize = 50_000;
-
 /// A record repeated: every one of them is looked at, and all of them are one record that stands
 /// there often.
 #[test]
+fn many_records_end() {
+    records_end(BYTES[0]);
+}
+
+#[test]
+#[ignore = "ten seconds: two hundred thousand records"]
 fn two_hundred_thousand_records_end() {
+    records_end(BYTES[1]);
+}
+
+fn records_end(count: usize) {
     let told = ReadOptions {
         unit: Some("g".to_owned()),
         ..ReadOptions::default()
@@ -165,14 +187,16 @@ fn two_hundred_thousand_records_end() {
     let record = seed("mseed/int32.mseed");
     let file = read(
         "miniSEED of one record many times",
-        record.repeat(BYTES / 512),
+        record.repeat(count / 512),
         &told,
     )
     .unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), 40);
-    // As many channels as records, each with a station of its own.
+    // As many channels as records, each with a station of its own; a quarter of the bytes, because
+    // making them takes longer than reading them.
     let mut bytes = Vec::new();
-    for i in 0..CHANNELS {
+    let channels = count / 4 / 512;
+    for i in 0..channels {
         let mut record = record.clone();
         for (at, byte) in record[8..13].iter_mut().enumerate() {
             *byte = b'A' + (i / 26usize.pow(at as u32) % 26) as u8;
@@ -180,17 +204,29 @@ fn two_hundred_thousand_records_end() {
         bytes.extend(record);
     }
     let file = read("miniSEED of as many channels as records", bytes, &told).unwrap();
-    assert_eq!(file.components.len(), CHANNELS);
+    assert_eq!(file.components.len(), channels);
 }
 
-const SAMPLES: usize = 10_000_000;
+/// Of a record, in the quick tests and in the long ones.
+const SAMPLES: [usize; 2] = [500_000, 10_000_000];
 
 #[test]
+fn half_a_million_counts_are_read() {
+    read_counts(SAMPLES[0]);
+}
+
+#[test]
+#[ignore = "ten seconds: ten million counts"]
 fn ten_million_counts_are_read() {
+    read_counts(SAMPLES[1]);
+}
+
+fn read_counts(count: usize) {
     let head = String::from_utf8(seed("knet/surface.NS")).unwrap();
     let (head, _) = head.split_once("Memo.").unwrap();
-    let mut text = head.replace("Duration Time(s)  2\n", "Duration Time(s)  100000\n") + "Memo.\n";
-    for i in 0..SAMPLES / 8 {
+    let duration = format!("Duration Time(s)  {}\n", count / 100);
+    let mut text = head.replace("Duration Time(s)  2\n", &duration) + "Memo.\n";
+    for i in 0..count / 8 {
         let _ = writeln!(
             text,
             "{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} ",
@@ -198,12 +234,23 @@ fn ten_million_counts_are_read() {
         );
     }
     let file = read(
-        "K-NET of ten million counts",
+        &format!("K-NET of {count} counts"),
         text.into_bytes(),
         &ReadOptions::default(),
     )
     .unwrap();
-    assert_eq!(file.components[0].motion.accel_m_s2().len(), SAMPLES);
+    assert_eq!(file.components[0].motion.accel_m_s2().len(), count);
+}
+
+#[test]
+fn half_a_million_rows_are_read() {
+    read_rows(SAMPLES[0]);
+}
+
+#[test]
+#[ignore = "half a minute: ten million rows, 150 MB"]
+fn ten_million_rows_are_read() {
+    read_rows(SAMPLES[1]);
 }
 
 fn read_rows(count: usize) {
@@ -218,15 +265,4 @@ fn read_rows(count: usize) {
     )
     .unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), count);
-}
-
-#[test]
-fn half_a_million_rows_are_read() {
-    read_rows(SAMPLES / 20);
-}
-
-#[test]
-#[ignore = "as long as all others of its file, which read a twentieth of it: ten million rows of CSV, 150 MB"]
-fn ten_million_rows_are_read() {
-    read_rows(SAMPLES);
 }

@@ -312,7 +312,10 @@ fn compare<'a>(
 /// Holds both solvers to the cases of a file; the number of cases that were compared.
 fn check(path: &Path, accuracy: Accuracy, bound: f64) -> usize {
     let Ok(text) = fs::read_to_string(path) else {
-        println!("skipped: {} is not there", path.display());
+        println!(
+            "skipped: {} is not there ($FREESTAND_SHARED)",
+            path.display()
+        );
         return 0;
     };
     let cases: Value = serde_json::from_str(&text).unwrap();

@@ -104,9 +104,9 @@ fn merged_cells_have_the_value_of_the_first() {
 }
 
 #[test]
-fn a_million_blank_rows_cost_nothing() {
+fn a_range_of_a_million_rows_costs_nothing() {
     let mut rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"]);
-    for number in 3..=1_048_576 {
+    for number in (3..1_048_576).step_by(100).chain([1_048_576]) {
         rows += &format!("<row r=\"{number}\"><c r=\"A{number}\" s=\"0\"/></row>");
     }
     let book = workbook(&rows, "");
@@ -229,8 +229,9 @@ fn archives_that_unpack_to_too_much_or_lie() {
     assert!(problems(&lying)[0].contains("damaged"));
 }
 
-/// Four million cells in 60 MB of XML, which compress to less than one.
+/// Four million cells in 60 MB of XML, which compress to less than one; `source` tests the count.
 #[test]
+#[ignore = "twenty seconds: four million cells"]
 fn a_sheet_of_too_many_cells_is_refused() {
     let cells = "<c><v>1</v></c>".repeat(16_000);
     let row = |number: usize| format!("<row r=\"{number}\">{cells}</row>");
@@ -295,7 +296,9 @@ fn what_is_no_inventory_at_all() {
     assert!(problems(workbook(&rows, ""))[0].contains("row 4 follows row 5"));
 }
 
+/// A bound on cells, where `wide_sheets` has one on columns.
 #[test]
+#[ignore = "ten seconds: a hundred thousand rows"]
 fn columns_carried_through_are_bounded() {
     // 200 columns × 100,001 rows are one row over the limit.
     let mut text = "id,level_ratio,height [m],depth [m]".to_owned();
@@ -349,7 +352,7 @@ fn check(bytes: Vec<u8>) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(80))]
 
     #[test]
     fn changed_bytes_never_break_the_reader(

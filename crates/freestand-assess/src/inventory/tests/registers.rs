@@ -12,7 +12,10 @@ fn shared(file: &str) -> Option<std::path::PathBuf> {
     if path.exists() {
         return Some(path);
     }
-    println!("skipped: {} is missing", path.display());
+    println!(
+        "skipped: {} is not there ($FREESTAND_SHARED)",
+        path.display()
+    );
     None
 }
 

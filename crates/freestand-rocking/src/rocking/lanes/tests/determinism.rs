@@ -121,7 +121,7 @@ fn tile_boundaries_change_nothing() {
 #[test]
 fn every_vector_unit_gives_the_same_bits() {
     let units = vector_units();
-    for (seed, trouble) in (540..545).flat_map(|seed| both(seed, 20).map(|trouble| (seed, trouble)))
+    for (seed, trouble) in (540..542).flat_map(|seed| both(seed, 10).map(|trouble| (seed, trouble)))
     {
         for accuracy in [Accuracy::Fast, Accuracy::Standard, Accuracy::Tight] {
             // One lane at a time without fused arithmetic in the processor is slow: a short wait
