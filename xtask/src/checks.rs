@@ -42,6 +42,10 @@ const OPTIONAL: [(&str, &str); 6] = [
     ),
 ];
 
+/// What the names of tests have in common that are run by hand, after a change of what they try: they
+/// take tens of minutes and print figures.
+const CAMPAIGN: &str = "campaign_of";
+
 /// All packages that have tests. The benchmarks have none, and would request other features of
 /// shared dependencies, so that the Python package could not share them.
 pub const TESTED: [&str; 4] = ["--workspace", "--exclude", "freestand-benches", "--locked"];
@@ -210,7 +214,7 @@ impl Check {
             Self::Compiling => {
                 cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat())
             }
-            Self::Tests if all => tested("--tests", &["--include-ignored"]),
+            Self::Tests if all => tested("--tests", &["--include-ignored", "--skip", CAMPAIGN]),
             Self::Tests => tested("--tests", &[]),
             Self::Examples => tested("--doc", &[]),
             Self::Documentation => {

@@ -406,12 +406,12 @@ fn a_hardening_pad_is_no_power_law() {
 
 #[test]
 #[ignore = "some minutes: prints the figures of docs/cushion-laboratory.md"]
-fn every_pad_on_every_recorder() {
+fn campaign_of_every_pad_on_every_recorder() {
     campaign(true);
 }
 
 #[test]
 #[ignore = "some minutes: the same where nobody states the corner"]
-fn every_pad_behind_an_unstated_filter() {
+fn campaign_of_every_pad_behind_an_unstated_filter() {
     campaign(false);
 }

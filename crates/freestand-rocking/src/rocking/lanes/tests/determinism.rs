@@ -120,8 +120,18 @@ fn tile_boundaries_change_nothing() {
 
 #[test]
 fn every_vector_unit_gives_the_same_bits() {
+    have_the_same_bits(540..542, 10);
+}
+
+#[test]
+#[ignore = "a minute: one lane at a time"]
+fn every_vector_unit_gives_the_same_bits_to_many_blocks() {
+    have_the_same_bits(540..545, 20);
+}
+
+fn have_the_same_bits(seeds: std::ops::Range<u64>, blocks: usize) {
     let units = vector_units();
-    for (seed, trouble) in (540..542).flat_map(|seed| both(seed, 10).map(|trouble| (seed, trouble)))
+    for (seed, trouble) in seeds.flat_map(|seed| both(seed, blocks).map(|trouble| (seed, trouble)))
     {
         for accuracy in [Accuracy::Fast, Accuracy::Standard, Accuracy::Tight] {
             // One lane at a time without fused arithmetic in the processor is slow: a short wait
