@@ -1,7 +1,7 @@
 //! `cargo xtask test`: all checks but for what takes long; the README names it. `cargo xtask test
 //! --all`: the rest as well; CI runs it, and there what is skipped has failed. `cargo xtask check
-//! NAME [--all]`: one of these checks, with its output as it comes. `cargo xtask arrows`: the first of these checks alone, which takes a second. `cargo xtask validate-shock`:
-//! shock response spectra compared with those of public packages, which it fetches from PyPI.
+//! NAME [--all]`: one of these checks, with its output as it comes. `cargo xtask arrows`: the first
+//! of these checks alone, which takes a second. `cargo xtask validate-shock`: shock response spectra compared with those of public packages, which it fetches from PyPI.
 //! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it
 //! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
 //! result is committed. `cargo xtask wheel [--out DIR]`: the Python package with the program
@@ -30,7 +30,7 @@ use std::process::ExitCode;
 
 use checks::Check;
 
-const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | wheel [--out DIR] | python | \
+const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | wheel [--out DIR] | python [--all] | \
                      validate-shock | risk-tools | same COMMIT [WORDS] | texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {

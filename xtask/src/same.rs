@@ -35,6 +35,8 @@ const INPUTS: [&str; 4] = ["validation", "examples", "crates", "fuzz"];
 struct Differences {
     values: Vec<String>,
     texts: Vec<String>,
+    /// Lines that both programs refuse, as those under `# refused` are to be.
+    refused: usize,
 }
 
 /// Compares the commands that contain the filter, and says whether all values are the same.
@@ -48,6 +50,9 @@ pub fn compare(root: &Path, commit: &str, filter: &str) -> Result<bool, String> 
     ];
     let mut lines = commands(root)?;
     lines.retain(|line| line.contains(filter));
+    if lines.is_empty() {
+        return Err(format!("no command contains {filter:?}"));
+    }
 
     let next = AtomicUsize::new(0);
     let found = Mutex::new(Differences::default());
@@ -61,6 +66,7 @@ pub fn compare(root: &Path, commit: &str, filter: &str) -> Result<bool, String> 
             values.for_each(|text| println!("NOT THE SAME: {text}"));
             found.values.extend(differences.values);
             found.texts.extend(differences.texts);
+            found.refused += differences.refused;
         }
         Ok(())
     };
@@ -75,8 +81,9 @@ pub fn compare(root: &Path, commit: &str, filter: &str) -> Result<bool, String> 
 
     let found = found.into_inner().map_err(|error| error.to_string())?;
     println!(
-        "{} lines of commands: {} differences of values, {} of texts",
+        "{} lines of commands, of which {} end with an error in both: {} differences of values, {} of texts",
         lines.len(),
+        found.refused,
         found.values.len(),
         found.texts.len()
     );
@@ -209,6 +216,7 @@ fn collect(
 fn of_runs(line: &str, old: &Run, new: &Run) -> Differences {
     let mut found = Differences::default();
     let named = |what: String| format!("{line}\n  {what}\n");
+    found.refused = usize::from(old.code == new.code && old.code == Some(2));
     if old.code != new.code {
         let what = format!("exit {:?}, now {:?}: {}", old.code, new.code, new.stderr);
         found.values.push(named(what));
@@ -246,13 +254,11 @@ fn of_runs(line: &str, old: &Run, new: &Run) -> Differences {
         ));
     }
     for (name, kind, old, new) in pairs.into_iter().filter(|pair| pair.2 != pair.3) {
-        let documents = || match [old, new].map(serde_json::from_slice::<Value>) {
-            [Ok(one), Ok(other)] => Some((one, other)),
-            _ => None,
-        };
         if kind == "json"
-            && let Some((one, other)) = documents()
+            && let Some(one) = documents(old)
         {
+            // What is no longer JSON differs in value.
+            let other = documents(new).unwrap_or_default();
             let mut values = Vec::new();
             differing(&one, &other, &name, &mut values);
             found.values.extend(values.into_iter().map(named));
@@ -298,6 +304,16 @@ fn differing(old: &Value, new: &Value, at: &str, found: &mut Vec<String>) {
         _ if old != new => found.push(format!("{at}: {old}, now {new}")),
         _ => {}
     }
+}
+
+/// The JSON documents of a text, one after the other; `None`: it is something else.
+fn documents(text: &[u8]) -> Option<Value> {
+    let documents = serde_json::Deserializer::from_slice(text).into_iter::<Value>();
+    documents
+        .collect::<Result<Vec<Value>, _>>()
+        .ok()
+        .filter(|found| !found.is_empty())
+        .map(Value::Array)
 }
 
 fn first_difference(old: &[u8], new: &[u8]) -> String {

@@ -21,8 +21,9 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, settled};
+use super::draw::Drawn;
 use super::object::{Body, Flat, Hit, Model, Way, hit};
-use super::respond::{Drawn, outcome_on_rigid};
+use super::respond::outcome_on_rigid;
 use super::response::{
     AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, leans, lifts, overturned,
     pads_demand_capacity, ranked,

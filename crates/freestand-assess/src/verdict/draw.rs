@@ -44,6 +44,13 @@ pub(super) struct Draw {
     pub(super) upper: [f64; 3],
 }
 
+/// An object with the values of one draw.
+#[derive(Clone, Copy)]
+pub(super) struct Drawn<'a> {
+    pub(super) subject: &'a Subject,
+    pub(super) draw: &'a Draw,
+}
+
 /// A number that depends on a text alone: random numbers belong to the names of objects, not to
 /// their places.
 pub(super) fn key(text: &str) -> u64 {

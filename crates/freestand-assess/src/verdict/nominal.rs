@@ -16,9 +16,9 @@ use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
 use super::capacity::{Capacity, Demand, Terms};
-use super::draw::{Change, Draw, draw, key, own_damping_ratio};
+use super::draw::{Change, Draw, Drawn, draw, key, own_damping_ratio};
 use super::object::{AxisGeometry, Body, Model, Subject, Way};
-use super::respond::{Drawn, outcome_on_pads, outcome_on_rigid, responses};
+use super::respond::{outcome_on_pads, outcome_on_rigid, responses};
 use super::response::{AxisMotion, Lived, PadMotion, terms};
 use super::slip::slips;
 use crate::inventory::Item;

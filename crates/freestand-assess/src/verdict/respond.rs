@@ -5,7 +5,8 @@
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
 use freestand::respond::{
-    Glide, Glider, Object, Outcome, Pads, Plane, Response, RigidPlane, Shaking, Springs, respond,
+    Glide, Glider, Object, Outcome, Pads, Plane, Response, RigidPlane, Shaking, Springs, Travelled,
+    respond,
 };
 use freestand::sliding::{Clearance, Friction};
 use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
@@ -13,18 +14,11 @@ use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
 use crate::result::Axis;
 use crate::worlds::FloorOfWorld;
 
-use super::draw::Draw;
-use super::object::{Beside, Gliding, Subject, Upper, Way};
+use super::draw::{Draw, Drawn};
+use super::object::{Beside, Gliding, Upper, Way};
 use super::response::{
     AxisMotion, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, glided, pad_motion,
 };
-
-/// An object with the values of one draw.
-#[derive(Clone, Copy)]
-pub(super) struct Drawn<'a> {
-    pub(super) subject: &'a Subject,
-    pub(super) draw: &'a Draw,
-}
 
 impl Drawn<'_> {
     /// On a rigid base, or rolling or sliding.
@@ -186,7 +180,7 @@ impl Drawn<'_> {
                 let motion = |glide: Glide| glided(self, gliding, glide, through_m_s2);
                 Ok(planes.into_iter().map(motion).collect())
             }
-            _ => Err(Lost::another_model()),
+            _ => Err(Lost::no_history()),
         }
     }
 
@@ -208,7 +202,7 @@ impl Drawn<'_> {
                 ..motion(lower)
             }],
             Response::Rigid(_) | Response::Rolled(_) | Response::Slid(_) => {
-                return Err(Lost::another_model());
+                return Err(Lost::no_history());
             }
         })
     }
@@ -224,7 +218,7 @@ pub(super) fn responses<'a>(
         .map(|one| one.map(|one| known.push(one)));
     let made: Vec<Result<(), Lost>> = made.collect();
     let mut found = respond(&known).into_iter();
-    let mut next = || found.next().ok_or_else(Lost::another_model);
+    let mut next = || found.next().ok_or_else(Lost::no_history);
     made.into_iter()
         .map(|made| Ok(made.and_then(|()| next())??))
         .collect()
@@ -257,7 +251,7 @@ fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
 pub(super) fn outcome_on_rigid(way: &Way, axes: &[AxisMotion]) -> Outcome {
     let travelled = || {
         let glides: Vec<Glide> = axes.iter().filter_map(|one| one.glide).collect();
-        Glide::travelled(&glides)
+        Travelled::of(&glides)
     };
     match way {
         Way::Rolls(_) => Outcome::Rolled(travelled()),

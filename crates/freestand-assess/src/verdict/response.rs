@@ -9,9 +9,8 @@ use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
 
 use super::capacity::{Capacity, Demand, Terms};
-use super::draw::Draw;
+use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
-use super::respond::Drawn;
 
 /// One axis on a rigid base.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,13 +103,13 @@ impl Lost {
         Self::Failed(why.to_string())
     }
 
-    /// A value of the object is missing.
+    /// Mass or cushion, or another value that the model needs.
     pub(super) fn missing() -> Self {
-        Self::failed("a value of the object is missing")
+        Self::failed("mass or cushion is missing")
     }
 
-    /// No response of the model that was asked.
-    pub(super) fn another_model() -> Self {
+    /// The model that was asked has not answered.
+    pub(super) fn no_history() -> Self {
         Self::failed("the history is missing")
     }
 

@@ -14,9 +14,9 @@ use crate::worlds::{Again, FloorOfWorld};
 use freestand_input::problem::Problems;
 use freestand_study::study::assessment::Spread;
 
-use super::draw::{Change, Draw, draw};
+use super::draw::{Change, Draw, Drawn, draw};
 use super::object::{Model, Subject};
-use super::respond::{Drawn, outcome_on_pads, outcome_on_rigid, responses};
+use super::respond::{outcome_on_pads, outcome_on_rigid, responses};
 use super::response::{
     AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity,
     pads_demand_capacity,
@@ -486,7 +486,7 @@ fn lived_on_floor(
                 draw: draws[place],
                 rigid: rigid
                     .next()
-                    .unwrap_or_else(|| Some(Err(Lost::failed("the history is missing")))),
+                    .unwrap_or_else(|| Some(Err(Lost::no_history()))),
                 pads: slipped.remove(&(place, world)).or(without_slip),
                 slips: slips[world][place],
                 pfa_m_s2: floor.pfa_m_s2,
@@ -599,7 +599,9 @@ fn pads_in_worlds(
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut jobs: Vec<Job> = Vec::new();
     let asked = trials.iter().enumerate().filter(|(_, one)| is_asked(one));
+    let mut count = 0;
     for (place, trial) in asked {
+        count += 1;
         let subject = &trial.subject;
         let worlds = (first..).zip(draws).zip(floors);
         jobs.extend(worlds.map(|((world, draws), floor)| {
@@ -645,8 +647,9 @@ fn pads_in_worlds(
     for (place, response) in others? {
         found[place] = response;
     }
-    let of_object = found.chunks(floors.len().max(1));
-    Ok(of_object.map(<[_]>::to_vec).collect())
+    let mut found = found.into_iter();
+    let of_object = |_| found.by_ref().take(floors.len()).collect();
+    Ok((0..count).map(of_object).collect())
 }
 
 impl Context<'_> {

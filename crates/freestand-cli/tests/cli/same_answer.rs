@@ -502,11 +502,11 @@ fn a_command_that_cannot_answer_says_so() {
     assert!(refused("rock", &["--upper-height", "0.5m"]).contains("--upper-height"));
 }
 
-/// Two pulses of a floor, 2.6 s in steps of 10 ms: their peaks \[g\].
+/// For each floor the peaks of its pulses along x and y \[g\]: 2.6 s in steps of 10 ms.
 const PLANE_PULSES: [(f64, f64); 3] = [(0.5, 0.4), (0.2, 0.3), (0.35, 0.9)];
 
-/// In three dimensions `assess`, `fragility` and `rock` follow the same history: where it does not fall, the
-/// uplift is the same to rounding. An assessment draws in every world which side lies along x, so it is
+/// In three dimensions `assess`, `fragility` and `rock` have one outcome, and where it is no fall, `assess` and
+/// `rock` the same uplift to rounding. An assessment draws in every world which side lies along x, so it is
 /// that of `rock` with the sides as given or exchanged; a fragility moves the side that lifts first along x.
 #[test]
 fn three_dimensions_have_the_same_outcome() {

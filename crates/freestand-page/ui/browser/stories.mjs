@@ -909,7 +909,7 @@ await story('a record is looked at and used', {}, async (page) => {
 
 for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], ['reflow', 320, 600]]) {
   for (const colorScheme of ['light', 'dark']) {
-    // Each width and each colour once, and not with each other.
+    // Of the wide window and the phone each colour once; the narrowest is in the long run.
     const long = (name === 'phone') !== (colorScheme === 'dark') || name === 'reflow';
     await story(`${name}, ${colorScheme}`, { long, viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
       await answered(page);

@@ -8,7 +8,8 @@ use crate::sliding::{
     trip_speed_m_s,
 };
 
-use super::{Along, Glider, Plane, RespondError, Shaking, Travelled};
+use super::error::RespondError;
+use super::object::{Along, Glider, Plane, Shaking};
 
 /// What an object that rolls or slides does in one plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,19 +22,6 @@ pub struct Glide {
     pub stop_speed_m_s: Option<f64>,
     /// Whether that stop overturns it.
     pub has_tripped: bool,
-}
-
-impl Glide {
-    /// Of all planes together.
-    pub fn travelled(planes: &[Self]) -> Travelled {
-        let speeds_m_s = planes.iter().filter_map(|one| one.stop_speed_m_s);
-        Travelled {
-            travel_m: planes.iter().map(|one| one.travel_m).fold(0.0, f64::max),
-            stop_speed_m_s: speeds_m_s.reduce(f64::max),
-            is_at_least: planes.iter().any(|one| one.is_at_least),
-            has_tripped: planes.iter().any(|one| one.has_tripped),
-        }
-    }
 }
 
 impl Glider {

@@ -6,7 +6,10 @@
 //! solver. A [`Response`] keeps what each way tells, and its [`Outcome`] is what counts in decisions:
 //! the worse of all planes.
 
+mod error;
 mod glide;
+mod object;
+mod outcome;
 mod pads;
 mod pulse;
 #[cfg(test)]
@@ -15,135 +18,24 @@ mod tests;
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
-use thiserror::Error;
 
 use crate::G0_M_S2;
-use crate::block::Block;
-use crate::compliant::{
-    CompliantBase, CompliantError, CompliantSummary, CompliantWorld, rock_compliant_many,
-};
+use crate::compliant::{CompliantError, CompliantSummary, CompliantWorld, rock_compliant_many};
 use crate::motion::Motion;
 use crate::rocking::{
-    Base, LONGEST_TAIL_S, Outcome as Rocking, Restitution, RockingError, RockingOptions,
-    RockingSummary, Until, rock_between,
+    Base, LONGEST_TAIL_S, Restitution, RockingError, RockingOptions, RockingSummary, Until,
+    rock_between,
 };
-use crate::sliding::{Clearance, Friction, SlidingError};
-use crate::spatial::{SpatialObject, Stack, StackPart};
+use crate::spatial::StackPart;
 use crate::wall::Walls;
 
+use error::resolved;
+
+pub use error::RespondError;
 pub use glide::Glide;
+pub use object::{Along, Glider, Object, Pads, Plane, RigidPlane, Shaking, Springs};
+pub use outcome::{Outcome, Travelled};
 pub use pads::{OnPads, Tilt};
-
-/// The accelerations of a floor.
-#[derive(Debug, Clone, Copy)]
-pub struct Shaking<'a> {
-    /// Along x.
-    pub x: &'a Motion,
-    /// Along y. `None`: one horizontal component is known. What moves in a plane moves under it in any
-    /// direction, what moves in space along its x alone.
-    pub y: Option<&'a Motion>,
-    /// Upward.
-    pub vertical: Option<&'a Motion>,
-}
-
-impl<'a> Shaking<'a> {
-    /// How the base of an object moves in a plane.
-    pub fn base(&self, along: Along) -> Base<'a> {
-        Base {
-            horizontal: Some(self.component(along)),
-            vertical: self.vertical,
-        }
-    }
-
-    /// One of the horizontal components; without a second one the first is both.
-    pub fn component(&self, along: Along) -> &'a Motion {
-        match (along, self.y) {
-            (Along::Y, Some(y)) => y,
-            _ => self.x,
-        }
-    }
-}
-
-/// A horizontal axis of the floor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Along {
-    /// x.
-    X,
-    /// y.
-    Y,
-}
-
-/// A free-standing object with one value for everything, followed in one way.
-#[derive(Debug, Clone)]
-pub enum Object {
-    /// It rocks on a rigid base, about each of its axes apart.
-    Rigid(Vec<RigidPlane>),
-    /// The same on pads that are springs with dampers.
-    Springs(Springs),
-    /// The same on pads of any law, with friction or without.
-    Pads(Pads),
-    /// It rolls on casters.
-    Rolls(Glider),
-    /// It slides on its base before an edge could lift.
-    Slides(Glider),
-    /// It moves in three dimensions on its pads; its x lies along this axis of the floor.
-    Spatial(SpatialObject, Along),
-    /// It moves in a plane with another body on it, both on pads.
-    Stack(Stack, Along),
-}
-
-/// An object in one plane of motion.
-#[derive(Debug, Clone, Copy)]
-pub struct Plane {
-    /// The component of the floor that moves it.
-    pub along: Along,
-    /// The object in this plane.
-    pub block: Block,
-}
-
-/// An object on a rigid base in one plane of motion.
-#[derive(Debug, Clone, Copy)]
-pub struct RigidPlane {
-    /// The object and its direction.
-    pub plane: Plane,
-    /// What remains of ω in an impact.
-    pub restitution: Restitution,
-    /// What stands beside it.
-    pub walls: Walls,
-}
-
-/// An object on springs with dampers.
-#[derive(Debug, Clone)]
-pub struct Springs {
-    /// Each of its planes.
-    pub planes: Vec<Plane>,
-    /// Its mass \[kg\].
-    pub mass_kg: f64,
-    /// k: of the pads under one edge, upright and sideways \[N/m\].
-    pub stiffness_n_m: f64,
-    /// c: of the pads under one edge, upright \[N s/m\].
-    pub damping_n_s_m: f64,
-}
-
-/// An object on pads of any law.
-#[derive(Debug, Clone)]
-pub struct Pads {
-    /// Each of its planes.
-    pub planes: Vec<Plane>,
-    /// Its mass, and what it rests on.
-    pub base: CompliantBase,
-}
-
-/// An object that rolls or slides without rocking; only a stop can overturn it.
-#[derive(Debug, Clone)]
-pub struct Glider {
-    /// Each of its planes. A single one stands for both directions.
-    pub planes: Vec<Plane>,
-    /// Friction of its base, or the rolling resistance of its casters.
-    pub friction: Friction,
-    /// The way to a stop, on both sides of every plane.
-    pub clearance: Clearance,
-}
 
 /// What an object did under one motion, as its way tells it.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,142 +54,18 @@ pub enum Response {
     Stack(OnPads, Option<StackPart>),
 }
 
-/// How an object ended, in the worse of its planes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Outcome {
-    /// No edge lifted, and it stayed where it was.
-    Stood,
-    /// An edge lifted, and it did not fall.
-    Rocked {
-        /// Largest uplift of an edge \[m\].
-        uplift_m: f64,
-    },
-    /// It rolled on its casters, or its stop tripped it.
-    Rolled(Travelled),
-    /// It slid on its base, or its stop tripped it.
-    Slid(Travelled),
-    /// It ended leaning on a wall.
-    Leaned,
-    /// It fell.
-    Overturned,
-}
-
-/// How an object rolled or slid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Travelled {
-    /// The largest way from where it stood, as if nothing were in the way \[m\].
-    pub travel_m: f64,
-    /// Speed at which it reached its stop; `None`: it did not \[m/s\].
-    pub stop_speed_m_s: Option<f64>,
-    /// Whether one component of the floor is all that is known, so that it went farther.
-    pub is_at_least: bool,
-    /// Whether the stop overturned it.
-    pub has_tripped: bool,
-}
-
-impl Outcome {
-    /// On a rigid base, from every plane.
-    pub fn on_rigid<'a>(planes: impl Iterator<Item = &'a RockingSummary> + Clone) -> Self {
-        let ends = |outcome: Rocking| planes.clone().any(|one| one.outcome == outcome);
-        if ends(Rocking::Overturned) {
-            Self::Overturned
-        } else if ends(Rocking::Leaned) {
-            Self::Leaned
-        } else if planes.clone().any(|one| one.outcome != Rocking::NoUplift) {
-            Self::Rocked {
-                uplift_m: planes.map(|one| one.uplift_m).fold(0.0, f64::max),
-            }
-        } else {
-            Self::Stood
-        }
-    }
-
-    /// On pads, from every plane or of the whole body.
-    pub fn on_pads<'a>(planes: impl Iterator<Item = &'a OnPads> + Clone) -> Self {
-        if planes.clone().any(|one| one.has_overturned) {
-            Self::Overturned
-        } else if planes.clone().any(|one| one.has_let_go) {
-            Self::Rocked {
-                uplift_m: planes.map(|one| one.lift_m).fold(0.0, f64::max),
-            }
-        } else {
-            Self::Stood
-        }
-    }
-
-    /// How it rolled or slid; `None`: it rocks.
-    pub fn travelled(self) -> Option<Travelled> {
-        match self {
-            Self::Rolled(way) | Self::Slid(way) => Some(way),
-            Self::Stood | Self::Rocked { .. } | Self::Leaned | Self::Overturned => None,
-        }
-    }
-
-    /// Largest uplift of an edge, 0 where none lifted; `None`: it fell \[m\].
-    pub fn uplift_m(self) -> Option<f64> {
-        match self {
-            Self::Rocked { uplift_m } => Some(uplift_m),
-            Self::Leaned | Self::Overturned => None,
-            Self::Rolled(way) | Self::Slid(way) => (!way.has_tripped).then_some(0.0),
-            Self::Stood => Some(0.0),
-        }
-    }
-
-    /// Whether it has fallen over, onto the floor or against a wall: what counts in decisions.
-    pub fn has_fallen(self) -> bool {
-        match self {
-            Self::Leaned | Self::Overturned => true,
-            Self::Rolled(way) | Self::Slid(way) => way.has_tripped,
-            Self::Stood | Self::Rocked { .. } => false,
-        }
-    }
-}
-
 impl Response {
     /// How the object ended.
     pub fn outcome(&self) -> Outcome {
         match self {
             Self::Rigid(planes) => Outcome::on_rigid(planes.iter()),
             Self::Pads(planes) => Outcome::on_pads(planes.iter()),
-            Self::Rolled(planes) => Outcome::Rolled(Glide::travelled(planes)),
-            Self::Slid(planes) => Outcome::Slid(Glide::travelled(planes)),
+            Self::Rolled(planes) => Outcome::Rolled(Travelled::of(planes)),
+            Self::Slid(planes) => Outcome::Slid(Travelled::of(planes)),
             Self::Spatial(body, _) | Self::Stack(body, _) => {
                 Outcome::on_pads(std::iter::once(body))
             }
         }
-    }
-}
-
-/// Why it is not known what an object does.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum RespondError {
-    /// On a rigid base.
-    #[error(transparent)]
-    Rocking(#[from] RockingError),
-    /// While it rolls or slides.
-    #[error(transparent)]
-    Sliding(#[from] SlidingError),
-    /// On pads.
-    #[error(transparent)]
-    Compliant(#[from] CompliantError),
-    /// Its history ended before it was certain what becomes of it.
-    #[error("the object is neither at rest nor down long after the motion")]
-    Unresolved,
-}
-
-impl RespondError {
-    /// Whether the floor falls away, and the object flies: what no rigid base can follow.
-    pub fn is_flight(&self) -> bool {
-        matches!(self, Self::Rocking(RockingError::FreeFlight { .. }))
-    }
-}
-
-/// An error where a history ended before it was certain what becomes of the object.
-fn resolved(outcome: Rocking) -> Result<(), RespondError> {
-    if outcome == Rocking::Unresolved {
-        Err(RespondError::Unresolved)
-    } else {
-        Ok(())
     }
 }
 
@@ -433,7 +201,9 @@ fn one_by_one((object, shaking): &(Object, Shaking<'_>)) -> Option<Result<Respon
         }
         Object::Rolls(glider) => glider.followed(shaking).map(Response::Rolled),
         Object::Slides(glider) => glider.followed(shaking).map(Response::Slid),
-        Object::Spatial(object, along) => pads::in_space(object, *along, shaking),
-        Object::Stack(stack, along) => pads::stacked(stack, *along, shaking),
+        Object::Spatial(object, along) => pads::in_space(object, *along, shaking)
+            .map(|(body, tilt)| Response::Spatial(body, tilt)),
+        Object::Stack(stack, along) => pads::stacked(stack, *along, shaking)
+            .map(|(lower, fallen)| Response::Stack(lower, fallen)),
     })
 }

@@ -10,8 +10,9 @@ use crate::spatial::{
     rock_spatial, rock_stack,
 };
 
+use super::error::{RespondError, resolved};
+use super::object::{Along, Plane, Shaking};
 use super::pulse::Pulses;
-use super::{Along, Plane, RespondError, Response, Shaking, resolved};
 
 /// Accuracy of every history. In space single histories differ from those at `Standard`,
 /// distributions do not: of 40 pairs of motions a square cabinet falls in 14 against 16, a bookshelf
@@ -149,7 +150,7 @@ pub(super) fn in_space(
     object: &SpatialObject,
     along: Along,
     shaking: &Shaking<'_>,
-) -> Result<Response, RespondError> {
+) -> Result<(OnPads, Option<Tilt>), RespondError> {
     let across = match along {
         Along::X => Along::Y,
         Along::Y => Along::X,
@@ -165,7 +166,7 @@ pub(super) fn in_space(
     };
     let found = match rock_spatial(object, motion, &options()) {
         Ok(found) => found,
-        Err(error) => return toppled(error).map(|body| Response::Spatial(body, None)),
+        Err(error) => return toppled(error).map(|body| (body, None)),
     };
     resolved(found.body.outcome)?;
     let tilt = Tilt {
@@ -173,7 +174,7 @@ pub(super) fn in_space(
         walk_m: found.body.base_slide_peak_m,
     };
     let body = OnPads::of_body(found.body.outcome, &found.body, &found.landings);
-    Ok(Response::Spatial(body, Some(tilt)))
+    Ok((body, Some(tilt)))
 }
 
 /// Both bodies in one plane. The shock is that of the lower one.
@@ -181,16 +182,16 @@ pub(super) fn stacked(
     stack: &Stack,
     along: Along,
     shaking: &Shaking<'_>,
-) -> Result<Response, RespondError> {
+) -> Result<(OnPads, Option<StackPart>), RespondError> {
     let found = match rock_stack(stack, shaking.base(along), &options()) {
         Ok(found) => found,
         Err(error) => {
-            return toppled(error).map(|body| Response::Stack(body, Some(StackPart::Lower)));
+            return toppled(error).map(|body| (body, Some(StackPart::Lower)));
         }
     };
     resolved(found.outcome)?;
     let lower = OnPads::of_body(found.outcome, &found.lower, &found.landings);
-    Ok(Response::Stack(lower, found.overturned_body))
+    Ok((lower, found.overturned_body))
 }
 
 fn options() -> SpatialOptions {

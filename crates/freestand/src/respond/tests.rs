@@ -1,10 +1,12 @@
 use super::*;
-use crate::compliant::{CompliantAccuracy, CompliantOptions, rock_compliant};
+use crate::block::Block;
+use crate::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, rock_compliant};
 use crate::cushion::{ContactLaw, Cushion};
-use crate::rocking::rock;
-use crate::sliding::{SlidingOptions, slide, trip_speed_m_s};
+use crate::rocking::{Outcome as Rocking, rock};
+use crate::sliding::{Clearance, Friction, SlidingOptions, slide, trip_speed_m_s};
 use crate::spatial::{
-    Shape, SpatialMotion, SpatialOptions, StackBody, Support, rock_spatial, rock_stack,
+    Shape, SpatialMotion, SpatialObject, SpatialOptions, Stack, StackBody, Support, rock_spatial,
+    rock_stack,
 };
 use crate::wall::Wall;
 

@@ -340,7 +340,7 @@ fn fit(
     for (place, (measure, at)) in measures.iter().enumerate() {
         super::go_on(progress)?;
         let lines = table::lines(&report, (*measure, place, *at), progress)?;
-        let outcomes = table::outcomes(*measure, &lines)?;
+        let outcomes = table::outcomes(*measure, &lines, progress)?;
         super::go_on(progress)?;
         let name = file_name("outcomes", place, *measure);
         let file = InputFile::new(Path::new(&name), outcomes.as_ref());

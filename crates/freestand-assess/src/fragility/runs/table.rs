@@ -105,8 +105,15 @@ pub(super) fn lines<'a>(
     Ok(lines)
 }
 
+/// Lines that are written before the work can be stopped again.
+const LINES_AT_A_TIME: usize = 4096;
+
 /// As a table. Extra columns say how each run came about.
-pub(super) fn outcomes(measure: Measure, lines: &[Line<'_>]) -> Result<Table, Problem> {
+pub(super) fn outcomes(
+    measure: Measure,
+    lines: &[Line<'_>],
+    progress: Progress,
+) -> Result<Table, Problem> {
     let broken = |error: &dyn std::fmt::Display| {
         Problem::new(
             ProblemKind::Computation,
@@ -136,7 +143,10 @@ pub(super) fn outcomes(measure: Measure, lines: &[Line<'_>]) -> Result<Table, Pr
         .write_record(columns.map(|(name, _)| name))
         .map_err(|error| broken(&error))?;
     let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    for Line { run, scale_ratio } in lines {
+    for (place, Line { run, scale_ratio }) in lines.iter().enumerate() {
+        if place.is_multiple_of(LINES_AT_A_TIME) {
+            go_on(progress)?;
+        }
         let record = [
             guarded(run.object).into_owned(),
             guarded(run.motion).into_owned(),

@@ -330,7 +330,18 @@ fn fast_accuracy_follows_the_scalar_solver_between_walls() {
 }
 
 #[test]
-#[ignore = "minutes: for a change of the kernel"]
+#[ignore = "a minute or two of the scalar solver"]
+fn every_accuracy_follows_the_scalar_solver_for_long() {
+    check(0..100, STANDARD);
+    check(200..230, TIGHT);
+    check(300..340, FAST);
+    check_walls(30_000..30_040, STANDARD);
+    check_walls(30_200..30_212, TIGHT);
+    check_walls(30_300..30_315, FAST);
+}
+
+#[test]
+#[ignore = "tens of minutes: for a change of the kernel"]
 fn campaign_of_every_accuracy() {
     for (from, demands) in [(1_000, STANDARD), (10_000, TIGHT), (20_000, FAST)] {
         check(from..from + 500, demands);

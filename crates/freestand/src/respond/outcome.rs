@@ -1,0 +1,110 @@
+//! What counts in decisions: how an object ended, in the worse of its planes.
+
+use crate::rocking::{Outcome as Rocking, RockingSummary};
+
+use super::glide::Glide;
+use super::pads::OnPads;
+
+/// How an object ended, in the worse of its planes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outcome {
+    /// No edge lifted, and it stayed where it was.
+    Stood,
+    /// An edge lifted, and it did not fall.
+    Rocked {
+        /// Largest uplift of an edge \[m\].
+        uplift_m: f64,
+    },
+    /// It rolled on its casters, or its stop tripped it.
+    Rolled(Travelled),
+    /// It slid on its base, or its stop tripped it.
+    Slid(Travelled),
+    /// It ended leaning on a wall.
+    Leaned,
+    /// It fell.
+    Overturned,
+}
+
+/// How an object rolled or slid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Travelled {
+    /// The largest way from where it stood, as if nothing were in the way \[m\].
+    pub travel_m: f64,
+    /// Speed at which it reached its stop; `None`: it did not \[m/s\].
+    pub stop_speed_m_s: Option<f64>,
+    /// Whether one component of the floor is all that is known, so that it went farther.
+    pub is_at_least: bool,
+    /// Whether the stop overturned it.
+    pub has_tripped: bool,
+}
+
+impl Outcome {
+    /// On a rigid base, from every plane.
+    pub fn on_rigid<'a>(planes: impl Iterator<Item = &'a RockingSummary> + Clone) -> Self {
+        let ends = |outcome: Rocking| planes.clone().any(|one| one.outcome == outcome);
+        if ends(Rocking::Overturned) {
+            Self::Overturned
+        } else if ends(Rocking::Leaned) {
+            Self::Leaned
+        } else if planes.clone().any(|one| one.outcome != Rocking::NoUplift) {
+            Self::Rocked {
+                uplift_m: planes.map(|one| one.uplift_m).fold(0.0, f64::max),
+            }
+        } else {
+            Self::Stood
+        }
+    }
+
+    /// On pads, from every plane or of the whole body.
+    pub fn on_pads<'a>(planes: impl Iterator<Item = &'a OnPads> + Clone) -> Self {
+        if planes.clone().any(|one| one.has_overturned) {
+            Self::Overturned
+        } else if planes.clone().any(|one| one.has_let_go) {
+            Self::Rocked {
+                uplift_m: planes.map(|one| one.lift_m).fold(0.0, f64::max),
+            }
+        } else {
+            Self::Stood
+        }
+    }
+
+    /// How it rolled or slid; `None`: it rocks.
+    pub fn travelled(self) -> Option<Travelled> {
+        match self {
+            Self::Rolled(way) | Self::Slid(way) => Some(way),
+            Self::Stood | Self::Rocked { .. } | Self::Leaned | Self::Overturned => None,
+        }
+    }
+
+    /// Largest uplift of an edge, 0 where none lifted; `None`: it fell \[m\].
+    pub fn uplift_m(self) -> Option<f64> {
+        match self {
+            Self::Rocked { uplift_m } => Some(uplift_m),
+            Self::Leaned | Self::Overturned => None,
+            Self::Rolled(way) | Self::Slid(way) => (!way.has_tripped).then_some(0.0),
+            Self::Stood => Some(0.0),
+        }
+    }
+
+    /// Whether it has fallen over, onto the floor or against a wall: what counts in decisions.
+    pub fn has_fallen(self) -> bool {
+        match self {
+            Self::Leaned | Self::Overturned => true,
+            Self::Rolled(way) | Self::Slid(way) => way.has_tripped,
+            Self::Stood | Self::Rocked { .. } => false,
+        }
+    }
+}
+
+impl Travelled {
+    /// In all planes together.
+    pub fn of(planes: &[Glide]) -> Self {
+        let speeds_m_s = planes.iter().filter_map(|one| one.stop_speed_m_s);
+        Self {
+            travel_m: planes.iter().map(|one| one.travel_m).fold(0.0, f64::max),
+            stop_speed_m_s: speeds_m_s.reduce(f64::max),
+            is_at_least: planes.iter().any(|one| one.is_at_least),
+            has_tripped: planes.iter().any(|one| one.has_tripped),
+        }
+    }
+}
