@@ -94,7 +94,9 @@ pub fn rocking_options(restitution: Restitution, walls: Walls) -> RockingOptions
 /// # Example
 /// A cabinet under a pulse that lifts its edge, and the same on casters:
 /// ```
-/// use freestand::respond::{Along, Glider, Object, Outcome, Plane, RigidPlane, Shaking, respond};
+/// use freestand::respond::{
+///     Along, Glider, Object, Outcome, Plane, RespondError, RigidPlane, Shaking, respond,
+/// };
 /// use freestand::{block::Block, motion::Motion, rocking::Restitution, wall::Walls};
 /// use freestand::sliding::{Clearance, Friction};
 /// let pulse = Motion::new(0.01, (0..100).map(|i| 4.0 * (0.0628 * f64::from(i)).sin()).collect())?;
@@ -104,9 +106,10 @@ pub fn rocking_options(restitution: Restitution, walls: Walls) -> RockingOptions
 /// let friction = Friction::uniform(0.02)?;
 /// let rolling = Glider { planes: vec![plane], friction, clearance: Clearance::default() };
 /// let objects = [(Object::Rigid(vec![still]), floor), (Object::Rolls(rolling), floor)];
-/// let found = respond(&objects);
-/// assert!(matches!(found[0].as_ref()?.outcome(), Outcome::Rocked { uplift_m } if uplift_m > 0.01));
-/// assert!(found[1].as_ref()?.outcome().travelled().is_some_and(|way| way.travel_m > 0.1));
+/// let outcomes = respond(&objects).into_iter().map(|found| Ok(found?.outcome()));
+/// let outcomes: Vec<Outcome> = outcomes.collect::<Result<_, RespondError>>()?;
+/// assert!(matches!(outcomes[0], Outcome::Rocked { uplift_m } if uplift_m > 0.01));
+/// assert!(outcomes[1].travelled().is_some_and(|way| way.travel_m > 0.1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn respond(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<Response, RespondError>> {
