@@ -114,7 +114,7 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 
 #[test]
 fn the_same_bytes_on_any_number_of_threads() {
-    let (study, rows) = (study(""), rows(8));
+    let (study, rows) = (study(""), rows(24));
     let of = |threads: usize| {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("out");
@@ -130,7 +130,7 @@ fn the_same_bytes_on_any_number_of_threads() {
                 report.computed,
                 report.interrupted
             ),
-            (8, 0, 8, false)
+            (24, 0, 24, false)
         );
         contents(&out)
     };
@@ -265,7 +265,7 @@ fn a_run_that_was_killed_goes_on() {
 /// does, which says where it is among the others.
 #[test]
 fn the_order_of_the_rows_does_not_matter() {
-    let (study, rows) = (study(""), rows(8));
+    let (study, rows) = (study(""), rows(24));
     let folder = tempfile::tempdir().unwrap();
     let (out, turned, alone) = (
         folder.path().join("a"),

@@ -80,7 +80,7 @@ fn half_sines_give_their_stiffness() {
         (30.0, true, 0.8),
         (200.0, false, 0.5),
     ] {
-        for seed in 0..2 {
+        for seed in 0..6 {
             let (samples, dt_s) = half_sine(per_contact, 0.005, phase, seed, STIFFNESS_N_M);
             let test = drop_test(&samples, dt_s, &setup(known)).unwrap();
             assert_eq!(test.flags, [], "{per_contact} {seed}");
@@ -109,7 +109,7 @@ fn weight_is_told_from_the_record() {
     let stiffness_n_m = 1e5;
     let pad = Cushion::linear(stiffness_n_m).unwrap();
     let contact_s = pad.land(MASS_KG, fall_m_s()).duration_s;
-    for seed in 0..3 {
+    for seed in 0..6 {
         let (without, dt_s) = half_sine(50.0, 0.005, 0.2, seed, stiffness_n_m);
         let options = VirtualDropOptions {
             sample_rate_hz: 50.0 / contact_s,
@@ -268,13 +268,12 @@ fn clean_records_give_their_stiffness() {
             damping_n_s_m: 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt(),
         },
     ];
-    for (law, first) in laws.into_iter().zip((0..).step_by(3)) {
+    for law in laws {
         let cushion = Cushion::new(law).unwrap();
         let deepest_m = cushion.deepest_of_fall();
         let truth_n_m = cushion.force_n(deepest_m, 0.0) / deepest_m;
         let contact_s = cushion.land(MASS_KG, fall_m_s()).duration_s;
-        // Other places of the first contact for every law.
-        for index in first..first + 3 {
+        for index in 0..8 {
             let sample_rate_hz = 50.0 / contact_s;
             let clean = VirtualDropOptions {
                 noise_ratio: 0.0,
@@ -333,7 +332,7 @@ fn a_sample_may_lie_on_the_jump() {
         let clean: Vec<f64> = (0..350)
             .map(|i| accel((f64::from(i) - 150.0 + phase) * dt_s))
             .collect();
-        for seed in 0..2 {
+        for seed in 0..5 {
             let test = drop_test(&noisy(&clean, 0.005, seed), dt_s, &plain).unwrap();
             assert_eq!(test.flags, [], "{phase} {seed}");
             let found = test.identified.unwrap();
@@ -536,25 +535,22 @@ fn a_shifted_zero_line_is_no_missing_end() {
 #[test]
 fn a_clipped_top_under_noise_is_no_law() {
     for per_contact in [50.0, 200.0] {
-        for (share, noise, seed) in [
-            (0.9, 0.002, 0),
-            (0.9, 0.005, 1),
-            (0.9, 0.01, 2),
-            (0.95, 0.005, 3),
-        ] {
+        for (share, noise) in [(0.9, 0.002), (0.9, 0.005), (0.9, 0.01), (0.95, 0.005)] {
             let (clean, dt_s) = half_sine(per_contact, 0.0, 0.3, 1, STIFFNESS_N_M);
             let peak = clean.iter().copied().fold(0.0, f64::max);
             let clipped: Vec<f64> = clean.iter().map(|a| a.min(share * peak)).collect();
-            let test = drop_test(&noisy(&clipped, noise, seed), dt_s, &setup(true)).unwrap();
-            let is_told = test
-                .flags
-                .iter()
-                .any(|flag| matches!(flag, Flag::Clipped | Flag::PoorFit));
-            assert!(
-                is_told,
-                "{per_contact} {share} {noise} {seed}: {:?}",
-                test.flags
-            );
+            for seed in 0..3 {
+                let test = drop_test(&noisy(&clipped, noise, seed), dt_s, &setup(true)).unwrap();
+                let is_told = test
+                    .flags
+                    .iter()
+                    .any(|flag| matches!(flag, Flag::Clipped | Flag::PoorFit));
+                assert!(
+                    is_told,
+                    "{per_contact} {share} {noise} {seed}: {:?}",
+                    test.flags
+                );
+            }
         }
     }
 }
@@ -615,21 +611,10 @@ fn rounded_samples_are_not_clipped() {
     }
 }
 
-/// 95 % of the intervals contain the stiffness. Of 10 virtual drops, 7 or fewer do so with a
-/// probability of 1 in 87.
+/// 95 % of the intervals contain the stiffness. Of 40 virtual drops, 34 is three standard
+/// deviations below 38.
 #[test]
 fn intervals_cover() {
-    cover(10, 8);
-}
-
-/// Of 40, 34 is three standard deviations below 38.
-#[test]
-#[ignore = "a minute: 120 virtual drops"]
-fn intervals_cover_in_the_long_run() {
-    cover(40, 34);
-}
-
-fn cover(drops: u64, least: usize) {
     let laws = [
         ContactLaw::Linear {
             stiffness_n_m: STIFFNESS_N_M,
@@ -648,7 +633,7 @@ fn cover(drops: u64, least: usize) {
         let history = cushion.landing_history(MASS_KG, fall_m_s(), G0_M_S2);
         let deepest_m = history.iter().map(|p| p.compression_m).fold(0.0, f64::max);
         let truth_n_m = cushion.force_n(deepest_m, 0.0) / deepest_m;
-        let held = (0..drops).filter(|&index| {
+        let held = (0..40).filter(|&index| {
             let drop = virtual_drop(&cushion, &virtual_options(index)).unwrap();
             let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true))
                 .unwrap()
@@ -658,7 +643,7 @@ fn cover(drops: u64, least: usize) {
             low <= truth_n_m && truth_n_m <= high
         });
         let count = held.count();
-        assert!(count >= least, "{count} {cushion:?}");
+        assert!(count >= 34, "{count} {cushion:?}");
     }
 }
 
@@ -758,7 +743,7 @@ fn several_drops_of_a_record_are_told_from_bounces() {
     .unwrap();
     for known in [true, false] {
         let (mut record, mut alone) = (Vec::new(), Vec::new());
-        for index in 0..2 {
+        for index in 0..4 {
             let speed_m_s = if index == 1 && !known {
                 1.5 * fall_m_s()
             } else {
@@ -784,7 +769,7 @@ fn several_drops_of_a_record_are_told_from_bounces() {
         }
         let dt_s = alone[0].2.dt_s;
         let found = drop_tests(&record, dt_s, &setup(known)).unwrap();
-        assert_eq!(found.len(), 2, "{known}");
+        assert_eq!(found.len(), 4, "{known}");
         for (one, (starts_s, single, drop)) in found.iter().zip(&alone) {
             // The pulse has risen to a fifth within a tenth of the contact.
             assert!(
@@ -868,8 +853,6 @@ fn pooled_drops_have_the_interval_of_student() {
 }
 
 proptest::proptest! {
-    #![proptest_config(proptest::test_runner::Config::with_cases(64))]
-
     /// Every record has a result: finite numbers, or a flag that says why there are none. Pulses of
     /// any width and position, several of them, plateaus, steps, huge and tiny values.
     #[test]

@@ -114,7 +114,7 @@ fn cell() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(50))]
+    #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
     fn every_cell_comes_back(rows in proptest::collection::vec(proptest::collection::vec(cell(), 4), 1..6)) {

@@ -87,7 +87,7 @@ fn worlds(mixed: &[(Object, Motion, Option<Motion>)]) -> Vec<CompliantWorld<'_>>
 #[test]
 fn no_result_depends_on_order_company_or_threads() {
     let still = Motion::new(0.01, vec![0.0; 50]).unwrap();
-    let mixed = mixed(&motions(2), &still);
+    let mixed = mixed(&motions(4), &still);
     let worlds = worlds(&mixed);
     let all = bits(&rock_compliant_many(&worlds, G0_M_S2));
     assert!(all.iter().any(|one| one.starts_with("StayedOn")), "{all:?}");
@@ -116,8 +116,10 @@ fn no_result_depends_on_order_company_or_threads() {
         );
     }
     // More worlds than one thread takes at once.
-    let many: Vec<CompliantWorld> = (0..WORLDS + 9).map(|i| worlds[i % worlds.len()]).collect();
-    for threads in [1, 7] {
+    let many: Vec<CompliantWorld> = (0..2 * WORLDS + 9)
+        .map(|i| worlds[i % worlds.len()])
+        .collect();
+    for threads in [1, 2, 7] {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
