@@ -14,7 +14,9 @@ use std::time::Instant;
 
 use freestand::block::Block;
 use freestand::motion::Motion;
-use freestand::rocking::RockingOptions;
+use freestand::respond::{HistoryOptions, RigidPlane, Settings};
+use freestand::rocking::{Restitution, Until};
+use freestand::wall::Walls;
 use freestand_input::keys::Words;
 use freestand_records::formats::{ReadOptions, read_motions};
 use freestand_study::cushion;
@@ -47,30 +49,37 @@ fn main() {
     let motion = Motion::new(read.dt_s(), scaled).unwrap();
     let words: Words = [("stiffness", "4380 N/mm")].into_iter().collect();
     let edge = cushion::resolve(&words, Some(150.0)).unwrap();
+    let settings = Settings {
+        until: Until::EndOfMotion,
+        ..Settings::default()
+    };
+    let standing = |thickness_m, height_m| {
+        let block = Block::uniform(height_m, thickness_m).unwrap();
+        RigidPlane::along_x(block, Restitution::Housner, Walls::NONE)
+    };
     let request = RockRequest {
-        block: Block::uniform(1.8, 0.4).unwrap(),
+        object: standing(0.4, 1.8),
         horizontal: Some(motion.clone()),
         vertical: None,
-        options: RockingOptions::default(),
+        how: HistoryOptions {
+            settings,
+            ..HistoryOptions::default()
+        },
         cushion: Some((150.0, edge.clone())),
         wall: Default::default(),
         friction: None,
     };
     println!(
         "rock {:e}",
-        least(2000, || drop(black_box(
-            rock(&request.clone(), false).unwrap()
-        )))
+        least(2000, || drop(black_box(rock(&request.clone()).unwrap())))
     );
     let still = RockRequest {
-        block: Block::uniform(0.4, 0.4).unwrap(),
+        object: standing(0.4, 0.4),
         ..request.clone()
     };
     println!(
         "still {:e}",
-        least(2000, || drop(black_box(
-            rock(&still.clone(), false).unwrap()
-        )))
+        least(2000, || drop(black_box(rock(&still.clone()).unwrap())))
     );
     for (heights, thicknesses) in [(40, 25), (64, 64)] {
         let grid = |count: usize, from: f64, to: f64| -> Vec<f64> {
@@ -81,7 +90,9 @@ fn main() {
         let grid = Grid::new(grid(heights, 0.3, 3.0), grid(thicknesses, 0.1, 1.0)).unwrap();
         let request = SpectrumRequest {
             grid,
-            options: RockingOptions::default(),
+            restitution: Restitution::Housner,
+            walls: Walls::NONE,
+            settings,
             cushion: Some((150.0, edge.clone())),
             wall: Default::default(),
             sensitivity: false,

@@ -195,7 +195,7 @@ impl FloorOfWorld {
     /// The accelerations of all its components.
     pub(crate) fn shaking(&self) -> Shaking<'_> {
         Shaking {
-            x: &self.motion.along,
+            x: Some(&self.motion.along),
             y: self.motion.across.as_ref(),
             vertical: self.vertical.as_ref(),
         }

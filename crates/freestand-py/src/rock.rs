@@ -2,14 +2,17 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{CompliantBase, CompliantOptions, Start};
+use freestand::compliant::CompliantBase;
 use freestand::motion::Motion;
-use freestand::rocking::{Restitution, RockingModel, RockingOptions};
+use freestand::respond::{
+    Along, HistoryOptions, Pads, Plane, Planes, Release, RigidPlane, Settings,
+};
+use freestand::rocking::{Restitution, RockingModel};
 use freestand::sliding::Clearance;
 use freestand_input::problem::Problem;
 use freestand_output::facts::{Facts, Value};
 use freestand_study::compliant::{
-    self as on_cushions, CompliantRequest, Release, accuracy, rock_on_cushions, start,
+    self as on_cushions, CompliantRequest, Turned, rock_on_cushions, start,
     with_tangential_stiffness,
 };
 use freestand_study::restitution::checked;
@@ -230,6 +233,15 @@ impl Shaken<'_> {
         self.vertical.map(|record| record.motion().clone())
     }
 
+    fn how(&self, settings: Settings, start: Release) -> HistoryOptions {
+        HistoryOptions {
+            settings,
+            start,
+            points_m: Vec::new(),
+            is_sampled: self.history,
+        }
+    }
+
     /// Calculates a history without the interpreter's lock.
     fn follow<T: Send + 'static>(
         &self,
@@ -307,36 +319,36 @@ fn rigid<'py>(
         given.push(Problem::value(message, "leave model out, or the walls"));
     }
     let duration_s = given.positive("duration_s");
-    let options = RockingOptions {
+    let restitution = restitution(&mut given, || vec![block]);
+    let settings = Settings {
         model,
-        restitution: restitution(&mut given, || vec![block]),
         gravity_m_s2: given.positive("gravity_m_s2").unwrap_or(G0_M_S2),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
-        initial_rotation_rad: given.number("initial_rotation_rad").unwrap_or(0.0),
-        initial_omega_rad_s: given.number("initial_velocity_rad_s").unwrap_or(0.0),
         until: until(duration_s),
-        walls,
+        ..Settings::default()
+    };
+    let start = Release {
+        rotation_rad: given.number("initial_rotation_rad").unwrap_or(0.0),
+        omega_rad_s: given.number("initial_velocity_rad_s").unwrap_or(0.0),
     };
     let friction = given.positive("friction");
-    if shaken.is_still()
-        && options.initial_rotation_rad == 0.0
-        && options.initial_omega_rad_s == 0.0
-    {
+    if shaken.is_still() && start.is_at_rest() {
         given.push(nothing_moves());
     }
     given.finish()?;
     let request = RockRequest {
-        block,
+        object: RigidPlane::along_x(block, restitution, walls),
         horizontal: shaken.horizontal(),
         vertical: shaken.upward(),
-        options,
+        how: shaken.how(settings, start),
         cushion: body.mass_kg.zip(body.edge.clone()),
         wall,
         friction,
     };
-    let report = shaken.follow(py, move || calculated(&request, history))?;
+    let report = shaken.follow(py, move || calculated(&request))?;
     let rows: Vec<[f64; 5]> = report
         .history
+        .samples
         .iter()
         .map(|point| history_row(&block, point))
         .collect();
@@ -373,17 +385,25 @@ fn compliant<'py>(
     let tangential = given.positive("tangential_stiffness_n_m");
     let ratio = given.positive("tangential_ratio");
     let friction_ratio = given.non_negative("friction");
-    let rise = given.positive("cg_rise_m").map(Release::CgRise);
-    let release = rise.or(given.number("initial_rotation_rad").map(Release::Rotation));
+    let rise = given.positive("cg_rise_m").map(Turned::CgRise);
+    let turned = rise.or(given.number("initial_rotation_rad").map(Turned::Rotation));
     let omega = given.number("initial_velocity_rad_s").unwrap_or(0.0);
     let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
     let duration_s = given.positive("duration_s");
     let at = given.point("at_m");
     let contacts = given.count("contacts");
-    let accuracy = accuracy(given.choice("accuracy", ACCURACIES).unwrap_or_default());
+    let settings = Settings {
+        on_pads: given
+            .choice("accuracy", ACCURACIES)
+            .unwrap_or_default()
+            .into(),
+        gravity_m_s2,
+        until: until(duration_s),
+        ..Settings::default()
+    };
     let start = given
-        .keep(start(&body.block, release, omega))
-        .unwrap_or(Start::Rest);
+        .keep(start(&body.block, turned, omega))
+        .unwrap_or_default();
     let cushion = body.mass_kg.zip(body.edge.clone());
     if cushion.is_none() {
         let hint =
@@ -393,7 +413,7 @@ fn compliant<'py>(
             hint,
         ));
     }
-    if shaken.is_still() && start == Start::Rest {
+    if shaken.is_still() && start.is_at_rest() {
         given.push(nothing_moves());
     }
     given.finish()?;
@@ -409,30 +429,29 @@ fn compliant<'py>(
     if let Some(stiffness_n_m) = tangential {
         base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
     }
-    let options = CompliantOptions {
-        gravity_m_s2,
-        accuracy,
-        start,
-        duration_s,
-        points_m: at.into_iter().collect(),
-    };
-    let request = CompliantRequest {
+    let planes = Planes::single(Plane {
+        along: Along::X,
         block: body.block,
-        base,
+    });
+    let request = CompliantRequest {
+        object: Pads { planes, base },
         pad_thickness_m: edge.pad_thickness_m,
         notes: edge.notes,
         horizontal: shaken.horizontal(),
         vertical: shaken.upward(),
-        options,
+        how: HistoryOptions {
+            points_m: at.into_iter().collect(),
+            ..shaken.how(settings, start)
+        },
     };
-    let report =
-        abandoned_on_signal(py, move || rock_on_cushions(&request, history))?.map_err(raised)?;
+    let report = abandoned_on_signal(py, move || rock_on_cushions(&request))?.map_err(raised)?;
     let rows: Vec<_> = report
         .history
+        .samples
         .iter()
         .map(on_cushions::history_row)
         .collect();
-    let head = on_cushions::history_head(&report.history);
+    let head = on_cushions::history_head(&report.history.samples);
     answer(
         py,
         &report.facts,
@@ -458,8 +477,11 @@ fn slide<'py>(
             &surface.clearance,
         ))?
     });
-    let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
-    let until = until(given.positive("duration_s"));
+    let settings = Settings {
+        gravity_m_s2: given.positive("gravity_m_s2").unwrap_or(G0_M_S2),
+        until: until(given.positive("duration_s")),
+        ..Settings::default()
+    };
     if shaken.is_still() {
         given.push(Problem::value("nothing moves the object", "give a motion"));
     }
@@ -473,11 +495,11 @@ fn slide<'py>(
         stop,
         horizontal: shaken.horizontal(),
         vertical: shaken.upward(),
-        gravity_m_s2,
-        until,
+        how: shaken.how(settings, Release::default()),
     };
-    let report = shaken.follow(py, move || slid(&request, history))?;
-    let rows: Vec<_> = report.history.iter().map(sliding::history_row).collect();
+    let report = shaken.follow(py, move || slid(&request))?;
+    let samples = report.history.samples.iter();
+    let rows: Vec<_> = samples.map(sliding::history_row).collect();
     answer(
         py,
         &report.facts,

@@ -4,10 +4,11 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand::block::Block;
-use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions};
+use freestand::respond::Settings;
+use freestand::rocking::{Base, Restitution, RockingModel};
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::{Facts, Value};
-use freestand_study::rock::{ACCURACIES, MODELS, problem, until};
+use freestand_study::rock::{ACCURACIES, MODELS, problem};
 use freestand_study::spectrum::{
     Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects,
     spectrum as calculated,
@@ -253,13 +254,11 @@ pub(crate) fn spectrum<'py>(
             .flat_map(|grid| grid.blocks(0..grid.objects()))
             .collect::<Vec<Block>>()
     };
-    let options = RockingOptions {
+    let restitution = restitution(&mut given, blocks);
+    let settings = Settings {
         model,
-        restitution: restitution(&mut given, blocks),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
-        walls,
-        until: until(None),
-        ..RockingOptions::default()
+        ..Settings::default()
     };
     let sensitivity = given.flag("sensitivity");
     let surface = if given.flag("sliding") {
@@ -267,7 +266,7 @@ pub(crate) fn spectrum<'py>(
     } else {
         None
     };
-    if surface.is_some() && (mass_kg.is_some() || sensitivity || !options.walls.is_none()) {
+    if surface.is_some() && (mass_kg.is_some() || sensitivity || !walls.is_none()) {
         let message = "the shock, the sensitivity and walls are those of objects that rock, and these slide or roll";
         given.push(Problem::value(
             message,
@@ -280,7 +279,9 @@ pub(crate) fn spectrum<'py>(
     };
     let request = SpectrumRequest {
         grid,
-        options,
+        restitution,
+        walls,
+        settings,
         cushion: mass_kg.zip(edge),
         wall,
         sensitivity,
@@ -289,13 +290,13 @@ pub(crate) fn spectrum<'py>(
     let of_rocking = [
         (
             "restitution",
-            matches!(request.options.restitution, Restitution::Value(_)),
+            matches!(request.restitution, Restitution::Value(_)),
         ),
         (
             "restitution_factor",
-            matches!(request.options.restitution, Restitution::Factor(_)),
+            matches!(request.restitution, Restitution::Factor(_)),
         ),
-        ("model", request.options.model == RockingModel::Linearised),
+        ("model", request.settings.model == RockingModel::Linearised),
     ];
     if let Some((name, _)) = of_rocking
         .into_iter()

@@ -2,15 +2,14 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{CompliantBase, CompliantOptions, EdgeSide, rock_compliant_observed};
+use freestand::compliant::EdgeSide;
 use freestand::motion::Motion;
-use freestand::rocking::{Base, Side};
+use freestand::respond::{PadHistory, RigidHistory, RigidPlane};
+use freestand::rocking::Side;
 use freestand::wall::Wall;
-use freestand_input::problem::Problem;
 use serde::Serialize;
 
-use crate::compliant::problem;
-use crate::rock::RockReport;
+use crate::rock::EdgeLanding;
 
 /// No angle that is drawn is off by more than this \[rad\]: 0.02°, a third of a millimetre at the top of
 /// an object of 1 m.
@@ -22,9 +21,6 @@ const THINNING_RATIO: f64 = 0.75;
 
 /// The part of its peak by which the acceleration of the floor may be off, which is drawn as an arrow.
 const ACCELERATION_RATIO: f64 = 0.005;
-
-/// Between these times the rotation on pads is sampled, besides at the steps of its solver \[s\].
-const ON_PADS_DT_S: f64 = 0.0025;
 
 /// A history, piecewise linear in time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -90,9 +86,15 @@ pub struct DrawnImpact {
     pub edge: &'static str,
 }
 
-/// The history of a report that was sampled.
-pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
-    let impacts = report.landings.iter().map(|one| DrawnImpact {
+/// A history on a rigid base that was sampled, with its impacts on the floor.
+pub fn drawn(
+    object: &RigidPlane,
+    history: &RigidHistory,
+    landings: &[EdgeLanding],
+    floor: Option<&Motion>,
+) -> DrawnHistory {
+    let (block, rocking) = (&object.plane.block, &history.rocking);
+    let impacts = landings.iter().map(|one| DrawnImpact {
         time_s: one.time_s,
         edge_acceleration_g: one.edge_acceleration_g,
         // Turning about the right edge (θ > 0), it comes back with ω < 0 and the left edge lands.
@@ -102,51 +104,19 @@ pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
             Side::Right.name()
         },
     });
-    let points = rising(
-        report
-            .history
-            .iter()
-            .map(|point| (point.time_s, point.theta_rad)),
-    );
+    let samples = history.samples.iter();
+    let points = rising(samples.map(|point| (point.time_s, point.theta_rad)));
+    let outcome = (rocking.outcome.name(), "rigid");
     DrawnHistory {
-        wall_left: report.walls.left.map(DrawnWall::from),
-        wall_right: report.walls.right.map(DrawnWall::from),
-        ..of_points(
-            &report.block,
-            points,
-            impacts.collect(),
-            floor,
-            (report.outcome.name(), "rigid"),
-        )
+        wall_left: object.walls.left.map(DrawnWall::from),
+        wall_right: object.walls.right.map(DrawnWall::from),
+        ..of_points(block, points, impacts.collect(), floor, outcome)
     }
 }
 
-/// The history of a block on its pads under a motion, with every contact of an edge as an impact.
-///
-/// # Errors
-/// Those of the solver.
-pub fn drawn_on_pads(
-    block: &Block,
-    base: &CompliantBase,
-    motion: Base<'_>,
-    options: &CompliantOptions,
-) -> Result<DrawnHistory, Problem> {
-    let mut points: Vec<(f64, f64)> = Vec::new();
-    let mut last = (0.0, 0.0);
-    let rocking = rock_compliant_observed(block, base, motion, options, |piece| {
-        let (start_s, length_s) = (piece.start_s(), piece.length_s());
-        let samples = (length_s / ON_PADS_DT_S).ceil().max(1.0);
-        let at = |share: f64| (start_s + share * length_s, piece.rotation(share).0);
-        if points.is_empty() && start_s > 0.0 {
-            // Before its first step it is at rest.
-            points.push((0.0, at(0.0).1));
-        }
-        points.extend((0..samples as usize).map(|i| at(i as f64 / samples)));
-        last = at(1.0);
-    })
-    .map_err(problem)?;
-    points.push(last);
-    points.push((rocking.end_time_s, last.1));
+/// A history on pads that was sampled, with every contact of an edge as an impact.
+pub fn drawn_on_pads(block: &Block, history: &PadHistory, floor: Option<&Motion>) -> DrawnHistory {
+    let rocking = &history.rocking;
     let impacts = rocking.touches.iter().map(|touch| DrawnImpact {
         time_s: touch.time_s,
         edge_acceleration_g: Some(touch.peak_acceleration_m_s2 / G0_M_S2),
@@ -155,14 +125,10 @@ pub fn drawn_on_pads(
             EdgeSide::Right => Side::Right.name(),
         },
     });
+    let samples = history.samples.iter();
+    let points = rising(samples.map(|point| (point.time_s, point.theta_rad)));
     let outcome = (rocking.outcome.name(), "compliant");
-    Ok(of_points(
-        block,
-        rising(points.into_iter()),
-        impacts.collect(),
-        motion.horizontal,
-        outcome,
-    ))
+    of_points(block, points, impacts.collect(), floor, outcome)
 }
 
 /// Both, from points with rising times.

@@ -2,17 +2,18 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::cushion::Cushion;
 use freestand::impact::{
     ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, compression_warnings,
     impact_friction_needed_ratio, stiffness_warnings,
 };
-use freestand::motion::{MAX_SAMPLES, Motion};
+use freestand::motion::Motion;
+use freestand::respond::{HistoryOptions, RespondError, RigidHistory, RigidPlane};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, HistoryRecorder, LONGEST_TAIL_S, Outcome, Rocking, RockingError,
-    RockingImpact, RockingModel, RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
+    Accuracy, Base, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingError, RockingImpact,
+    RockingModel, SideExtremes, Until,
 };
 use freestand::spectra::{UpliftCell, landings};
-use freestand::wall::{Contact, Walls};
 
 use crate::cushion::EdgeCushion;
 use crate::shape::Sizes;
@@ -23,9 +24,6 @@ use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
-
-/// Sampling of a history without a motion \[s\].
-const FREE_HISTORY_DT_S: f64 = 0.005;
 
 /// The equations of motion by name.
 pub const MODELS: Choices<RockingModel> = &[
@@ -56,8 +54,8 @@ pub const ACCURACIES: Choices<Accuracy> = &[
     ),
 ];
 
-/// When a history ends: at a time that was given \[s\], else when the object rests or lies after the
-/// last sample.
+/// When a history ends: at a time that was given \[s\], else when the object rests or lies after
+/// the last sample.
 pub fn until(duration_s: Option<f64>) -> Until {
     duration_s.map_or(
         Until::Settled {
@@ -80,13 +78,13 @@ pub(crate) fn unresolved_warning(outcome: Outcome) -> Option<String> {
 #[derive(Debug, Clone)]
 pub struct RockRequest {
     /// The object.
-    pub block: Block,
+    pub object: RigidPlane,
     /// Horizontal motion of its base.
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
     pub vertical: Option<Motion>,
-    /// Model, restitution, accuracy, initial state, end.
-    pub options: RockingOptions,
+    /// Model, accuracy, initial state, end, samples.
+    pub how: HistoryOptions,
     /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
     /// Mass and stiffness for the shock on a wall.
@@ -100,22 +98,12 @@ pub struct RockRequest {
 pub struct RockReport {
     /// The document of `freestand rock`.
     pub facts: Facts<'static>,
-    /// How it ended.
-    pub outcome: Outcome,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
-    /// Its history, where it was sampled.
-    pub history: Vec<HistoryPoint>,
-    /// Where it touches the right and the left wall.
-    pub contacts: [Option<Contact>; 2],
-    /// Its impacts on walls.
-    pub wall_impacts: Vec<WallImpact>,
+    /// Its history.
+    pub history: RigidHistory,
     /// Its impacts on the floor.
     pub landings: Vec<EdgeLanding>,
-    /// The block.
-    pub block: Block,
-    /// What is beside it.
-    pub walls: Walls,
 }
 
 /// An impact on the floor, with its shock.
@@ -129,53 +117,52 @@ pub struct EdgeLanding {
     pub edge_acceleration_g: Option<f64>,
 }
 
-/// Calculates the response of the object; its history is sampled only if `record` is true.
+/// The impacts of a history on the floor; `body` is the mass \[kg\] and the cushion under one edge.
+pub fn edge_landings(
+    block: &Block,
+    rocking: &Rocking,
+    body: Option<(f64, &Cushion)>,
+    gravity_m_s2: f64,
+) -> Vec<EdgeLanding> {
+    let landings = landings(block, ImpactModel::Paper);
+    let shock_of = |omega: f64| {
+        body.map(|(mass_kg, cushion)| {
+            // A block on its right edge (θ > 0) comes back with ω < 0.
+            let landing = &landings[usize::from(omega > 0.0)];
+            let rise_m = landing.equivalent_rise_m(omega, gravity_m_s2);
+            landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, gravity_m_s2) / G0_M_S2
+        })
+    };
+    let landed = |i: &RockingImpact| EdgeLanding {
+        time_s: i.time_s,
+        omega_before_rad_s: i.omega_before_rad_s,
+        edge_acceleration_g: shock_of(i.omega_before_rad_s),
+    };
+    rocking.impacts.iter().map(landed).collect()
+}
+
+/// Calculates the response of the object.
 ///
 /// # Errors
 /// An input that the solver refuses, with a hint.
-pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> {
+pub fn rock(request: &RockRequest) -> Result<RockReport, Problem> {
     let base = Base {
         horizontal: request.horizontal.as_ref(),
         vertical: request.vertical.as_ref(),
     };
-    let sampled = base.horizontal.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
-    if let Until::Time(end_s) = request.options.until
-        && record
-        && end_s / sampled > MAX_SAMPLES as f64
-    {
-        return Err(Problem::value(
-            format!("a history of {end_s} s at steps of {sampled} s is too long"),
-            "give a shorter `duration`, or leave `history` out",
-        ));
-    }
-    let mut recorder = HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
-    let mut friction: Option<f64> = None;
-    let rocking = rock_observed(&request.block, base, &request.options, |segment| {
-        let needed = segment.friction_needed_ratio();
-        friction = Some(friction.map_or(needed, |most| most.max(needed)));
-        if record {
-            recorder.observe(segment);
-        }
-    })
-    .map_err(problem)?;
-    let history = if record {
-        recorder.finish(&rocking)
-    } else {
-        Vec::new()
-    };
-    Ok(report(request, rocking, friction, history))
+    let history = request
+        .object
+        .follow(base, &request.how)
+        .map_err(follow_problem)?;
+    Ok(report(request, history))
 }
 
-fn report(
-    request: &RockRequest,
-    rocking: Rocking,
-    friction: Option<f64>,
-    history: Vec<HistoryPoint>,
-) -> RockReport {
-    let (block, options) = (&request.block, &request.options);
-    let gravity = options.gravity_m_s2;
+fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
+    let (block, settings) = (&request.object.plane.block, &request.how.settings);
+    let (rocking, friction) = (&history.rocking, history.friction_needed_ratio);
+    let gravity = settings.gravity_m_s2;
     let pivot = block.pivot();
-    let cell = UpliftCell::new(*block, &rocking);
+    let cell = UpliftCell::new(*block, rocking);
     let landings = landings(block, ImpactModel::Paper);
     let impact_friction = [*block, block.mirrored()]
         .map(|block| impact_friction_needed_ratio(&block, rocking.restitution_ratio))
@@ -184,14 +171,8 @@ fn report(
     let cushion = request.cushion.as_ref();
     let shock =
         cushion.map(|(mass, edge)| cell.shock(*mass, &edge.cushion, ImpactModel::Paper, gravity));
-    let shock_of = |omega: f64| {
-        cushion.map(|(mass, edge)| {
-            // A block on its right edge (θ > 0) comes back with ω < 0.
-            let landing = &landings[usize::from(omega > 0.0)];
-            let rise_m = landing.equivalent_rise_m(omega, gravity);
-            landing.edge_acceleration_m_s2(*mass, &edge.cushion, rise_m, gravity) / G0_M_S2
-        })
-    };
+    let body = cushion.map(|(mass, edge)| (*mass, &edge.cushion));
+    let landed = edge_landings(block, rocking, body, gravity);
 
     let mut warnings = Sizes::of(block).doubts();
     if block.landing_ratio() < 0.0 {
@@ -205,7 +186,7 @@ fn report(
     warnings.extend(unresolved_warning(rocking.outcome));
     warnings.extend(crate::walls::doubts(
         block,
-        &request.options.walls,
+        &request.object.walls,
         rocking.contacts,
     ));
     if let Some((
@@ -267,15 +248,16 @@ fn report(
     let share = |(landing, side): (&Landing, SideExtremes)| {
         side.peak_rotation_rad / landing.pivot.slenderness_angle_rad
     };
-    let impact = |i: &RockingImpact| {
+    let impact = |(i, landed): (&RockingImpact, &EdgeLanding)| {
         facts!(i; time_s, omega_before_rad_s, omega_after_rad_s).key(
             "edge_acceleration_impact_velocity_g",
-            shock_of(i.omega_before_rad_s),
+            landed.edge_acceleration_g,
         )
     };
+    let impacts = rocking.impacts.iter().zip(&landed);
     let is_up = rocking.outcome != Outcome::NoUplift;
     let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
-    let threshold_g = options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
+    let threshold_g = settings.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
     let facts = Facts::default()
         .fact("outcome", "outcome", rocking.outcome.name())
         .fact("stopped", "reason for the end", rocking.stop.name())
@@ -289,8 +271,8 @@ fn report(
         .and(facts!(rocking; uplift_m "uplift", cg_rise_m "rise of the centre of gravity",
             first_uplift_time_s "first uplift", uplift_count))
         .fact("impact_count", "impacts", rocking.impacts.len())
-        .key("impacts", rocking.impacts.iter().map(impact).collect::<Vec<_>>())
-        .and(wall_facts(block, &rocking, request.wall))
+        .key("impacts", impacts.map(impact).collect::<Vec<_>>())
+        .and(wall_facts(block, rocking, request.wall))
         .and(facts!(rocking; passed_alpha_time_s "passes the balance point", overturn_time_s "overturns",
             rest_time_s "comes to rest", at_rest))
         .fact("friction_needed_ratio", "friction needed while rocking", friction.filter(|ratio| ratio.is_finite()))
@@ -299,38 +281,34 @@ fn report(
         .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
         .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
         .fact("uplift_threshold_g", "uplift threshold", threshold_g)
-        .key("model", name_of(MODELS, options.model))
+        .key("model", name_of(MODELS, settings.model))
         .line(
             "base",
             shock.map(|_| "rigid; on its pads, which give the shock alone, the object may lift more".to_owned()),
         )
-        .key("accuracy", crate::summary::accuracy_words(options.accuracy))
+        .key("accuracy", crate::summary::accuracy_words(settings.accuracy))
         .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
         .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
         .and(facts!(rocking.effort; steps, evaluations));
-    let landed = |i: &RockingImpact| EdgeLanding {
-        time_s: i.time_s,
-        omega_before_rad_s: i.omega_before_rad_s,
-        edge_acceleration_g: shock_of(i.omega_before_rad_s),
-    };
-    let landings = rocking.impacts.iter().map(landed).collect();
-    let Rocking {
-        outcome,
-        contacts,
-        wall_impacts,
-        ..
-    } = rocking;
     RockReport {
         facts,
-        outcome,
         warnings,
         history,
-        contacts,
-        wall_impacts,
-        landings,
-        block: *block,
-        walls: options.walls,
+        landings: landed,
+    }
+}
+
+/// A problem of a history, with what to do about it.
+pub fn follow_problem(error: RespondError) -> Problem {
+    match error {
+        RespondError::Rocking(error) => problem(error),
+        RespondError::Sliding(error) => crate::sliding::problem(error),
+        RespondError::Compliant(error) => crate::compliant::problem(error),
+        RespondError::TooLong { .. } => Problem::value(
+            error.to_string(),
+            "give a shorter `duration`, or leave `history` and `out` out",
+        ),
     }
 }
 

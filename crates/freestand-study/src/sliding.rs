@@ -4,15 +4,14 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::ASSUMED_FRICTION;
-use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::{Base, RockingError, Until};
+use freestand::motion::Motion;
+use freestand::respond::{Along, Glider, HistoryOptions, Plane, Planes, SlideHistory, SlidePoint};
+use freestand::rocking::{Base, RockingError};
 use freestand::sliding::{
-    Clearance, Friction, Sliding, SlidingError, SlidingOptions, SlidingOutcome, SlidingPiece,
-    slide_observed, trip_speed_m_s,
+    Clearance, Friction, Sliding, SlidingError, SlidingOutcome, trip_speed_m_s,
 };
 
-use crate::rock;
-use crate::rock::until;
+use crate::rock::{self, follow_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
@@ -139,12 +138,13 @@ impl Surface {
         )
     }
 
-    fn options(&self, gravity_m_s2: f64, until: Until) -> SlidingOptions {
-        SlidingOptions {
+    /// A block on it, as it is followed.
+    fn glider(&self, block: Block) -> Glider {
+        let along = Along::X;
+        Glider {
+            planes: Planes::single(Plane { along, block }),
+            friction: self.friction,
             clearance: self.clearance,
-            gravity_m_s2,
-            until,
-            ..SlidingOptions::new(self.friction)
         }
     }
 }
@@ -162,10 +162,8 @@ pub struct SlideRequest {
     pub vertical: Option<Motion>,
     /// What is at the end of the clearance, for the shock there.
     pub stop: Option<StopShock>,
-    /// g \[m/s²\].
-    pub gravity_m_s2: f64,
-    /// When to stop.
-    pub until: Until,
+    /// Gravity, end, samples.
+    pub how: HistoryOptions,
 }
 
 /// A stop that an object on it strikes.
@@ -224,19 +222,6 @@ impl StopShock {
     }
 }
 
-/// The object at one instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlidePoint {
-    /// Time \[s\].
-    pub time_s: f64,
-    /// x \[m\].
-    pub slide_m: f64,
-    /// ẋ \[m/s\].
-    pub velocity_m_s: f64,
-    /// Horizontal acceleration of the base \[m/s²\].
-    pub base_accel_m_s2: f64,
-}
-
 /// The slide of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SlideReport {
@@ -244,70 +229,47 @@ pub struct SlideReport {
     pub facts: Facts<'static>,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
-    /// Its history, where it was recorded: at every sample of the motion and at every event.
-    pub history: Vec<SlidePoint>,
+    /// Its history.
+    pub history: SlideHistory,
 }
 
-/// Calculates the slide; its history is recorded only if `record` is true.
+/// Calculates the slide.
 ///
 /// # Errors
 /// A block that this surface holds until it rocks, free flight, and input that the solver refuses.
-pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Problem> {
-    let SlideRequest {
-        block,
-        surface,
-        horizontal,
-        vertical,
-        gravity_m_s2,
-        until,
-        ..
-    } = request;
+pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
+    let SlideRequest { block, surface, .. } = request;
     if !surface.carries(block)? {
         return Err(surface.refused(block));
     }
     let base = Base {
-        horizontal: horizontal.as_ref(),
-        vertical: vertical.as_ref(),
+        horizontal: request.horizontal.as_ref(),
+        vertical: request.vertical.as_ref(),
     };
-    let mut history: Vec<SlidePoint> = Vec::new();
-    let mut last: Option<SlidingPiece> = None;
-    let accel = |time_s: f64| base.horizontal.map_or(0.0, |motion| motion.at_m_s2(time_s));
-    let point = |time_s, (slide_m, velocity_m_s)| SlidePoint {
-        time_s,
-        slide_m,
-        velocity_m_s,
-        base_accel_m_s2: accel(time_s),
-    };
-    let sliding = slide_observed(base, &surface.options(*gravity_m_s2, *until), |piece| {
-        // A stop and the rest that follows it begin at the same instant as a piece of no length.
-        if record && history.len() < MAX_SAMPLES && piece.length_s > 0.0 {
-            history.push(point(piece.start_s, piece.state(0.0)));
-            last = Some(*piece);
-        }
-    })
-    .map_err(problem)?;
-    if sliding.outcome == SlidingOutcome::FreeFlight {
+    let glider = surface.glider(*block);
+    let history = glider.follow(base, &request.how).map_err(follow_problem)?;
+    if history.sliding.outcome == SlidingOutcome::FreeFlight {
         return Err(rock::problem(RockingError::FreeFlight {
-            time_s: sliding.end_time_s,
+            time_s: history.sliding.end_time_s,
         }));
     }
-    if let Some(piece) = last {
-        history.push(point(sliding.end_time_s, piece.state(piece.length_s)));
-    }
     Ok(SlideReport {
-        facts: facts(request, &sliding),
-        warnings: warnings(request, &sliding),
+        facts: facts(request, &history.sliding),
+        warnings: warnings(request, &history.sliding),
         history,
     })
 }
 
-/// The slide of every object on this surface under one motion, which does not depend on their size,
-/// until it rests, or up to free flight.
+/// The slide of a block on this surface under one motion, which does not depend on its size, until
+/// it rests, or up to free flight.
 ///
 /// # Errors
 /// Input that the solver refuses.
-pub fn slide_under(surface: &Surface, base: Base) -> Result<Sliding, Problem> {
-    freestand::sliding::slide(base, &surface.options(G0_M_S2, until(None))).map_err(problem)
+pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Sliding, Problem> {
+    let found = surface
+        .glider(block)
+        .follow(base, &HistoryOptions::default());
+    found.map(|found| found.sliding).map_err(follow_problem)
 }
 
 fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
@@ -363,14 +325,14 @@ fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
         .fact(
             "trip_speed_m_s",
             "speed at which a stop trips it",
-            trip_speed_m_s(&request.block, request.gravity_m_s2),
+            trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2),
         )
         .fact("friction_ratio", coefficient, friction.static_ratio())
         .fact("friction_kinetic_ratio", kinetic, friction.kinetic_ratio())
         .fact(
             "slide_threshold_g",
             "slides above",
-            friction.static_ratio() * request.gravity_m_s2 / G0_M_S2,
+            friction.static_ratio() * request.how.settings.gravity_m_s2 / G0_M_S2,
         )
         // It does not rock: zeros, not missing values.
         .key("peak_rotation_rad", 0.0)
@@ -390,7 +352,7 @@ fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
             "the {name} of {ratio} is assumed: `{key}` replaces it"
         ));
     }
-    let trip = trip_speed_m_s(&request.block, request.gravity_m_s2);
+    let trip = trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2);
     if let Some((_, velocity_m_s)) = sliding
         .contact
         .filter(|(_, velocity)| velocity.abs() >= trip)

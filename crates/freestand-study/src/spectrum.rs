@@ -9,9 +9,8 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
-use freestand::rocking::{
-    Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions, RockingSummary,
-};
+use freestand::respond::{RigidPlane, Settings};
+use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError, RockingSummary};
 use freestand::sliding::{Sliding, SlidingOutcome};
 use freestand::spectra::{
     PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity,
@@ -160,8 +159,12 @@ impl Grid {
 pub struct SpectrumRequest {
     /// The objects.
     pub grid: Grid,
-    /// Model, restitution, accuracy.
-    pub options: RockingOptions,
+    /// What remains of ω in an impact.
+    pub restitution: Restitution,
+    /// What stands beside each object.
+    pub walls: Walls,
+    /// Model, accuracy, end.
+    pub settings: Settings,
     /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
     /// Mass and stiffness for the shock on a wall.
@@ -173,6 +176,11 @@ pub struct SpectrumRequest {
 }
 
 impl SpectrumRequest {
+    /// An object that rocks on a rigid base.
+    pub fn standing(&self, block: Block) -> RigidPlane {
+        RigidPlane::along_x(block, self.restitution, self.walls)
+    }
+
     /// Whether every object slides or rolls: nothing then reads the restitution and the model of rocking.
     pub fn none_rocks(&self) -> bool {
         let carried = |surface: &Surface| {
@@ -554,7 +562,10 @@ pub fn spectrum<E>(
         let intervals = motion.horizontal.accel_m_s2().len() - 1;
         let size = chunk(intervals).max(1);
         let began = Instant::now();
-        let slide = request.surface.map(|surface| slide_under(&surface, base));
+        // The slide is the same for all.
+        let first = request.grid.blocks(0..objects.min(1)).next();
+        let slide = request.surface.zip(first);
+        let slide = slide.map(|(surface, block)| slide_under(&surface, block, base));
         timing.solve_s += began.elapsed().as_secs_f64();
         timing.block_steps += slide.iter().len() as u64 * intervals as u64;
         for start in (0..objects).step_by(size) {
@@ -568,17 +579,18 @@ pub fn spectrum<E>(
                     .surface
                     .map_or(Ok(false), |surface| surface.carries(block))
             };
-            let rocking: Vec<Block> = blocks
+            let rocking: Vec<RigidPlane> = blocks
                 .iter()
                 .filter(|block| matches!(carried(block), Ok(false)))
-                .copied()
+                .map(|block| request.standing(*block))
                 .collect();
-            let mut solved = uplift_spectrum(&rocking, base, &request.options).into_iter();
+            let mut solved = uplift_spectrum(&rocking, base, &request.settings).into_iter();
             timing.solve_s += began.elapsed().as_secs_f64();
             timing.block_steps += rocking.len() as u64 * intervals as u64;
             let sensitivities = timing.sensitivity_s.as_mut().map(|seconds| {
                 let began = Instant::now();
-                let sensitivities = uplift_sensitivity(solved.as_slice(), base, &request.options);
+                let sensitivities =
+                    uplift_sensitivity(&rocking, solved.as_slice(), base, &request.settings);
                 *seconds += began.elapsed().as_secs_f64();
                 sensitivities
             });
@@ -594,7 +606,7 @@ pub fn spectrum<E>(
                 .cushion
                 .as_ref()
                 .map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
-            let (walls, wall) = (request.options.walls, request.wall);
+            let (walls, wall) = (request.walls, request.wall);
             each(&SpectrumChunk {
                 motion: index,
                 name,
@@ -640,6 +652,7 @@ pub struct SpectrumTally {
 mod tests {
     use super::*;
     use crate::cushion;
+    use freestand::rocking::Until;
     use freestand_output::facts::csv_rows;
 
     fn request() -> SpectrumRequest {
@@ -647,7 +660,12 @@ mod tests {
         let thicknesses_m: Vec<f64> = (0..11).map(|i| 0.1 + 0.07 * f64::from(i)).collect();
         SpectrumRequest {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
-            options: RockingOptions::default(),
+            restitution: Restitution::Housner,
+            walls: Walls::NONE,
+            settings: Settings {
+                until: Until::EndOfMotion,
+                ..Settings::default()
+            },
             cushion: Some((
                 150.0,
                 cushion::resolve(&cushion::spring(4.38e6), None).unwrap(),

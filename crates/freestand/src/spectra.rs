@@ -7,9 +7,8 @@ use crate::G0_M_S2;
 use crate::block::Block;
 use crate::cushion::Cushion;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{
-    Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many,
-};
+use crate::respond::{RigidPlane, Settings, on_rigid_bases};
+use crate::rocking::{Base, Outcome, RockingError, RockingSummary, SideExtremes};
 
 /// Relative change of the motion in the test for sensitivity.
 pub const PERTURBATION_RATIO: f64 = 1e-6;
@@ -75,30 +74,28 @@ pub struct Sensitivity {
     pub sensitive: bool,
 }
 
-/// The uplift spectrum of `base` over `blocks`: one cell for each block, in the same order.
-///
-/// The blocks are calculated in parallel on the current thread pool. Every cell is calculated on
-/// its own, so the result depends neither on the number of threads nor on which blocks are
-/// calculated together.
+/// The uplift spectrum of `base` over objects on rigid bases: one cell for each, in the same order,
+/// as [`respond`](crate::respond::respond) finds it.
 ///
 /// # Errors
 /// Each cell has its own error: see [`rock`](crate::rocking::rock).
 pub fn uplift_spectrum(
-    blocks: &[Block],
+    objects: &[RigidPlane],
     base: Base,
-    options: &RockingOptions,
+    settings: &Settings,
 ) -> Vec<Result<UpliftCell, RockingError>> {
-    let rocked = rock_many(blocks, base, options);
-    blocks
-        .iter()
-        .zip(rocked)
-        .map(|(block, rocking)| Ok(UpliftCell::new(*block, rocking?)))
-        .collect()
+    let asked: Vec<_> = objects.iter().map(|one| (*one, base)).collect();
+    let cell = |(object, found): (&RigidPlane, Result<RockingSummary, RockingError>)| {
+        Ok(UpliftCell::new(object.plane.block, found?))
+    };
+    let found = on_rigid_bases(&asked, settings);
+    objects.iter().zip(found).map(cell).collect()
 }
 
-/// How much the peak rotations of `cells`, an [`uplift_spectrum`] of the same base and options,
-/// amplify an error of the motion: |θ(1.000001 ü_h)/θ(ü_h) − 1| / 1e-6, from a second spectrum
-/// under the changed horizontal motion. A cell without a history has no ratio and is not sensitive.
+/// How much the peak rotations of `cells`, the [`uplift_spectrum`] of these objects, base and
+/// settings, amplify an error of the motion: |θ(1.000001 ü_h)/θ(ü_h) − 1| / 1e-6, from a second
+/// spectrum under the changed horizontal motion. A cell without a history has no ratio and is not
+/// sensitive.
 ///
 /// # Limitation
 /// This is a difference in one direction, for an error in the scale of the motion. Other errors may
@@ -107,9 +104,10 @@ pub fn uplift_spectrum(
 /// leave the ratio uncertain by about ε/1e-6, and a ratio above 1e6 only says that the rotation is
 /// undetermined.
 pub fn uplift_sensitivity(
+    objects: &[RigidPlane],
     cells: &[Result<UpliftCell, RockingError>],
     base: Base,
-    options: &RockingOptions,
+    settings: &Settings,
 ) -> Vec<Sensitivity> {
     // A motion at the end of the range of floating-point numbers cannot grow; it is reduced
     // instead, which gives the same slope.
@@ -121,16 +119,16 @@ pub fn uplift_sensitivity(
         horizontal: changed.as_ref(),
         vertical: base.vertical,
     };
-    let blocks: Vec<Block> = cells.iter().flatten().map(|cell| cell.block).collect();
-    let mut again = rock_many(&blocks, changed, options).into_iter();
+    let followed = objects.iter().zip(cells).filter(|(_, cell)| cell.is_ok());
+    let followed: Vec<RigidPlane> = followed.map(|(object, _)| *object).collect();
+    let mut again = uplift_spectrum(&followed, changed, settings).into_iter();
     let none = Sensitivity {
         ratio: None,
         sensitive: false,
     };
     let compared = cells.iter().map(|cell| {
-        cell.as_ref()
-            .ok()
-            .and_then(|cell| Some(cell.sensitivity(&again.next()?)))
+        let cell = cell.as_ref().ok()?;
+        Some(cell.sensitivity(again.next()?.ok().map(|again| again.rocking)))
     });
     compared
         .map(|sensitivity| sensitivity.unwrap_or(none))
@@ -147,8 +145,8 @@ impl UpliftCell {
     }
 
     /// The sensitivity, from the response to the changed motion.
-    fn sensitivity(&self, changed: &Result<RockingSummary, RockingError>) -> Sensitivity {
-        let Ok(changed) = changed else {
+    fn sensitivity(&self, changed: Option<RockingSummary>) -> Sensitivity {
+        let Some(changed) = changed else {
             return Sensitivity {
                 ratio: None,
                 sensitive: true,
@@ -250,7 +248,8 @@ pub fn landings(block: &Block, model: ImpactModel) -> [Landing; 2] {
 mod tests {
     use super::*;
     use crate::motion::Motion;
-    use crate::rocking::Until;
+    use crate::rocking::Restitution;
+    use crate::wall::Walls;
 
     /// On a spring the shock of one landing goes with √(k/m), whatever the shape: the page shows other
     /// masses and stiffnesses without rocking again.
@@ -286,8 +285,8 @@ mod tests {
                 horizontal: Some(&still),
                 vertical: None,
             };
-            let cells = uplift_spectrum(&[block], base, &RockingOptions::default());
-            let cell = cells[0].unwrap();
+            let cells = uplift_spectrum(&[standing(block)], base, &Settings::default());
+            let cell = cells[0].as_ref().unwrap();
             assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
             let shock = cell.shock(
                 150.0,
@@ -305,6 +304,10 @@ mod tests {
         }
     }
 
+    fn standing(block: Block) -> RigidPlane {
+        RigidPlane::along_x(block, Restitution::Housner, Walls::NONE)
+    }
+
     /// A pulse of one sine of 0.4 s followed by quiet; `amplitude` in g.
     fn pulse(amplitude: f64) -> Motion {
         let sample = |i: u32| {
@@ -318,23 +321,17 @@ mod tests {
         Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
     }
 
-    fn settled() -> RockingOptions {
-        RockingOptions {
-            until: Until::Settled { at_most_s: 120.0 },
-            ..RockingOptions::default()
-        }
-    }
-
     fn under_pulse(amplitude: f64) -> (Outcome, Sensitivity) {
-        let (motion, options) = (pulse(amplitude), settled());
+        let (motion, settings) = (pulse(amplitude), Settings::default());
         let base = Base {
             horizontal: Some(&motion),
             vertical: None,
         };
-        let cells = uplift_spectrum(&[Block::uniform(1.5, 0.4).unwrap()], base, &options);
+        let objects = [standing(Block::uniform(1.5, 0.4).unwrap())];
+        let cells = uplift_spectrum(&objects, base, &settings);
         (
-            cells[0].unwrap().rocking.outcome,
-            uplift_sensitivity(&cells, base, &options)[0],
+            cells[0].as_ref().unwrap().rocking.outcome,
+            uplift_sensitivity(&objects, &cells, base, &settings)[0],
         )
     }
 
@@ -402,18 +399,18 @@ mod tests {
     #[test]
     fn sensitivities_stay_beside_their_cells() {
         let motion = pulse(0.6);
-        let (base, options) = (
+        let (base, settings) = (
             Base {
                 horizontal: Some(&motion),
                 vertical: None,
             },
-            RockingOptions::default(),
+            Settings::default(),
         );
-        let block = Block::uniform(1.5, 0.4).unwrap();
-        let mut cells = uplift_spectrum(&[block; 3], base, &options);
-        let alone = uplift_sensitivity(&cells, base, &options)[0];
+        let objects = [standing(Block::uniform(1.5, 0.4).unwrap()); 3];
+        let mut cells = uplift_spectrum(&objects, base, &settings);
+        let alone = uplift_sensitivity(&objects, &cells, base, &settings)[0];
         cells[1] = Err(RockingError::FreeFlight { time_s: 0.0 });
-        let sensitivities = uplift_sensitivity(&cells, base, &options);
+        let sensitivities = uplift_sensitivity(&objects, &cells, base, &settings);
         assert_eq!(
             sensitivities,
             [
@@ -436,7 +433,9 @@ mod tests {
             horizontal: Some(&push),
             vertical: None,
         };
-        let cell = uplift_spectrum(&[block], base, &RockingOptions::default())[0].unwrap();
+        let cell = uplift_spectrum(&[standing(block)], base, &Settings::default())[0]
+            .clone()
+            .unwrap();
         assert_eq!(
             (cell.rocking.outcome, cell.rocking.uplift_m),
             (Outcome::Overturned, 0.2)

@@ -3,7 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
-use freestand::respond::{Tilt, Travelled, rocking_options};
+use freestand::respond::{Outcome, Settings, Tilt, Travelled};
 use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::sliding::trip_speed_m_s;
 use freestand::spatial::StackPart;
@@ -22,10 +22,9 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, settled};
 use super::draw::Drawn;
-use super::object::{Body, Flat, Hit, Model, Way, hit};
-use super::respond::outcome_on_rigid;
+use super::object::{Body, Flat, Model, Way, hit};
 use super::response::{
-    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, leans, lifts, overturned,
+    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, lifts, overturned,
     pads_demand_capacity, ranked,
 };
 use super::softer::beyond_pads;
@@ -35,10 +34,6 @@ use super::words::{
     stack_words, unknown_wall_shock, unstated_words,
 };
 use super::{Context, blank};
-
-fn larger_g(one: &AxisMotion) -> f64 {
-    one.hit.as_ref().map_or(0.0, Hit::larger_g)
-}
 
 /// Quantiles of values over the worlds.
 fn quantiles(values: impl Iterator<Item = f64>) -> [Ranked; 3] {
@@ -75,14 +70,14 @@ fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
         &trial.subject.body,
     ) {
         (Some(ratio), _) => ratio,
-        (None, Some(_)) => ranked(axes, larger_g),
-        (None, None) => ranked(axes, |one| one.rocking.cg_rise_m),
+        (None, Some(_)) => ranked(axes, AxisMotion::larger_g),
+        (None, None) => ranked(axes, AxisMotion::cg_rise_m),
     }
 }
 
 /// The same on its pads; the shock and the lift do not depend on whether the mass is known.
 fn severity_on_pads(trial: &Trial, axes: &[PadMotion]) -> f64 {
-    if axes.iter().any(|one| one.found.has_overturned) {
+    if axes.iter().any(|one| one.found.has_fallen()) {
         return f64::INFINITY;
     }
     let ratio = trial
@@ -103,7 +98,7 @@ fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
     } else {
         let lived = trial.lived.iter().enumerate();
         lived
-            .filter_map(|(i, one)| Some((severity_on_pads(trial, one.on_pads()?), i)))
+            .filter_map(|(i, one)| Some((severity_on_pads(trial, &one.on_pads()?.axes), i)))
             .collect()
     };
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -133,7 +128,7 @@ pub(super) fn assessment(
     let lifts_at_all = trial.followed().any(|(_, axes)| lifts(axes))
         || trial
             .followed_on_pads()
-            .any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go));
+            .any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go()));
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
         answers: &answers,
@@ -251,7 +246,7 @@ pub(super) fn assessment(
     let rocks = |world: &usize| {
         trial.lived[*world]
             .on_rigid()
-            .is_some_and(|axes| lifts(axes) && !overturned(axes))
+            .is_some_and(|told| lifts(&told.axes) && !overturned(&told.axes))
     };
     if let Some(world) = hardest.clone().find(rocks) {
         let at = context
@@ -282,6 +277,12 @@ pub(super) fn assessment(
     Ok(assessed)
 }
 
+/// Whether it ends leaning on a wall, in each world whose history on a rigid base is complete.
+pub(super) fn leans(trial: &Trial) -> impl Iterator<Item = bool> {
+    let told = trial.lived.iter().filter_map(|lived| lived.on_rigid());
+    told.map(|told| told.outcome == Outcome::Leaned)
+}
+
 /// What happens at its wall; `None`: there is none, or every history failed.
 fn at_wall(trial: &Trial) -> Option<AtWall> {
     let beside = trial.subject.way.walls()?;
@@ -289,18 +290,18 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
     let strikes = |number: fn(&Strike) -> f64| {
         let most = |axes: &[AxisMotion]| {
             axes.iter()
-                .filter_map(|one| one.strike.as_ref().map(number))
+                .filter_map(|one| one.strike().map(number))
                 .fold(0.0, f64::max)
         };
         quantile(trial.followed().map(|(_, axes)| most(axes)), 0.5)
     };
     let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
     Some(AtWall {
-        lean_share: share(trial.followed().map(|(_, axes)| leans(axes))),
+        lean_share: share(leans(trial)),
         strike_share: share(
             trial
                 .followed()
-                .map(|(_, axes)| axes.iter().any(|one| one.strike.is_some())),
+                .map(|(_, axes)| axes.iter().any(|one| one.strike().is_some())),
         ),
         speed_m_s_median: strikes(|strike| strike.speed_m_s),
         acceleration_g_median: is_known.then(|| {
@@ -319,8 +320,9 @@ fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     trial.followed().next()?;
     let ways = || {
         trial
-            .followed()
-            .filter_map(|(_, axes)| outcome_on_rigid(&trial.subject.way, axes).travelled())
+            .lived
+            .iter()
+            .filter_map(|lived| lived.on_rigid()?.outcome.travelled())
     };
     let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
     let travel = |way: &Travelled| way.travel_m;
@@ -349,7 +351,7 @@ fn in_space(trial: &Trial) -> Option<InSpace> {
     }
     trial.followed_on_pads().next()?;
     let of = |number: fn(&Tilt) -> f64| {
-        let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.found.has_overturned) {
+        let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.found.has_fallen()) {
             true => f64::INFINITY,
             false => axes
                 .iter()
@@ -486,7 +488,7 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
     };
     let rank = |number: fn(&PadMotion) -> f64| {
         quantiles(worlds().map(|(_, axes)| {
-            if axes.iter().any(|one| one.found.has_overturned) {
+            if axes.iter().any(|one| one.found.has_fallen()) {
                 f64::INFINITY
             } else {
                 most(axes, number)
@@ -519,7 +521,9 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
         pad_uplift_threshold_g: threshold,
         pad_uplift_ratio_p84: (!ratios.is_empty())
             .then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
-        let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.found.has_let_go))),
+        let_go_share: share(
+            worlds().map(|(_, axes)| axes.iter().any(|one| one.found.has_let_go())),
+        ),
         rebound_restitution: quantile(
             trial.lived.iter().map(|one| one.draw.rebound_restitution()),
             0.5,
@@ -569,7 +573,7 @@ fn response(trial: &Trial) -> Option<Response> {
             .find_map(|one| Some(one.failure()?.why().to_owned())),
         uplift_share: share(trial.followed().map(|(_, axes)| lifts(axes))),
         overturn_share: share(trial.followed().map(|(_, axes)| overturned(axes))),
-        uplift_m: over(&|one| one.rocking.uplift_m),
+        uplift_m: over(&AxisMotion::uplift_m),
         rotation_ratio: quantiles(
             trial
                 .followed()
@@ -577,8 +581,10 @@ fn response(trial: &Trial) -> Option<Response> {
         ),
         impacts_max: trial
             .followed()
-            .flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count))
-            .max()?,
+            .flat_map(|(_, axes)| axes.iter().filter_map(AxisMotion::rocking))
+            .map(|rocking| rocking.impact_count)
+            .max()
+            .unwrap_or(0),
         axes: (0..trial.subject.axes.len())
             .map(|axis| axis_response(trial, axis))
             .collect(),
@@ -593,7 +599,7 @@ fn rotation_ratio(trial: &Trial, axes: &[AxisMotion]) -> f64 {
     let alpha = |axis: usize| trial.subject.axes[axis].block.pivot().slenderness_angle_rad;
     axes.iter()
         .enumerate()
-        .map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i))
+        .filter_map(|(i, one)| Some(one.rocking()?.peak_rotation_rad / alpha(i)))
         .fold(0.0, f64::max)
 }
 
@@ -601,14 +607,14 @@ fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
     let geometry = &trial.subject.axes[axis];
     let pivot = geometry.block.pivot();
     let worlds = || trial.followed().filter_map(|(_, axes)| axes.get(axis));
-    let shock = |one: &AxisMotion| ranked(std::slice::from_ref(one), larger_g);
+    let shock = |one: &AxisMotion| ranked(std::slice::from_ref(one), AxisMotion::larger_g);
     AxisResponse {
         axis: geometry.axis,
         slenderness_angle_rad: pivot.slenderness_angle_rad,
         half_diagonal_m: pivot.half_diagonal_m,
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
-        uplift_share: share(worlds().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
-        overturn_share: share(worlds().map(|one| one.rocking.outcome.has_fallen())),
+        uplift_share: share(worlds().map(AxisMotion::lifts)),
+        overturn_share: share(worlds().map(AxisMotion::has_fallen)),
         edge_acceleration_g: trial
             .subject
             .body
@@ -646,7 +652,7 @@ fn shock(trial: &Trial) -> Option<Shock> {
         .followed()
         .filter(|(_, axes)| !overturned(axes) && lifts(axes));
     let survived: Vec<(usize, f64)> = survived
-        .filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, larger_g(one))))
+        .filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, one.larger_g())))
         .collect();
     let hardest = survived
         .iter()
@@ -654,12 +660,11 @@ fn shock(trial: &Trial) -> Option<Shock> {
         .reduce(|most, next| if next.1 > most.1 { next } else { most });
     let axes = 0..trial.subject.axes.len();
     Some(Shock {
-        edge_acceleration_g: of(larger_g),
-        edge_acceleration_uplift_g: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.uplift_g)),
+        edge_acceleration_g: of(AxisMotion::larger_g),
+        edge_acceleration_uplift_g: of(|one| one.hit().map_or(0.0, |hit| hit.uplift_g)),
         edge_acceleration_max_g: hardest.map(|(_, shock_g)| shock_g),
         pulse_duration_s: pulse_duration_s(trial, hardest.map_or(0, |(axis, _)| axis), body),
-        velocity_change_m_s: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.velocity_change_m_s))
-            [1],
+        velocity_change_m_s: of(|one| one.hit().map_or(0.0, |hit| hit.velocity_change_m_s))[1],
         ceiling_g: axes
             .map(|axis| ceiling_g(trial, axis, body))
             .fold(0.0, f64::max),
@@ -723,16 +728,10 @@ fn missing(trial: &Trial) -> Vec<&'static str> {
 fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let capacity = trial.subject.capacity.as_ref()?;
     let lived = trial.lived.get(world)?;
-    let rigid = lived
-        .on_rigid()
-        .into_iter()
-        .flatten()
-        .filter_map(|one| one.terms);
-    let pads = lived
-        .on_pads()
-        .into_iter()
-        .flatten()
-        .filter_map(|one| one.terms);
+    let rigid = lived.on_rigid().into_iter().flat_map(|told| &told.axes);
+    let rigid = rigid.filter_map(|one| one.terms);
+    let pads = lived.on_pads().into_iter().flat_map(|told| &told.axes);
+    let pads = pads.filter_map(|one| one.terms);
     let worst = rigid.chain(pads).reduce(|most, next| {
         if next.ratio() > most.ratio() {
             next
@@ -787,7 +786,7 @@ fn capacity_check(
 fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize> {
     let peak_m_s2 = trial.subject.capacity.as_ref()?.peak_m_s2?;
     let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(lived.on_rigid()?)?;
+    let (axis, _) = governing(&lived.on_rigid()?.axes)?;
     let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
     let landing = Landing::rocking(&block, ImpactModel::Paper);
@@ -797,7 +796,12 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
     };
     let base = at.base(lived.draw.along(axis));
     let walls = lived.draw.walls(&trial.subject, axis);
-    let history = rock(&block, base, &rocking_options(restitution, walls)).ok()?;
+    let history = rock(
+        &block,
+        base,
+        &Settings::default().rocking(restitution, walls),
+    )
+    .ok()?;
     Some(
         history
             .impacts
@@ -811,9 +815,9 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
 /// `None` where that is not known.
 fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<Sliding> {
     let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(lived.on_rigid()?)?;
+    let (axis, _) = governing(&lived.on_rigid()?.axes)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let options = rocking_options(restitution, lived.draw.walls(&trial.subject, axis));
+    let options = Settings::default().rocking(restitution, lived.draw.walls(&trial.subject, axis));
     let most = friction_needed_ratio(&block, at.base(lived.draw.along(axis)), &options)?;
     let ratio = restitution.ratios(&block).ok()?[0];
     Some(slides(
@@ -854,16 +858,17 @@ fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
 /// does not uplift.
 fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
     let lived = trial.lived.get(world)?;
-    let (axis, one) = governing(lived.on_rigid()?)?;
-    if one.rocking.outcome != RockingOutcome::Rocked {
+    let (axis, one) = governing(&lived.on_rigid()?.axes)?;
+    let rocking = one.rocking()?;
+    if rocking.outcome != RockingOutcome::Rocked {
         return None;
     }
     let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
     let (block, _) = lived.draw.block(&trial.subject, axis)?;
     let geometry = &trial.subject.axes[axis];
     let landing = Landing::rocking(&block, ImpactModel::Paper);
-    let shock = landing.impact(mass_kg, &cushion, one.rocking.cg_rise_m, G0_M_S2);
-    let both = hit(&block, &one.rocking, mass_kg, &cushion)?;
+    let shock = landing.impact(mass_kg, &cushion, rocking.cg_rise_m, G0_M_S2);
+    let both = hit(&block, rocking, mass_kg, &cushion)?;
     let (height_m, side_m) = lived.draw.size_m(&trial.subject, axis);
     Some(Chain {
         motion: context.worlds.name(u32::try_from(world).ok()?),
@@ -875,7 +880,7 @@ fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
         half_diagonal_m: block.pivot().half_diagonal_m,
         mass_kg,
         stiffness_n_m: cushion.linear_stiffness_n_m(),
-        cg_rise_m: one.rocking.cg_rise_m,
+        cg_rise_m: rocking.cg_rise_m,
         landing_ratio: block.landing_ratio(),
         is_halted: block.landing_ratio() <= 0.0,
         drop_acceleration_g: shock.drop_acceleration_m_s2 / G0_M_S2,
@@ -886,7 +891,7 @@ fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
             * (1.0 + lived.draw.rebound_restitution())
             * shock.velocity_change_m_s,
         pulse_duration_s: shock.pulse_duration_s,
-        uplift_m: one.rocking.uplift_m,
+        uplift_m: rocking.uplift_m,
         demand_capacity_ratio: one.terms.map(|terms| terms.ratio()),
     })
 }
@@ -895,17 +900,18 @@ fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
 fn clearance(trial: &Trial) -> Option<f64> {
     let clear = |(i, one): (usize, &AxisMotion)| {
         let geometry = &trial.subject.axes[i];
-        match one.rocking.outcome {
+        let rocking = one.rocking()?;
+        Some(match rocking.outcome {
             RockingOutcome::Overturned => geometry.height_m,
             _ => crate::restraint::clearance_m(
                 geometry.height_m,
                 geometry.side_m,
-                one.rocking.peak_rotation_rad,
+                rocking.peak_rotation_rad,
             ),
-        }
+        })
     };
-    trial
+    let axes = trial
         .followed()
-        .flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>())
-        .reduce(f64::max)
+        .flat_map(|(_, axes)| axes.iter().enumerate());
+    axes.filter_map(clear).reduce(f64::max)
 }

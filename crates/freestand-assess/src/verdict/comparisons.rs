@@ -66,7 +66,7 @@ impl Context<'_> {
         if trial
             .lived
             .iter()
-            .any(|one| one.on_rigid().is_some_and(lifts))
+            .any(|one| one.on_rigid().is_some_and(|told| lifts(&told.axes)))
         {
             let slender = trial
                 .subject

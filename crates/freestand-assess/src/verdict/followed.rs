@@ -1,17 +1,16 @@
 //! Some earthquakes of one object, and its history in one of them, for those who draw it.
 
 use freestand::G0_M_S2;
-use freestand::compliant::{CompliantBase, CompliantOptions};
-use freestand::respond::rocking_options;
-use freestand::rocking::{Outcome, Restitution, RockingSummary};
+use freestand::compliant::CompliantAccuracy;
+use freestand::respond::{HistoryOptions, Object, OnPads, Pads, Plane, Planes, Settings};
+use freestand::rocking::Outcome;
 use freestand_input::problem::{Problem, Problems};
-use freestand_study::cushion::EdgeCushion;
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
-use freestand_study::rock::{RockRequest, rock};
-use freestand_study::walls::WallStiffness;
+use freestand_study::rock::{edge_landings, follow_problem};
 use serde::Serialize;
 
 use super::Context;
+use super::draw::Drawn;
 use super::object::Model;
 use super::response::{AxisMotion, Lived, PadMotion};
 use super::tally::deciding;
@@ -64,7 +63,7 @@ pub(super) fn shown(
     let model = deciding(context, trial);
     let strength = |(world, lived): (usize, &Lived)| {
         let found = in_world(lived, model)?;
-        let strength = if found.has_fallen {
+        let strength = if found.outcome.has_fallen() {
             f64::INFINITY
         } else {
             found.uplift_m
@@ -89,9 +88,9 @@ pub(super) fn shown(
     let chosen: Vec<&(f64, u32, InWorld)> = (0..count).filter_map(|i| all.get(place(i))).collect();
     let earthquakes = chosen.iter().map(|(_, world, found)| ShownEarthquake {
         name: context.worlds.name(*world),
-        outcome: found.outcome,
-        uplift_m: (!found.has_fallen).then_some(found.uplift_m),
-        landing_acceleration_g: found.landing_g.filter(|_| !found.has_fallen),
+        outcome: found.outcome.name(),
+        uplift_m: (!found.outcome.has_fallen()).then_some(found.uplift_m),
+        landing_acceleration_g: found.landing_g.filter(|_| !found.outcome.has_fallen()),
     });
     let followed = match follow {
         Follow::Telling => chosen
@@ -145,8 +144,7 @@ fn is_named(own: &str, name: &str) -> bool {
 #[derive(Debug, Clone, Copy)]
 struct InWorld {
     axis: usize,
-    outcome: &'static str,
-    has_fallen: bool,
+    outcome: Outcome,
     uplift_m: f64,
     landing_g: Option<f64>,
 }
@@ -155,52 +153,48 @@ fn in_world(lived: &Lived, model: Model) -> Option<InWorld> {
     let axes: Vec<InWorld> = match lived.answering(model) {
         Model::Rigid => lived
             .on_rigid()?
+            .axes
             .iter()
             .enumerate()
             .map(|(axis, one)| of_rigid(axis, one, lived))
             .collect(),
-        Model::Pads => lived.on_pads()?.iter().enumerate().map(of_pads).collect(),
+        Model::Pads => lived
+            .on_pads()?
+            .axes
+            .iter()
+            .enumerate()
+            .map(of_pads)
+            .collect(),
     };
     let farther = |a: &InWorld, b: &InWorld| {
-        a.has_fallen
-            .cmp(&b.has_fallen)
+        a.outcome
+            .has_fallen()
+            .cmp(&b.outcome.has_fallen())
             .then(a.uplift_m.total_cmp(&b.uplift_m))
     };
     axes.into_iter().max_by(farther)
 }
 
 fn of_rigid(axis: usize, motion: &AxisMotion, lived: &Lived) -> InWorld {
-    let RockingSummary {
-        outcome, uplift_m, ..
-    } = motion.rocking;
-    let landing_g = motion
-        .hit
-        .as_ref()
-        .map(|hit| lived.draw.model * hit.larger_g());
+    let landing_g = motion.hit().map(|hit| lived.draw.model * hit.larger_g());
     InWorld {
         axis,
-        outcome: outcome.name(),
-        has_fallen: outcome.has_fallen(),
-        uplift_m,
-        landing_g: landing_g.filter(|_| outcome != Outcome::NoUplift),
+        outcome: motion.outcome(),
+        uplift_m: motion.uplift_m(),
+        landing_g: landing_g.filter(|_| motion.lifts()),
     }
 }
 
 fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
-    let outcome = match (motion.found.has_overturned, motion.found.has_let_go) {
-        (true, _) => Outcome::Overturned,
-        (false, true) => Outcome::Rocked,
-        (false, false) => Outcome::NoUplift,
-    };
+    let OnPads {
+        outcome, lift_m, ..
+    } = motion.found;
+    let landing_g = motion.edge_m_s2 / G0_M_S2;
     InWorld {
         axis,
-        outcome: outcome.name(),
-        has_fallen: motion.found.has_overturned,
-        uplift_m: motion.found.lift_m,
-        landing_g: motion
-            .found
-            .has_let_go
-            .then_some(motion.edge_m_s2 / G0_M_S2),
+        outcome,
+        uplift_m: lift_m,
+        landing_g: motion.found.has_let_go().then_some(landing_g),
     }
 }
 
@@ -222,44 +216,40 @@ fn history(
         return Ok(None);
     };
     let draw = &lived.draw;
-    let Some((block, restitution)): Option<(_, Restitution)> = draw.block(subject, axis) else {
+    let one = Drawn { subject, draw };
+    let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
+    let object = match lived.answering(model) {
+        Model::Rigid => one.on_rigid_base(),
+        Model::Pads => one.on_pads(friction_ratio),
+    };
+    let Ok(object) = object else {
         return Ok(None);
     };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
-    let base = floor.base(draw.along(axis));
-    if let (Model::Pads, Some((mass_kg, cushion))) =
-        (lived.answering(model), draw.damped_body(subject))
-    {
-        let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
-        let on_pads = CompliantBase {
-            friction_ratio,
-            ..CompliantBase::new(mass_kg, cushion)
-        };
-        return Ok(Some(drawn_on_pads(
-            &block,
-            &on_pads,
-            base,
-            &CompliantOptions::default(),
-        )?));
-    }
-    let request = RockRequest {
-        block,
-        horizontal: base.horizontal.cloned(),
-        vertical: base.vertical.cloned(),
-        options: rocking_options(restitution, draw.walls(subject, axis)),
-        cushion: draw.body(subject).map(|(mass_kg, cushion)| {
-            (
-                mass_kg,
-                EdgeCushion {
-                    cushion,
-                    pad_thickness_m: None,
-                    notes: Vec::new(),
-                },
-            )
-        }),
-        wall: WallStiffness::default(),
-        friction: None,
+    let how = HistoryOptions::sampled(Settings {
+        on_pads: CompliantAccuracy::Standard,
+        ..Settings::default()
+    });
+    let on_pads = |pads: Pads| {
+        let Plane { along, block } = pads.planes.one;
+        let base = floor.base(along);
+        let history = pads.follow(base, &how).map_err(follow_problem)?;
+        Ok(Some(drawn_on_pads(&block, &history, base.horizontal)))
     };
-    let report = rock(&request, true)?;
-    Ok(Some(drawn(&report, base.horizontal)))
+    match object.about(axis) {
+        Object::Rigid(Planes { one: object, .. }) => {
+            let base = floor.base(object.plane.along);
+            let history = object.follow(base, &how).map_err(follow_problem)?;
+            let body = draw.body(subject);
+            let body = body.as_ref().map(|(mass_kg, cushion)| (*mass_kg, cushion));
+            let landings = edge_landings(&object.plane.block, &history.rocking, body, G0_M_S2);
+            Ok(Some(drawn(&object, &history, &landings, base.horizontal)))
+        }
+        Object::Springs(springs) => match springs.pads() {
+            Ok(pads) => on_pads(pads),
+            Err(_) => Ok(None),
+        },
+        Object::Pads(pads) => on_pads(pads),
+        Object::Rolls(_) | Object::Slides(_) | Object::Spatial(..) | Object::Stack(..) => Ok(None),
+    }
 }

@@ -8,7 +8,7 @@ use freestand::cushion::Cushion;
 use freestand::fragility::OutcomeClass;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::respond::Outcome;
-use freestand::rocking::{Outcome as Rocking, Restitution, RockingModel};
+use freestand::rocking::{Outcome as Rocking, Restitution, RockingModel, SideExtremes};
 use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand::worlds::{Group, WallDraw, wall_draw};
@@ -18,8 +18,8 @@ use freestand_study::study::assessment::{Settings, Spread};
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::{Change, Draw, Drawn, draw, key, own_damping_ratio};
 use super::object::{AxisGeometry, Body, Model, Subject, Way};
-use super::respond::{outcome_on_pads, outcome_on_rigid, responses};
-use super::response::{AxisMotion, Lived, PadMotion, terms};
+use super::respond::responses;
+use super::response::{AxisMotion, Lived, PadMotion, Told, terms};
 use super::slip::slips;
 use crate::inventory::Item;
 use crate::library::Tolerance;
@@ -311,10 +311,10 @@ impl Nominal {
     /// A model that cannot follow it, as on pads that bottom, leaves the answer to the other one.
     fn run(&self, lived: &Lived, rotation_ratio: Option<f64>) -> Result<NominalRun, String> {
         let rigid = lived.on_rigid().filter(|_| !lived.is_for_pads());
-        let rigid = rigid.map(|axes| self.on_rigid(axes, rotation_ratio));
+        let rigid = rigid.map(|told| self.on_rigid(told, rotation_ratio));
         let pads = lived
             .on_pads()
-            .map(|axes| self.on_pads(axes, rotation_ratio));
+            .map(|told| self.on_pads(told, rotation_ratio));
         let why = || match (&lived.rigid, &lived.pads) {
             (Some(Err(lost)), _) => lost.why().to_owned(),
             (_, Some(Err(lost))) => lost.why().to_owned(),
@@ -362,8 +362,8 @@ impl Nominal {
         lived
     }
 
-    fn on_rigid(&self, axes: &[AxisMotion], rotation_ratio: Option<f64>) -> NominalRun {
-        let outcome = outcome_on_rigid(&self.subject.way, axes);
+    fn on_rigid(&self, told: &Told<AxisMotion>, rotation_ratio: Option<f64>) -> NominalRun {
+        let Told { outcome, axes } = told;
         let turned = self
             .subject
             .axes
@@ -378,14 +378,11 @@ impl Nominal {
                     .enumerate()
                     .any(|(axis, one)| self.exceeds(axis, one))
         };
-        let class = class(outcome, exceeds);
+        let class = class(*outcome, exceeds);
         let rocks = matches!(outcome, Outcome::Rocked { .. });
         // A cushion that bottoms about one axis hides the shock of the object.
-        let lifted = axes
-            .iter()
-            .filter(|one| one.rocking.outcome != Rocking::NoUplift);
-        let shocks_g: Option<Vec<f64>> =
-            lifted.map(|one| Some(one.hit.as_ref()?.uplift_g)).collect();
+        let lifted = axes.iter().filter(|one| one.lifts());
+        let shocks_g: Option<Vec<f64>> = lifted.map(|one| Some(one.hit()?.uplift_g)).collect();
         let shock_g = shocks_g
             .filter(|_| rocks)
             .and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max));
@@ -396,8 +393,8 @@ impl Nominal {
         }
     }
 
-    fn on_pads(&self, axes: &[PadMotion], rotation_ratio: Option<f64>) -> NominalRun {
-        let outcome = outcome_on_pads(axes);
+    fn on_pads(&self, told: &Told<PadMotion>, rotation_ratio: Option<f64>) -> NominalRun {
+        let Told { outcome, axes } = told;
         let alpha_rad = self.block.pivot().slenderness_angle_rad;
         let turned = axes
             .iter()
@@ -411,7 +408,7 @@ impl Nominal {
                     .iter()
                     .any(|one| one.terms.is_some_and(|terms| terms.ratio() > 1.0))
         };
-        let class = class(outcome, exceeds);
+        let class = class(*outcome, exceeds);
         let edge_m_s2 = axes.iter().map(|one| one.edge_m_s2).fold(0.0, f64::max);
         let rocks = matches!(outcome, Outcome::Rocked { .. }) && edge_m_s2 > 0.0;
         NominalRun {
@@ -427,19 +424,18 @@ impl Nominal {
     /// run out would leave out the strong motions that did not overturn it.
     fn exceeds(&self, axis: usize, one: &AxisMotion) -> bool {
         let is_over = |terms: Terms| terms.ratio() > 1.0;
-        if one.glide.is_some() {
+        let Some(rocking) = one.rocking() else {
             return one.terms.is_some_and(is_over);
-        }
-        if one.rocking.outcome == Rocking::NoUplift || !self.has_tolerance() {
+        };
+        if rocking.outcome == Rocking::NoUplift || !self.has_tolerance() {
             return false;
         }
-        let uplift_m = one.rocking.uplift_m;
         let at_least = || {
             terms(
                 self.subject.capacity.as_ref()?,
-                self.bottomed(axis, one),
+                self.bottomed(axis, rocking.sides),
                 false,
-                uplift_m,
+                rocking.uplift_m,
                 0.0,
             )
         };
@@ -448,19 +444,16 @@ impl Nominal {
 
     /// The demand of a landing in which the cushion bottoms: a peak above all, and the velocity change
     /// of the edge, which does not depend on the cushion and may be within a damage boundary.
-    fn bottomed(&self, axis: usize, one: &AxisMotion) -> Option<Demand> {
+    fn bottomed(&self, axis: usize, sides: [SideExtremes; 2]) -> Option<Demand> {
         let (mass_kg, cushion) = self.body.as_ref()?;
         let landings = landings(&self.subject.axes.get(axis)?.block, ImpactModel::Paper);
-        let speeds_m_s = landings
-            .iter()
-            .zip(one.rocking.sides)
-            .map(|(landing, side)| {
-                let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
-                let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
-                landing
-                    .impact(*mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2)
-                    .edge_velocity_m_s
-            });
+        let speeds_m_s = landings.iter().zip(sides).map(|(landing, side)| {
+            let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
+            let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
+            landing
+                .impact(*mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2)
+                .edge_velocity_m_s
+        });
         let velocity_change_m_s =
             (1.0 + self.draw.rebound_restitution()) * speeds_m_s.fold(0.0, f64::max);
         Some(Demand {
@@ -473,26 +466,27 @@ impl Nominal {
 
 /// The class of an outcome; `exceeds`: whether a tolerance is exceeded by an object that stays upright.
 fn class(outcome: Outcome, exceeds: impl FnOnce() -> bool) -> OutcomeClass {
-    if outcome.has_fallen() {
-        return OutcomeClass::Overturned;
-    }
-    match outcome {
-        Outcome::Stood => OutcomeClass::NoUplift,
+    match (outcome, outcome.has_fallen()) {
+        (_, Some(true)) => OutcomeClass::Overturned,
+        (Outcome::Stood, _) => OutcomeClass::NoUplift,
         _ if exceeds() => OutcomeClass::Exceeded,
-        Outcome::Rolled(_) | Outcome::Slid(_) => OutcomeClass::NoUplift,
-        Outcome::Rocked { .. } | Outcome::Leaned | Outcome::Overturned => OutcomeClass::Rocked,
+        (Outcome::Rolled(_) | Outcome::Slid(_), _) => OutcomeClass::NoUplift,
+        _ => OutcomeClass::Rocked,
     }
 }
 
-/// Largest |θ|/α of either edge.
+/// Largest |θ|/α of either edge; 0 where it rolls or slides and is not tripped.
 fn turned(block: &Block, one: &AxisMotion) -> f64 {
+    let Some(rocking) = one.rocking() else {
+        return 0.0;
+    };
     let pivots = [block.right_pivot(), block.pivot()];
-    let share = |(pivot, side): (freestand::block::Pivot, freestand::rocking::SideExtremes)| {
+    let share = |(pivot, side): (freestand::block::Pivot, SideExtremes)| {
         side.peak_rotation_rad / pivot.slenderness_angle_rad
     };
     pivots
         .into_iter()
-        .zip(one.rocking.sides)
+        .zip(rocking.sides)
         .map(share)
         .fold(0.0, f64::max)
 }

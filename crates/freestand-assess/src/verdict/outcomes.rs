@@ -5,8 +5,7 @@ use freestand::G0_M_S2;
 use crate::output::OutcomeRow;
 
 use super::object::{Hit, Model, Way};
-use super::respond::outcome_on_rigid;
-use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, pads_demand_capacity};
+use super::response::{AxisMotion, Lived, PadMotion, Told, demand_capacity, pads_demand_capacity};
 use super::trial::{Question, Trial};
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
@@ -31,9 +30,9 @@ fn outcome<'a>(
     let body = lived.draw.body(&trial.subject);
     let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
     let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match lived.answering(model) {
-        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| {
-            of_rigid(&trial.subject.way, axes, lived.draw.model)
-        }),
+        Model::Rigid => lived
+            .on_rigid()
+            .map_or([None; 3], |told| of_rigid(told, lived.draw.model)),
         Model::Pads => lived.on_pads().map_or([None; 3], of_pads),
     };
     let capacity = trial.subject.capacity.as_ref();
@@ -65,13 +64,14 @@ fn outcome<'a>(
 }
 
 /// Demand/capacity, lift \[m\] and shock with the error of its world \[g\], about the worse axis.
-fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
-    let Some(lift_m) = outcome_on_rigid(way, axes).uplift_m() else {
+fn of_rigid(told: &Told<AxisMotion>, model: f64) -> [Option<f64>; 3] {
+    let axes = &told.axes;
+    let Some(lift_m) = told.outcome.uplift_m() else {
         return [demand_capacity(axes), None, None];
     };
     let shocks: Option<Vec<f64>> = axes
         .iter()
-        .map(|one| one.hit.as_ref().map(Hit::larger_g))
+        .map(|one| one.hit().map(Hit::larger_g))
         .collect();
     let shock_g = shocks.and_then(|shocks| shocks.into_iter().reduce(f64::max));
     [
@@ -82,8 +82,9 @@ fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
 }
 
 /// The same on pads.
-fn of_pads(axes: &[PadMotion]) -> [Option<f64>; 3] {
-    if axes.iter().any(|one| one.found.has_overturned) {
+fn of_pads(told: &Told<PadMotion>) -> [Option<f64>; 3] {
+    let axes = &told.axes;
+    if told.outcome.has_fallen() == Some(true) {
         return [pads_demand_capacity(axes), None, None];
     }
     let most = |number: fn(&PadMotion) -> f64| axes.iter().map(number).reduce(f64::max);

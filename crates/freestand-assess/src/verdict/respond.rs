@@ -5,8 +5,8 @@
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
 use freestand::respond::{
-    Glide, Glider, Object, Outcome, Pads, Plane, Response, RigidPlane, Shaking, Springs, Travelled,
-    respond,
+    Glide, Glider, Object, Outcome, Pads, Plane, Planes, Response, RigidPlane, Settings, Shaking,
+    Springs, respond,
 };
 use freestand::sliding::{Clearance, Friction};
 use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
@@ -17,7 +17,7 @@ use crate::worlds::FloorOfWorld;
 use super::draw::{Draw, Drawn};
 use super::object::{Beside, Gliding, Upper, Way};
 use super::response::{
-    AxisMotion, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, glided, pad_motion,
+    Lost, PadMotion, PadResponse, RigidResponse, Told, axis_motion, glided, pad_motion,
 };
 
 impl Drawn<'_> {
@@ -37,8 +37,7 @@ impl Drawn<'_> {
                         walls: draw.walls(subject, axis),
                     })
                 };
-                let planes = (0..subject.axes.len()).map(plane);
-                planes.collect::<Option<_>>().map(Object::Rigid)
+                self.about_axes(plane).map(Object::Rigid)
             }
         };
         object.ok_or_else(Lost::missing)
@@ -81,14 +80,19 @@ impl Drawn<'_> {
         Some(Object::Pads(Pads { planes, base }))
     }
 
-    fn planes(self) -> Option<Vec<Plane>> {
+    fn planes(self) -> Option<Planes<Plane>> {
         let Drawn { subject, draw } = self;
-        let plane = |axis: usize| {
+        self.about_axes(|axis| {
             let (block, _) = draw.block(subject, axis)?;
             let along = draw.along(axis);
             Some(Plane { along, block })
-        };
-        (0..subject.axes.len()).map(plane).collect()
+        })
+    }
+
+    /// `of` about each axis; `None` where one has none.
+    fn about_axes<T>(self, of: impl FnMut(usize) -> Option<T>) -> Option<Planes<T>> {
+        let axes = (0..self.subject.axes.len()).map(of);
+        Planes::of(axes.collect::<Option<Vec<_>>>()?)
     }
 
     fn glider(self, gliding: &Gliding) -> Option<Glider> {
@@ -164,7 +168,9 @@ impl Drawn<'_> {
     ) -> RigidResponse {
         let Drawn { subject, draw } = self;
         let body = draw.body(subject);
-        match (found?, subject.way.glides()) {
+        let found = found?;
+        let outcome = found.outcome();
+        let axes = match (found, subject.way.glides()) {
             (Response::Rigid(planes), _) => {
                 let motion = |(axis, rocking)| {
                     let (block, _) = draw.block(subject, axis)?;
@@ -172,16 +178,17 @@ impl Drawn<'_> {
                     let floor_m_s2 = floor.pfa_m_s2;
                     Some(axis_motion(self, axis, &block, rocking, body, floor_m_s2))
                 };
-                Ok(planes.into_iter().enumerate().filter_map(motion).collect())
+                planes.into_iter().enumerate().filter_map(motion).collect()
             }
             (Response::Rolled(planes) | Response::Slid(planes), Some(gliding)) => {
                 // No more than its resistance gets through to it.
                 let through_m_s2 = (self.resistance_ratio(gliding) * G0_M_S2).min(floor.pfa_m_s2);
                 let motion = |glide: Glide| glided(self, gliding, glide, through_m_s2);
-                Ok(planes.into_iter().map(motion).collect())
+                planes.into_iter().map(motion).collect()
             }
-            _ => Err(Lost::no_history()),
-        }
+            _ => return Err(Lost::no_history()),
+        };
+        Ok(Told { outcome, axes })
     }
 
     /// What a response on its pads means in this world, about every axis or of the whole body.
@@ -191,7 +198,9 @@ impl Drawn<'_> {
         found: Result<Response, Lost>,
     ) -> PadResponse {
         let motion = |found| pad_motion(self, found, floor.pfa_m_s2);
-        Ok(match found? {
+        let found = found?;
+        let outcome = found.outcome();
+        let axes = match found {
             Response::Pads(planes) => planes.into_iter().map(motion).collect(),
             Response::Spatial(body, space) => vec![PadMotion {
                 space,
@@ -204,11 +213,13 @@ impl Drawn<'_> {
             Response::Rigid(_) | Response::Rolled(_) | Response::Slid(_) => {
                 return Err(Lost::no_history());
             }
-        })
+        };
+        Ok(Told { outcome, axes })
     }
 }
 
-/// What objects do, each under its motion; an object that could not be made has its reason.
+/// What objects do, each under its motion; an object that could not be made, or of which it is not
+/// certain what becomes of it, has its reason.
 pub(super) fn responses<'a>(
     objects: impl IntoIterator<Item = Result<(Object, Shaking<'a>), Lost>>,
 ) -> Vec<Result<Response, Lost>> {
@@ -217,10 +228,15 @@ pub(super) fn responses<'a>(
         .into_iter()
         .map(|one| one.map(|one| known.push(one)));
     let made: Vec<Result<(), Lost>> = made.collect();
-    let mut found = respond(&known).into_iter();
-    let mut next = || found.next().ok_or_else(Lost::no_history);
+    let mut found = respond(&known, &Settings::default()).into_iter();
+    let mut next = || match found.next().ok_or_else(Lost::no_history)?? {
+        open if open.outcome() == Outcome::Unresolved => Err(Lost::failed(
+            "the object is neither at rest nor down long after the motion",
+        )),
+        response => Ok(response),
+    };
     made.into_iter()
-        .map(|made| Ok(made.and_then(|()| next())??))
+        .map(|made| made.and_then(|()| next()))
         .collect()
 }
 
@@ -245,24 +261,4 @@ fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
         .into_iter()
         .filter_map(wall)
         .collect()
-}
-
-/// How an object ended on a rigid base.
-pub(super) fn outcome_on_rigid(way: &Way, axes: &[AxisMotion]) -> Outcome {
-    let travelled = || {
-        let glides: Vec<Glide> = axes.iter().filter_map(|one| one.glide).collect();
-        Travelled::of(&glides)
-    };
-    match way {
-        Way::Rolls(_) => Outcome::Rolled(travelled()),
-        Way::Slides(_) => Outcome::Slid(travelled()),
-        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
-            Outcome::on_rigid(axes.iter().map(|one| &one.rocking))
-        }
-    }
-}
-
-/// How an object ended on its pads.
-pub(super) fn outcome_on_pads(axes: &[PadMotion]) -> Outcome {
-    Outcome::on_pads(axes.iter().map(|one| &one.found))
 }

@@ -3,8 +3,8 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::respond::{Glide, OnPads, RespondError, Tilt};
-use freestand::rocking::{Outcome, RockingSummary, SideExtremes, StopReason};
+use freestand::respond::{Glide, OnPads, Outcome, RespondError, Tilt};
+use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
 
@@ -12,18 +12,85 @@ use super::capacity::{Capacity, Demand, Terms};
 use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
 
-/// One axis on a rigid base.
+/// One axis on a rigid base, or rolling or sliding.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AxisMotion {
-    pub(super) rocking: RockingSummary,
-    /// `None`: overturned, or mass or cushion is not known.
-    pub(super) hit: Option<Hit>,
-    /// The hardest impact on a wall; `None`: there was none.
-    pub(super) strike: Option<Strike>,
-    /// `None`: it neither rolls nor slides without rocking.
-    pub(super) glide: Option<Glide>,
+    pub(super) moved: Moved,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
+}
+
+/// What an object does about one axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Moved {
+    /// It stands on its edges, and may rock.
+    Rocks {
+        rocking: RockingSummary,
+        /// `None`: overturned, or mass or cushion is not known.
+        hit: Option<Hit>,
+        /// The hardest impact on a wall; `None`: there was none.
+        strike: Option<Strike>,
+    },
+    /// It rolls or slides before it could rock.
+    Glides(Glide),
+}
+
+impl AxisMotion {
+    /// `None`: it rolls or slides.
+    pub(super) fn rocking(&self) -> Option<&RockingSummary> {
+        match &self.moved {
+            Moved::Rocks { rocking, .. } => Some(rocking),
+            Moved::Glides(_) => None,
+        }
+    }
+
+    pub(super) fn hit(&self) -> Option<&Hit> {
+        match &self.moved {
+            Moved::Rocks { hit, .. } => hit.as_ref(),
+            Moved::Glides(_) => None,
+        }
+    }
+
+    pub(super) fn strike(&self) -> Option<&Strike> {
+        match &self.moved {
+            Moved::Rocks { strike, .. } => strike.as_ref(),
+            Moved::Glides(_) => None,
+        }
+    }
+
+    /// 0 without a hit \[g\].
+    pub(super) fn larger_g(&self) -> f64 {
+        self.hit().map_or(0.0, Hit::larger_g)
+    }
+
+    /// How it ended, in the words of an object that rocks.
+    pub(super) fn outcome(&self) -> Rocking {
+        match &self.moved {
+            Moved::Rocks { rocking, .. } => rocking.outcome,
+            Moved::Glides(glide) if glide.has_tripped => Rocking::Overturned,
+            Moved::Glides(_) => Rocking::NoUplift,
+        }
+    }
+
+    /// Whether it falls, onto the floor or against a wall, or its stop overturns it.
+    pub(super) fn has_fallen(&self) -> bool {
+        self.outcome().has_fallen()
+    }
+
+    /// Whether an edge lifts.
+    pub(super) fn lifts(&self) -> bool {
+        self.outcome() != Rocking::NoUplift
+    }
+
+    /// 0 where it rolls or slides \[m\].
+    pub(super) fn uplift_m(&self) -> f64 {
+        self.rocking().map_or(0.0, |rocking| rocking.uplift_m)
+    }
+
+    /// 0 where it rolls or slides \[m\].
+    pub(super) fn cg_rise_m(&self) -> f64 {
+        self.rocking().map_or(0.0, |rocking| rocking.cg_rise_m)
+    }
 }
 
 /// The hardest impact on a wall.
@@ -130,11 +197,20 @@ impl From<RespondError> for Lost {
     }
 }
 
-/// The object on a rigid base: every axis, or why a history failed.
-pub(super) type RigidResponse = Result<Vec<AxisMotion>, Lost>;
+/// What one model says of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Told<A> {
+    /// How it ended.
+    pub(super) outcome: Outcome,
+    /// What it did about each of its axes, or as a whole.
+    pub(super) axes: Vec<A>,
+}
 
-/// The object on its pads: every axis, or why a history failed.
-pub(super) type PadResponse = Result<Vec<PadMotion>, Lost>;
+/// The object on a rigid base, or why a history failed.
+pub(super) type RigidResponse = Result<Told<AxisMotion>, Lost>;
+
+/// The object on its pads, or why a history failed.
+pub(super) type PadResponse = Result<Told<PadMotion>, Lost>;
 
 /// An object in one world.
 #[derive(Debug, Clone)]
@@ -179,13 +255,13 @@ impl Lived {
     }
 
     /// On a rigid base; `None`: not asked, or a history failed.
-    pub(super) fn on_rigid(&self) -> Option<&[AxisMotion]> {
-        self.rigid.as_ref()?.as_deref().ok()
+    pub(super) fn on_rigid(&self) -> Option<&Told<AxisMotion>> {
+        self.rigid.as_ref()?.as_ref().ok()
     }
 
     /// On its pads; `None`: not asked, or a history failed.
-    pub(super) fn on_pads(&self) -> Option<&[PadMotion]> {
-        self.pads.as_ref()?.as_deref().ok()
+    pub(super) fn on_pads(&self) -> Option<&Told<PadMotion>> {
+        self.pads.as_ref()?.as_ref().ok()
     }
 }
 
@@ -216,7 +292,7 @@ pub(super) fn axis_motion(
             velocity_change_m_s: hit.velocity_change_m_s,
             duration_s: hit.duration_s,
         });
-        let is_at_rest = rocking.outcome == Outcome::NoUplift;
+        let is_at_rest = rocking.outcome == Rocking::NoUplift;
         let edge = terms(capacity, demand, is_at_rest, rocking.uplift_m, floor_m_s2)?;
         // The shock at the wall counts where it is the harder one.
         let wall = strike.as_ref().and_then(Strike::demand);
@@ -228,10 +304,11 @@ pub(super) fn axis_motion(
         )
     });
     AxisMotion {
-        rocking,
-        hit: found,
-        strike,
-        glide: None,
+        moved: Moved::Rocks {
+            rocking,
+            hit: found,
+            strike,
+        },
         terms,
     }
 }
@@ -243,31 +320,8 @@ pub(super) fn glided(
     glide: Glide,
     through_m_s2: f64,
 ) -> AxisMotion {
-    let trips = glide.has_tripped;
-    let rocking = RockingSummary {
-        outcome: if trips {
-            Outcome::Overturned
-        } else {
-            Outcome::NoUplift
-        },
-        stop: if trips {
-            StopReason::Overturned
-        } else {
-            StopReason::Settled
-        },
-        peak_rotation_rad: if trips {
-            std::f64::consts::FRAC_PI_2
-        } else {
-            0.0
-        },
-        sides: [SideExtremes::default(); 2],
-        impact_count: 0,
-        wall_impact_count: 0,
-        uplift_m: 0.0,
-        cg_rise_m: 0.0,
-    };
     let terms = subject.capacity.as_ref().and_then(|capacity| {
-        if trips {
+        if glide.has_tripped {
             return Some(Terms::OVERTURNED);
         }
         let speed_m_s = glide.stop_speed_m_s;
@@ -276,10 +330,7 @@ pub(super) fn glided(
         terms(capacity, demand, speed_m_s.is_none(), 0.0, through_m_s2)
     });
     AxisMotion {
-        rocking,
-        hit: None,
-        strike: None,
-        glide: Some(glide),
+        moved: Moved::Glides(glide),
         terms,
     }
 }
@@ -319,7 +370,7 @@ pub(super) fn pad_motion(
         velocity_change_m_s: found.velocity_change_m_s,
         duration_s: found.pulse_duration_s.unwrap_or(0.0),
     };
-    let terms = |capacity: &Capacity| match found.has_overturned {
+    let terms = |capacity: &Capacity| match found.has_fallen() {
         true => Some(Terms::OVERTURNED),
         false => {
             let is_at_rest = !found.has_landed;
@@ -337,33 +388,20 @@ pub(super) fn pad_motion(
 
 /// Whether it falls about any axis, onto the floor or against a wall.
 pub(super) fn overturned(axes: &[AxisMotion]) -> bool {
-    axes.iter().any(|one| one.rocking.outcome.has_fallen())
-}
-
-/// Whether it ends leaning on a wall, and does not fall onto the floor.
-pub(super) fn leans(axes: &[AxisMotion]) -> bool {
-    let ends = |outcome: Outcome| axes.iter().any(|one| one.rocking.outcome == outcome);
-    ends(Outcome::Leaned) && !ends(Outcome::Overturned)
+    axes.iter().any(AxisMotion::has_fallen)
 }
 
 /// Whether there is uplift about any axis.
 pub(super) fn lifts(axes: &[AxisMotion]) -> bool {
-    axes.iter()
-        .any(|one| one.rocking.outcome != Outcome::NoUplift)
+    axes.iter().any(AxisMotion::lifts)
 }
 
 /// The governing axis: the one that overturns, else the one with the largest demand/capacity, else
 /// shock, else rise.
 pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
-        let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);
         let ratio = one.terms.map_or(0.0, |terms| terms.ratio());
-        (
-            one.rocking.outcome.has_fallen(),
-            ratio,
-            shock_g,
-            one.rocking.cg_rise_m,
-        )
+        (one.has_fallen(), ratio, one.larger_g(), one.cg_rise_m())
     };
     axes.iter().enumerate().reduce(|most, next| {
         if rank(next.1) > rank(most.1) {

@@ -2,7 +2,7 @@
 //! what becomes of it.
 
 use freestand::impact::impact_friction_needed_ratio;
-use freestand::respond::rocking_options;
+use freestand::respond::Settings;
 use freestand::rocking::Outcome;
 use freestand::wall::Walls;
 
@@ -28,10 +28,12 @@ pub(super) fn slips(
     let Some(friction_ratio) = draw.friction_ratio.filter(|_| subject.way.rocks()) else {
         return false;
     };
-    let Some(Ok(axes)) = rigid else { return false };
-    let rocks = |(_, one): &(usize, &AxisMotion)| one.rocking.outcome != Outcome::NoUplift;
-    axes.iter().enumerate().filter(rocks).any(|(axis, one)| {
-        let needed = needed_ratio(subject, draw, floor, axis, one.rocking.impact_count > 0);
+    let Some(Ok(told)) = rigid else { return false };
+    let rocking = told.axes.iter().map(AxisMotion::rocking).enumerate();
+    let rocking = rocking.filter_map(|(axis, one)| Some((axis, one?)));
+    let mut lifted = rocking.filter(|(_, one)| one.outcome != Outcome::NoUplift);
+    lifted.any(|(axis, one)| {
+        let needed = needed_ratio(subject, draw, floor, axis, one.impact_count > 0);
         needed.is_some_and(|needed| needed > friction_ratio)
     })
 }
@@ -48,7 +50,7 @@ fn needed_ratio(
     let rocking = friction_needed_ratio(
         &block,
         floor.base(draw.along(axis)),
-        &rocking_options(restitution, walls),
+        &Settings::default().rocking(restitution, walls),
     )?;
     let landing = restitution.ratios(&block).ok().filter(|_| lands);
     Some(landing.map_or(rocking, |[ratio, _]| {

@@ -138,10 +138,10 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     let (p_exceed_high, p_overturn_high) = (high(Question::Shock), high(Question::Falls));
     let compliant = on_pads(context, trial);
     let rigid_m = trial.lived.iter().filter_map(|lived| {
-        let axes = lived.on_rigid()?;
+        let axes = &lived.on_rigid()?.axes;
         Some(
             axes.iter()
-                .filter_map(|one| Some(one.hit?.compression_m))
+                .filter_map(|one| Some(one.hit()?.compression_m))
                 .fold(0.0, f64::max),
         )
     });

@@ -1,10 +1,11 @@
 //! What the worlds of one object add up to, for those who tell it in a sentence.
 
 use freestand::G0_M_S2;
+use freestand::respond::Outcome;
 
 use super::Context;
-use super::object::{Hit, Model};
-use super::response::{Lived, lifts, overturned};
+use super::object::Model;
+use super::response::{AxisMotion, Lived, lifts};
 use super::trial::{Question, Trial};
 
 /// The worlds of one object, counted. In a world both models are asked where it has pads.
@@ -94,40 +95,31 @@ pub(super) fn deciding(context: &Context, trial: &Trial) -> Model {
 }
 
 fn has_lifted(lived: &Lived) -> bool {
-    lived.on_rigid().is_some_and(lifts)
+    lived.on_rigid().is_some_and(|told| lifts(&told.axes))
         || lived
             .on_pads()
-            .iter()
-            .copied()
-            .flatten()
-            .any(|one| one.found.has_let_go)
+            .is_some_and(|told| told.axes.iter().any(|one| one.found.has_let_go()))
 }
 
 /// The largest uplift \[m\] and the largest shock \[g\] in a world, of the models by which an edge
 /// lifts and it stays standing.
 fn uplift_and_shock(lived: &Lived) -> (Option<f64>, Option<f64>) {
-    let rigid = lived
-        .on_rigid()
-        .filter(|axes| lifts(axes) && !overturned(axes));
-    let pads = lived.on_pads().filter(|axes| {
-        axes.iter().any(|one| one.found.has_let_go)
-            && !axes.iter().any(|one| one.found.has_overturned)
-    });
-    let rigid = || rigid.into_iter().flatten();
-    let pads = || {
-        pads.into_iter()
-            .flatten()
-            .filter(|one| one.found.has_let_go)
-    };
-    let uplift_m = rigid()
-        .map(|one| one.rocking.uplift_m)
-        .chain(pads().map(|one| one.found.lift_m))
+    let stands = |outcome: Outcome| outcome.has_fallen() == Some(false);
+    let rigid = lived.on_rigid().filter(|told| stands(told.outcome));
+    let pads = lived.on_pads().filter(|told| stands(told.outcome));
+    let rigid = rigid.map_or(&[][..], |told| &told.axes);
+    let rigid = rigid.iter().filter(|_| lifts(rigid));
+    let pads = pads.map_or(&[][..], |told| &told.axes);
+    let pads = pads.iter().filter(|one| one.found.has_let_go());
+    let uplift_m = rigid
+        .clone()
+        .map(AxisMotion::uplift_m)
+        .chain(pads.clone().map(|one| one.found.lift_m))
         .reduce(f64::max);
-    let hits = rigid()
-        .filter_map(|one| one.hit.as_ref().map(Hit::larger_g))
-        .filter(|shock_g| *shock_g > 0.0);
-    let shocks = hits
+    let shocks = rigid
+        .map(AxisMotion::larger_g)
+        .filter(|shock_g| *shock_g > 0.0)
         .map(|shock_g| lived.draw.model * shock_g)
-        .chain(pads().map(|one| one.edge_m_s2 / G0_M_S2));
+        .chain(pads.map(|one| one.edge_m_s2 / G0_M_S2));
     (uplift_m, shocks.reduce(f64::max))
 }

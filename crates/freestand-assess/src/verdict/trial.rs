@@ -16,7 +16,7 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, Drawn, draw};
 use super::object::{Model, Subject};
-use super::respond::{outcome_on_pads, outcome_on_rigid, responses};
+use super::respond::responses;
 use super::response::{
     AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity,
     pads_demand_capacity,
@@ -79,13 +79,13 @@ impl<'a> Trial<'a> {
     /// The worlds whose histories on a rigid base are complete, with their numbers.
     pub(super) fn followed(&self) -> impl Iterator<Item = (usize, &[AxisMotion])> {
         let worlds = self.lived.iter().enumerate();
-        worlds.filter_map(|(i, one)| Some((i, one.on_rigid()?)))
+        worlds.filter_map(|(i, one)| Some((i, &one.on_rigid()?.axes[..])))
     }
 
     /// The worlds whose histories on pads are complete.
     pub(super) fn followed_on_pads(&self) -> impl Iterator<Item = (&Lived, &[PadMotion])> {
         let worlds = self.lived.iter();
-        worlds.filter_map(|one| Some((one, one.on_pads()?)))
+        worlds.filter_map(|one| Some((one, &one.on_pads()?.axes[..])))
     }
 
     /// The largest number of worlds.
@@ -238,7 +238,7 @@ impl<'a> Trial<'a> {
 
     /// How far it rolls or slides in a world, 0 where it rocks; `None`: that is not known \[m\].
     fn travel_m(&self, lived: &Lived) -> Option<f64> {
-        let outcome = outcome_on_rigid(&self.subject.way, lived.on_rigid()?);
+        let outcome = lived.on_rigid()?.outcome;
         Some(outcome.travelled().map_or(0.0, |way| way.travel_m))
     }
 
@@ -282,27 +282,21 @@ pub(super) fn answer(
         Model::Rigid => lived.rigid.as_ref().map(|_| lived.answering(model))?,
         Model::Pads => model,
     };
-    let has_fallen = match model {
-        Model::Rigid => lived
-            .rigid
-            .as_ref()?
-            .as_ref()
-            .ok()
-            .map(|axes| outcome_on_rigid(&subject.way, axes)),
-        Model::Pads => lived
-            .pads
-            .as_ref()?
-            .as_ref()
-            .ok()
-            .map(|axes| outcome_on_pads(axes)),
+    let outcome = match model {
+        Model::Rigid => lived.rigid.as_ref()?.as_ref().map(|told| told.outcome),
+        Model::Pads => lived.pads.as_ref()?.as_ref().map(|told| told.outcome),
     };
-    let has_fallen = has_fallen.map(Outcome::has_fallen);
+    let has_fallen = outcome.ok().and_then(Outcome::has_fallen);
     if question == Question::Falls || has_fallen != Some(false) {
         return Some(has_fallen);
     }
     let ratio = match model {
-        Model::Rigid => lived.on_rigid().and_then(demand_capacity),
-        Model::Pads => lived.on_pads().and_then(pads_demand_capacity),
+        Model::Rigid => lived
+            .on_rigid()
+            .and_then(|told| demand_capacity(&told.axes)),
+        Model::Pads => lived
+            .on_pads()
+            .and_then(|told| pads_demand_capacity(&told.axes)),
     };
     // Beyond the thickness of a pad its stiffness is not known.
     let thickness_m = subject
@@ -314,15 +308,13 @@ pub(super) fn answer(
         Model::Rigid => lived
             .on_rigid()
             .iter()
-            .copied()
-            .flatten()
-            .filter_map(|one| Some(one.hit?.compression_m))
+            .flat_map(|told| &told.axes)
+            .filter_map(|one| Some(one.hit()?.compression_m))
             .fold(0.0, f64::max),
         Model::Pads => lived
             .on_pads()
             .iter()
-            .copied()
-            .flatten()
+            .flat_map(|told| &told.axes)
             .map(|one| one.found.compression_m)
             .fold(0.0, f64::max),
     };

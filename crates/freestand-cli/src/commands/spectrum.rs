@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::rocking::{Base, RockingOptions};
+use freestand::respond::{HistoryOptions, RigidHistory, Settings};
+use freestand::rocking::Base;
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -15,7 +16,7 @@ use freestand_study::at_place::{AtPlace, LastGround, motions_at};
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::restitution::checked;
-use freestand_study::rock::{RockReport, RockRequest, problem, rock, until};
+use freestand_study::rock::{edge_landings, follow_problem, problem};
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum,
 };
@@ -284,13 +285,11 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let (walls, wall) = args
         .walls
         .read(first.as_ref(), mass, args.rocking.model, &mut values);
-    let options = RockingOptions {
+    let restitution = args.rocking.restitution(&[], &mut values);
+    let settings = Settings {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
-        walls,
-        until: until(None),
-        ..RockingOptions::default()
+        ..Settings::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {
         values.push(Problem::value(
@@ -317,7 +316,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
             "leave --mass, the cushion and --sensitivity out",
         ));
     }
-    if args.sliding.is_given() && !options.walls.is_none() {
+    if args.sliding.is_given() && !walls.is_none() {
         let message = "walls stop objects that rock, and these slide or roll";
         values.push(Problem::value(
             message,
@@ -337,11 +336,13 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     }
     let grid = Grid::new(heights, thicknesses)?;
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
-    checked(options.restitution, &blocks)?;
+    checked(restitution, &blocks)?;
     let cushion = mass.zip(cushion);
     let request = SpectrumRequest {
         grid,
-        options,
+        restitution,
+        walls,
+        settings,
         cushion,
         wall,
         sensitivity: args.sensitivity,
@@ -428,45 +429,47 @@ fn followed(
             "leave the history out",
         ));
     }
-    let at = |motion: &SpectrumMotion| -> Result<(String, RockReport), Failure> {
-        let request = RockRequest {
-            block,
-            horizontal: Some(motion.horizontal.clone()),
-            vertical: motion.vertical.clone(),
-            options: request.options,
-            cushion: request.cushion.clone(),
-            wall: request.wall,
-            friction: None,
-        };
-        Ok((motion.name.clone(), rock(&request, true)?))
-    };
-    let farthest = |report: &RockReport| report.facts.number("peak_rotation_rad").unwrap_or(0.0);
-    let reports = match follow {
+    let object = request.standing(block);
+    let how = HistoryOptions::sampled(request.settings);
+    let chosen: Vec<&SpectrumMotion> = match follow {
         Follow::Named(name) => motions
             .iter()
-            .filter(|motion| motion.name == *name)
-            .map(at)
+            .filter(|one| one.name == *name)
             .take(1)
             .collect(),
-        Follow::Telling => motions.iter().map(at).collect::<Result<Vec<_>, _>>(),
-    }?;
-    let found = reports
+        Follow::Telling => motions.iter().collect(),
+    };
+    let histories = chosen.iter().map(|motion| {
+        let base = Base {
+            horizontal: Some(&motion.horizontal),
+            vertical: motion.vertical.as_ref(),
+        };
+        object.follow(base, &how).map_err(follow_problem)
+    });
+    let histories = histories.collect::<Result<Vec<RigidHistory>, _>>()?;
+    let farthest = |history: &RigidHistory| history.rocking.peak_rotation_rad;
+    let found = chosen
         .into_iter()
+        .zip(histories)
         .max_by(|a, b| farthest(&a.1).total_cmp(&farthest(&b.1)));
-    let (name, report) = found.ok_or_else(|| {
+    let (motion, history) = found.ok_or_else(|| {
         let names: Vec<&str> = motions.iter().map(|motion| motion.name.as_str()).collect();
         Failure::usage(
             "no motion has this name",
             format!("choose one of {}", names.join(", ")),
         )
     })?;
-    let floor = motions
-        .iter()
-        .find(|motion| motion.name == name)
-        .map(|motion| &motion.horizontal);
+    let body = request.cushion.as_ref();
+    let body = body.map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
+    let landings = edge_landings(
+        &block,
+        &history.rocking,
+        body,
+        request.settings.gravity_m_s2,
+    );
     Ok(Followed {
-        history: drawn(&report, floor),
-        followed: name,
+        history: drawn(&object, &history, &landings, Some(&motion.horizontal)),
+        followed: motion.name.clone(),
     })
 }
 

@@ -67,7 +67,7 @@ impl Seen {
     /// For `total` rows of this number of motions.
     pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
         let tallies = vec![SpectrumTally::default(); motions];
-        let (walls, slides) = (!request.options.walls.is_none(), request.surface.is_some());
+        let (walls, slides) = (!request.walls.is_none(), request.surface.is_some());
         let has_pads = request.cushion.is_some();
         Self {
             tallies,

@@ -28,7 +28,7 @@ const SHOWN_AFTER: f64 = 14.0;
 
 /// The first impact of a sampled history, or all of the history if there was no impact.
 fn trace_page(report: &CompliantReport) -> Page {
-    let (rocking, base) = (&report.rocking, &report.base);
+    let (rocking, base) = (&report.history.rocking, &report.base);
     let (from, to) = rocking
         .touches
         .first()
@@ -46,6 +46,7 @@ fn trace_page(report: &CompliantReport) -> Page {
         thin(
             report
                 .history
+                .samples
                 .iter()
                 .filter(within)
                 .map(|p| (p.time_s, value(p))),

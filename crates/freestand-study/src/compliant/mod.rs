@@ -4,18 +4,17 @@ mod figure;
 
 pub use figure::trace_figure;
 use freestand::G0_M_S2;
-use freestand::block::{Block, Pivot};
+use freestand::block::Block;
 use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantPoint,
-    CompliantRecorder, CompliantRocking, Start, Swing, Touch, rock_compliant,
-    rock_compliant_observed,
+    CompliantBase, CompliantError, CompliantPoint, CompliantRocking, Swing, Touch,
 };
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
-use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::{Base, LONGEST_TAIL_S, Outcome};
+use freestand::motion::Motion;
+use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
+use freestand::rocking::{Base, Outcome, Until};
 
-use crate::rock::unresolved_warning;
+use crate::rock::{follow_problem, unresolved_warning};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts;
@@ -23,8 +22,6 @@ use freestand_output::facts::{Facts, Value};
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 
-/// Samples in each landing pulse of a history: a peak between samples is at most 0.1 % higher.
-const SAMPLES_PER_PULSE: f64 = 40.0;
 /// Free rocking without a given duration lasts this many swings of a rigid block.
 const FREE_SWINGS: f64 = 4.0;
 /// Duration for an object that does not swing back, as a multiple of the block's 1/p.
@@ -33,10 +30,8 @@ const FALL_TIMES: f64 = 12.0;
 /// An object on cushions, under a motion or released.
 #[derive(Debug, Clone)]
 pub struct CompliantRequest {
-    /// The object.
-    pub block: Block,
-    /// What it rests on.
-    pub base: CompliantBase,
+    /// The object, in one plane.
+    pub object: Pads,
     /// Thickness of the pad, for the warnings \[m\].
     pub pad_thickness_m: Option<f64>,
     /// How the cushion was read, in words.
@@ -45,13 +40,13 @@ pub struct CompliantRequest {
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
     pub vertical: Option<Motion>,
-    /// Options of the solver: accuracy, start, duration, points.
-    pub options: CompliantOptions,
+    /// Accuracy, start, end, points, samples.
+    pub how: HistoryOptions,
 }
 
-/// The rotation to the right from which an object is released.
+/// How far to the right an object is turned when it is released.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Release {
+pub enum Turned {
     /// θ \[rad\].
     Rotation(f64),
     /// The rotation at this rise of the centre of gravity \[m\].
@@ -62,26 +57,21 @@ pub enum Release {
 ///
 /// # Errors
 /// A rise beyond the balance point.
-pub fn start(block: &Block, release: Option<Release>, omega_rad_s: f64) -> Result<Start, Problem> {
+pub fn start(block: &Block, turned: Option<Turned>, omega_rad_s: f64) -> Result<Release, Problem> {
     let pivot = block.right_pivot();
-    let rotation_rad = match release {
+    let rotation_rad = match turned {
         None => 0.0,
-        Some(Release::Rotation(rotation_rad)) => rotation_rad,
-        Some(Release::CgRise(rise_m)) => pivot.rotation_at_rise_rad(rise_m).ok_or_else(|| {
+        Some(Turned::Rotation(rotation_rad)) => rotation_rad,
+        Some(Turned::CgRise(rise_m)) => pivot.rotation_at_rise_rad(rise_m).ok_or_else(|| {
             let balance = format_si(pivot.balance_rise_m(), Dimension::Length);
             let message =
                 format!("`cg_rise` is beyond the balance point, which is at a rise of {balance}");
             Problem::value(message, "give a smaller rise, or `initial_rotation`")
         })?,
     };
-    let is_upright = rotation_rad == 0.0 && omega_rad_s == 0.0;
-    Ok(if is_upright {
-        Start::Rest
-    } else {
-        Start::Tilted {
-            rotation_rad,
-            omega_rad_s,
-        }
+    Ok(Release {
+        rotation_rad,
+        omega_rad_s,
     })
 }
 
@@ -107,65 +97,35 @@ pub fn with_tangential_stiffness(
 pub struct CompliantReport {
     /// The document of `freestand rock` with a compliant base.
     pub facts: Facts<'static>,
-    /// What the solver found.
-    pub rocking: CompliantRocking,
     /// What the object rests on.
     pub base: CompliantBase,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
-    /// The sampled history; empty if it was not recorded.
-    pub history: Vec<CompliantPoint>,
+    /// Its history.
+    pub history: PadHistory,
 }
 
-/// Calculates the motion of the object; the history is sampled only if `record` is true.
+/// Calculates the motion of the object.
 ///
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
-pub fn rock_on_cushions(
-    request: &CompliantRequest,
-    record: bool,
-) -> Result<CompliantReport, Problem> {
+pub fn rock_on_cushions(request: &CompliantRequest) -> Result<CompliantReport, Problem> {
     let motion = Base {
         horizontal: request.horizontal.as_ref(),
         vertical: request.vertical.as_ref(),
     };
-    let mut options = request.options.clone();
-    let pivot = pivot_of(&request.block, options.start);
-    if motion.horizontal.is_none() && motion.vertical.is_none() && options.duration_s.is_none() {
-        options.duration_s = Some(natural_duration_s(
-            &pivot,
-            options.start,
-            options.gravity_m_s2,
-        ));
+    let is_free = motion.horizontal.is_none() && motion.vertical.is_none();
+    let mut how = request.how.clone();
+    if is_free && matches!(how.settings.until, Until::Settled { .. }) {
+        how.settings.until =
+            Until::Time(natural_duration_s(&request.object.planes.one.block, &how));
     }
-    let dt_s = sampling_s(request);
-    let given = motion.horizontal.or(motion.vertical);
-    let end_s = options
-        .duration_s
-        .unwrap_or_else(|| given.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
-    if record && end_s / dt_s > MAX_SAMPLES as f64 {
-        let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-        return Err(Problem::value(
-            message,
-            "give a shorter `duration`, or leave `history` and `out` out",
-        ));
-    }
-    let (width_m, contacts) = (request.block.base_width_m(), request.base.contacts);
-    let mut recorder = CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
-    let rocking =
-        rock_compliant_observed(&request.block, &request.base, motion, &options, |piece| {
-            if record {
-                recorder.observe(piece);
-            }
-        })
-        .map_err(problem)?;
-    let history = if record {
-        recorder.finish(&rocking)
-    } else {
-        Vec::new()
-    };
-    let is_one = is_one_realisation(request, &options, rocking.outcome);
-    let mut report = report(request, rocking, history);
+    let history = request
+        .object
+        .follow(motion, &how)
+        .map_err(follow_problem)?;
+    let is_one = !is_free && is_one_realisation(request, &how, history.rocking.outcome);
+    let mut report = report(request, history);
     if is_one {
         report.warnings.push(ONE_REALISATION.to_owned());
     }
@@ -180,11 +140,11 @@ const ONE_REALISATION: &str = "one realisation: another outcome follows from a m
 const CHANGE_RATIO: f64 = 1e-4;
 
 /// Whether the outcome is another under a slightly weaker or stronger motion.
-fn is_one_realisation(
-    request: &CompliantRequest,
-    options: &CompliantOptions,
-    outcome: Outcome,
-) -> bool {
+fn is_one_realisation(request: &CompliantRequest, how: &HistoryOptions, outcome: Outcome) -> bool {
+    let how = HistoryOptions {
+        is_sampled: false,
+        ..how.clone()
+    };
     let is_other = |factor: f64| {
         let scaled = |motion: &Option<Motion>| {
             motion
@@ -197,56 +157,35 @@ fn is_one_realisation(
         else {
             return false;
         };
-        if horizontal.is_none() && vertical.is_none() {
-            return false;
-        }
         let motion = Base {
             horizontal: horizontal.as_ref(),
             vertical: vertical.as_ref(),
         };
-        let found = rock_compliant(&request.block, &request.base, motion, options);
-        found.map_or(true, |found| found.outcome != outcome)
+        let found = request.object.follow(motion, &how);
+        found.map_or(true, |found| found.rocking.outcome != outcome)
     };
     [1.0 - CHANGE_RATIO, 1.0 + CHANGE_RATIO]
         .into_iter()
         .any(is_other)
 }
 
-fn pivot_of(block: &Block, start: Start) -> Pivot {
-    match start {
-        Start::Tilted { rotation_rad, .. } if rotation_rad > 0.0 => block.right_pivot(),
-        _ => block.pivot(),
-    }
-}
-
 /// The duration of four swings of a rigid block released in the same way, or that of a fall if it
 /// does not swing back.
-fn natural_duration_s(pivot: &Pivot, start: Start, gravity_m_s2: f64) -> f64 {
-    let p = pivot.frequency_parameter_rad_s(gravity_m_s2);
-    let free = match start {
-        Start::Tilted {
-            rotation_rad,
-            omega_rad_s: 0.0,
-        } => {
-            let share = rotation_rad.abs() / pivot.slenderness_angle_rad;
-            (0.0 < share && share < 1.0)
-                .then(|| 2.0 * FREE_SWINGS * (1.0 / (1.0 - share)).acosh() / p)
-        }
-        _ => None,
+fn natural_duration_s(block: &Block, how: &HistoryOptions) -> f64 {
+    let Release {
+        rotation_rad,
+        omega_rad_s,
+    } = how.start;
+    let pivot = if rotation_rad > 0.0 {
+        block.right_pivot()
+    } else {
+        block.pivot()
     };
+    let p = pivot.frequency_parameter_rad_s(how.settings.gravity_m_s2);
+    let share = rotation_rad.abs() / pivot.slenderness_angle_rad;
+    let swings = omega_rad_s == 0.0 && 0.0 < share && share < 1.0;
+    let free = swings.then(|| 2.0 * FREE_SWINGS * (1.0 / (1.0 - share)).acosh() / p);
     free.map_or(FALL_TIMES / p, |time_s| time_s.min(FALL_TIMES / p))
-}
-
-/// The step of a history: that of the motion, or one fine enough for a landing.
-fn sampling_s(request: &CompliantRequest) -> f64 {
-    let landing = Landing::rocking(&request.block, ImpactModel::Paper);
-    let weight_n = request.base.mass_kg * request.options.gravity_m_s2;
-    let cushion = &request.base.cushion;
-    let stiffness_n_m = cushion.tangent_stiffness_n_m(cushion.static_compression_m(weight_n));
-    let m_eff = landing.effective_mass_ratio * request.base.mass_kg;
-    let pulse_s = std::f64::consts::PI * (m_eff / stiffness_n_m).sqrt() / SAMPLES_PER_PULSE;
-    let motion = request.horizontal.as_ref().or(request.vertical.as_ref());
-    motion.map_or(pulse_s, |motion| motion.dt_s().min(pulse_s))
 }
 
 /// A linear cushion with c = 2ζ√(k m) under the edge of a mass m \[N s/m\].
@@ -307,18 +246,16 @@ fn undamped(base: &CompliantBase) -> CompliantBase {
     )
 }
 
-fn report(
-    request: &CompliantRequest,
-    rocking: CompliantRocking,
-    history: Vec<CompliantPoint>,
-) -> CompliantReport {
-    let (block, base, options) = (&request.block, &request.base, &request.options);
+fn report(request: &CompliantRequest, history: PadHistory) -> CompliantReport {
+    let Pads { planes, base } = &request.object;
+    let (block, settings) = (&planes.one.block, &request.how.settings);
+    let rocking = &history.rocking;
     let pivot = block.pivot();
     let alphas = [pivot, block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);
     let is_up = matches!(rocking.outcome, Outcome::Rocked | Outcome::Unresolved);
     let landed = |base: &CompliantBase| {
         let a = is_up.then(|| {
-            paper_edge_acceleration_m_s2(block, base, rocking.cg_rise_m, options.gravity_m_s2)
+            paper_edge_acceleration_m_s2(block, base, rocking.cg_rise_m, settings.gravity_m_s2)
         });
         a.filter(|a| *a > 0.0 && a.is_finite())
     };
@@ -341,7 +278,8 @@ fn report(
     );
     let force_n = rocking.peak_edge_forces_n[0].max(rocking.peak_edge_forces_n[1]);
     let share = rocking.peak_rotation_rad / alphas[0].min(alphas[1]);
-    let at = options
+    let at = request
+        .how
         .points_m
         .first()
         .zip(rocking.points.first())
@@ -405,17 +343,16 @@ fn report(
         .key("energy", energy)
         .and(facts!(rocking; final_rotation_rad, final_omega_rad_s))
         .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
-        .key("frequency_parameter_rad_s", pivot.frequency_parameter_rad_s(options.gravity_m_s2))
+        .key("frequency_parameter_rad_s", pivot.frequency_parameter_rad_s(settings.gravity_m_s2))
         .key("mass_kg", base.mass_kg)
         .key("law", base.cushion.law().name())
         .and(facts!(base; contacts, tangential_stiffness_ratio, friction_ratio))
-        .key("tolerance", options.accuracy.tolerance())
+        .key("tolerance", settings.on_pads.tolerance())
         .and(facts!(rocking.effort; steps, evaluations))
         .fact("notes", "note", request.notes.clone());
     CompliantReport {
         facts,
-        warnings: warnings(request, &rocking),
-        rocking,
+        warnings: warnings(request, rocking),
         base: base.clone(),
         history,
     }
@@ -439,7 +376,7 @@ fn swing(swing: &Swing) -> Facts<'static> {
 const ENERGY_LIMIT: f64 = 1e-5;
 
 fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
-    let (base, pad_thickness_m) = (&request.base, request.pad_thickness_m);
+    let (base, pad_thickness_m) = (&request.object.base, request.pad_thickness_m);
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
     let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
     let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
@@ -514,18 +451,6 @@ pub fn problem(error: CompliantError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// The accuracy of the compliant solver with the same name.
-pub fn accuracy(name: freestand::rocking::Accuracy) -> CompliantAccuracy {
-    match name {
-        freestand::rocking::Accuracy::Fast => CompliantAccuracy::Fast,
-        freestand::rocking::Accuracy::Standard => CompliantAccuracy::Standard,
-        freestand::rocking::Accuracy::Tight => CompliantAccuracy::Tight,
-        freestand::rocking::Accuracy::Tolerance(tolerance) => {
-            CompliantAccuracy::Tolerance(tolerance)
-        }
-    }
-}
-
 /// The columns of a history.
 pub fn history_head(history: &[CompliantPoint]) -> String {
     let mut head = String::from(
@@ -572,28 +497,35 @@ pub fn history_table(history: &[CompliantPoint]) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use freestand::compliant::CompliantAccuracy;
+    use freestand::respond::{Along, Plane, Planes, Settings};
 
     fn request(damping_ratio: f64) -> CompliantRequest {
         let block = Block::uniform(2.3, 0.6).unwrap();
         let rotation_rad = block.right_pivot().rotation_at_rise_rad(0.016).unwrap();
         let base = CompliantBase::new(140.0, damped(140.0, 4.38e6, damping_ratio).unwrap());
-        let start = Start::Tilted {
-            rotation_rad,
-            omega_rad_s: 0.0,
-        };
-        let options = CompliantOptions {
-            start,
-            points_m: vec![(0.3, 1.15)],
-            ..CompliantOptions::default()
-        };
+        let along = Along::X;
         CompliantRequest {
-            block,
-            base,
+            object: Pads {
+                planes: Planes::single(Plane { along, block }),
+                base,
+            },
             pad_thickness_m: None,
             notes: Vec::new(),
             horizontal: None,
             vertical: None,
-            options,
+            how: HistoryOptions {
+                settings: Settings {
+                    on_pads: CompliantAccuracy::Standard,
+                    ..Settings::default()
+                },
+                start: Release {
+                    rotation_rad,
+                    omega_rad_s: 0.0,
+                },
+                points_m: vec![(0.3, 1.15)],
+                is_sampled: true,
+            },
         }
     }
 
@@ -606,27 +538,28 @@ mod tests {
     /// is 0.79 of it.
     #[test]
     fn a_release_is_compared_with_equation_5() {
-        let report = rock_on_cushions(&request(0.0), true).unwrap();
+        let report = rock_on_cushions(&request(0.0)).unwrap();
         assert!((number(&report, "edge_acceleration_paper_g") - 4.5268).abs() < 1e-3);
         assert!((number(&report, "first_impact_over_paper_ratio") - 0.79).abs() < 0.005);
-        assert!((report.rocking.cg_rise_m - 0.016).abs() < 1e-12);
+        assert!((report.history.rocking.cg_rise_m - 0.016).abs() < 1e-12);
         assert_eq!(report.facts.text("outcome"), Some("rocked"));
         assert!(
             (number(&report, "static_compression_m") - 140.0 * G0_M_S2 / (2.0 * 4.38e6)).abs()
                 < 1e-15
         );
         assert!(
-            report.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(),
+            report.history.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(),
             "{:?}",
             report.warnings
         );
-        let csv = history_table(&report.history).to_string();
+        let csv = history_table(&report.history.samples).to_string();
         let columns = |line: &str| line.split(',').count();
         assert!(csv.lines().all(|line| columns(line) == 13));
-        assert_eq!(csv.lines().count(), report.history.len() + 1);
+        assert_eq!(csv.lines().count(), report.history.samples.len() + 1);
         // The samples show the pulse, as fine as they are: 1 − cos(π/80) = 0.08 % below its peak.
         let sampled = report
             .history
+            .samples
             .iter()
             .map(|p| p.edge_accelerations_m_s2[0])
             .fold(0.0, f64::max)
@@ -639,28 +572,29 @@ mod tests {
     #[test]
     fn damping_is_that_of_the_mass() {
         let expected = 0.1 * (4.38e6 * 140.0f64).sqrt();
-        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = *request(0.05).base.cushion.law()
+        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } =
+            *request(0.05).object.base.cushion.law()
         else {
             panic!("a damped cushion")
         };
         assert!((damping_n_s_m / expected - 1.0).abs() < 1e-12);
-        let report = rock_on_cushions(&request(0.05), false).unwrap();
+        let report = rock_on_cushions(&request(0.05)).unwrap();
         // Eq. (5) knows no damping; the landing of the effective mass does: of it ζ is
         // 0.05/√(1 − 0.1875 x) = 0.05124, and exp(−ζ w t*) = 0.92988.
         assert!((number(&report, "edge_acceleration_paper_g") - 4.5268).abs() < 1e-3);
         let ratio = number(&report, "edge_acceleration_effective_mass_g")
             / number(&report, "edge_acceleration_paper_g");
         assert!((ratio - 0.92988).abs() < 1e-5, "{ratio}");
-        assert!(report.rocking.energy.cushion_dissipation_j > 0.0 && report.history.is_empty());
+        assert!(report.history.rocking.energy.cushion_dissipation_j > 0.0);
     }
 
     #[test]
     fn too_soft_a_cushion_is_a_problem_with_a_hint() {
         let mut request = request(0.0);
-        request.base.cushion = Cushion::linear(4380.0).unwrap();
-        request.options.start = Start::Rest;
-        request.options.duration_s = Some(1.0);
-        let problem = rock_on_cushions(&request, false).unwrap_err();
+        request.object.base.cushion = Cushion::linear(4380.0).unwrap();
+        request.how.start = Release::default();
+        request.how.settings.until = Until::Time(1.0);
+        let problem = rock_on_cushions(&request).unwrap_err();
         assert!(problem.message.contains("too soft") && problem.hint.is_some());
     }
 }

@@ -134,14 +134,8 @@ pub fn rock_figure(
     block: &Block,
     report: &RockReport,
 ) -> Result<Option<Figure>, FigureError> {
-    let RockReport {
-        outcome,
-        history,
-        contacts,
-        wall_impacts,
-        ..
-    } = report;
-    let outcome = *outcome;
+    let (rocking, history) = (&report.history.rocking, &report.history.samples);
+    let (outcome, contacts) = (rocking.outcome, rocking.contacts);
     let (Some(first), Some(last)) = (history.first(), history.last()) else {
         return Ok(None);
     };
@@ -162,12 +156,13 @@ pub fn rock_figure(
     let angle = |side: f64, contact: Option<Contact>| {
         contact.map(|contact| side * contact.angle_rad / alpha)
     };
-    let [right, left] = *contacts;
+    let [right, left] = contacts;
     let walls: Vec<f64> = [angle(1.0, right), angle(-1.0, left)]
         .into_iter()
         .flatten()
         .collect();
-    let struck: Vec<(f64, f64)> = wall_impacts
+    let struck: Vec<(f64, f64)> = rocking
+        .wall_impacts
         .iter()
         .filter_map(|impact| {
             let contact = contacts[impact.side.index()]?;

@@ -4,7 +4,9 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use kuva::render::annotations::ReferenceLine;
 
-use crate::sliding::{SlidePoint, Surface};
+use freestand::respond::SlidePoint;
+
+use crate::sliding::Surface;
 use freestand_input::words::number;
 use freestand_output::figure::legend::Sign;
 use freestand_output::figure::page::{Page, Panel, draw};

@@ -11,10 +11,10 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::motion::Motion;
-use freestand::rocking::{
-    Base, HistoryRecorder, Outcome, RockingError, RockingOptions, Until, rock_observed,
-};
+use freestand::respond::{HistoryOptions, RigidHistory, RigidPlane, Settings};
+use freestand::rocking::{Base, Outcome, RockingError};
 use freestand::spectra::{UpliftCell, uplift_spectrum};
+use freestand::wall::Walls;
 use rayon::prelude::*;
 
 use crate::cushion::BOTTOMED;
@@ -164,15 +164,15 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     })
 }
 
-fn options(study: &Study) -> RockingOptions {
-    RockingOptions {
-        restitution: study.objects.restitution,
+fn settings(study: &Study) -> Settings {
+    Settings {
         accuracy: study.objects.accuracy,
-        until: Until::Settled {
-            at_most_s: LONGEST_TAIL_S,
-        },
-        ..RockingOptions::default()
+        ..Settings::default()
     }
+}
+
+fn standing(study: &Study, block: Block) -> RigidPlane {
+    RigidPlane::along_x(block, study.objects.restitution, Walls::NONE)
 }
 
 fn object_responses(
@@ -191,7 +191,9 @@ fn object_responses(
         vertical,
     };
     let direction_deg = floor.across.is_some().then_some(direction_deg);
-    uplift_spectrum(&objects.blocks, base, &options(study))
+    let standing = objects.blocks.iter().map(|block| standing(study, *block));
+    let standing: Vec<RigidPlane> = standing.collect();
+    uplift_spectrum(&standing, base, &settings(study))
         .into_iter()
         .map(|cell| match cell {
             Ok(uplift) => {
@@ -294,11 +296,12 @@ fn example_history(
         horizontal: Some(floor),
         vertical: level.verticals[motion].as_deref(),
     };
-    let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
-    let rocking = rock_observed(&block, base, &options(study), |segment| {
-        recorder.observe(segment)
-    })?;
-    let points = recorder.finish(&rocking);
+    let how = HistoryOptions::sampled(settings(study));
+    let RigidHistory {
+        rocking,
+        samples: points,
+        ..
+    } = standing(study, block).follow(base, &how)?;
     let landing = Landing::rocking(&block, ImpactModel::Paper);
     let shock_g = |omega: f64| {
         let (mass, cushion) = (study.objects.mass_kg, &study.objects.cushion.cushion);

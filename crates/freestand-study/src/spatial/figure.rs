@@ -7,7 +7,9 @@ use kuva::render::plots::Plot;
 
 use freestand::spatial::{Pattern, Shape};
 
-use super::{SpatialPoint, SpatialReport, StackPoint, StackReport, feet};
+use freestand::respond::{SpatialPoint, StackPoint};
+
+use super::{SpatialReport, StackReport};
 use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
@@ -56,7 +58,10 @@ fn curve(index: usize, words: &str) -> Entry {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else {
+    let (Some(first), Some(last)) = (
+        report.history.samples.first(),
+        report.history.samples.last(),
+    ) else {
         return Ok(None);
     };
     let (from, to) = (first.time_s, last.time_s);
@@ -67,6 +72,7 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
         thin(
             report
                 .history
+                .samples
                 .iter()
                 .map(|point| (point.time_s, of(point).to_degrees())),
             from,
@@ -158,9 +164,13 @@ fn plan(report: &SpatialReport) -> Panel {
             .map(|&[x, y]| (1e3 * x, 1e3 * y))
             .collect()
     };
-    let (before, after) = (closed(&feet(&report.shape)), closed(&report.outline_m));
+    let (before, after) = (
+        closed(&report.shape.feet_m()),
+        closed(&report.history.outline_m),
+    );
     let path: Vec<(f64, f64)> = report
         .history
+        .samples
         .iter()
         .map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1]))
         .collect();
@@ -206,7 +216,10 @@ fn plan(report: &SpatialReport) -> Panel {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else {
+    let (Some(first), Some(last)) = (
+        report.history.samples.first(),
+        report.history.samples.last(),
+    ) else {
         return Ok(None);
     };
     let (from, to) = (first.time_s, last.time_s);
@@ -217,6 +230,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         thin(
             report
                 .history
+                .samples
                 .iter()
                 .map(|point| (point.time_s, of(point).to_degrees())),
             from,
@@ -268,7 +282,11 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
             size(upper),
             size(lower)
         ),
-        panels: vec![top, patterns(&report.history, time_axis(from, to)), below],
+        panels: vec![
+            top,
+            patterns(&report.history.samples, time_axis(from, to)),
+            below,
+        ],
         columns: 1,
         row_heights_px: STACK_PX.to_vec(),
         legend: [

@@ -6,13 +6,14 @@ mod wall;
 use freestand::compliant::CompliantEffort;
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::stiffness_warnings;
-use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::{Base, LONGEST_TAIL_S};
+use freestand::motion::Motion;
+use freestand::respond::{
+    HistoryOptions, Settings, SpatialHistory, SpatialPoint, StackHistory, StackPoint,
+};
+use freestand::rocking::Base;
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
-    BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions,
-    SpatialPiece, SpatialStart, Stack, StackRocking, Support, rock_spatial_observed,
-    rock_stack_observed,
+    BodyMotion, Shape, SpatialMotion, SpatialObject, Stack, StackRocking, Support,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, significant};
@@ -25,12 +26,9 @@ use freestand_records::horizontal::HorizontalMotion;
 pub use figure::{spatial_figure, stack_figure};
 pub use wall::walls_on_cushions;
 
-use crate::compliant::{damped, energy_warning, problem, ringing_warning};
+use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
-use crate::rock::unresolved_warning;
-
-/// Sampling of a history without a motion \[s\].
-const FREE_HISTORY_DT_S: f64 = 0.005;
+use crate::rock::{follow_problem, unresolved_warning};
 
 /// What a single history in space is worth.
 const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
@@ -113,21 +111,8 @@ pub struct SpatialRequest {
     pub vertical: Option<Motion>,
     /// How far the object is turned from the first motion, anticlockwise seen from above \[rad\].
     pub orientation_rad: f64,
-    /// Options of the solver.
-    pub options: SpatialOptions,
-}
-
-/// A sample of a history in space.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpatialPoint {
-    /// Time \[s\].
-    pub time_s: f64,
-    /// Angles of the axis to the vertical: to the right, to the back, and in all \[rad\].
-    pub tilts_rad: [f64; 3],
-    /// Yaw \[rad\].
-    pub yaw_rad: f64,
-    /// Displacement of the centre of the base \[m\].
-    pub base_m: [f64; 3],
+    /// Gravity, accuracy, start, end, samples.
+    pub how: HistoryOptions,
 }
 
 /// What an object in space did.
@@ -139,10 +124,8 @@ pub struct SpatialReport {
     pub warnings: Vec<String>,
     /// The shape.
     pub shape: Shape,
-    /// The sampled history; empty if it was not recorded.
-    pub history: Vec<SpatialPoint>,
-    /// The outline of the base at the end, from above \[m\]; empty if it was not recorded.
-    pub outline_m: Vec<[f64; 2]>,
+    /// Its history.
+    pub history: SpatialHistory,
 }
 
 /// A stack under a motion.
@@ -156,19 +139,8 @@ pub struct StackRequest {
     pub horizontal: Option<Motion>,
     /// Vertical motion of the floor.
     pub vertical: Option<Motion>,
-    /// Options of the solver.
-    pub options: SpatialOptions,
-}
-
-/// A sample of the history of a stack.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StackPoint {
-    /// Time \[s\].
-    pub time_s: f64,
-    /// Rotations of the lower and of the upper body \[rad\].
-    pub rotations_rad: [f64; 2],
-    /// How both move.
-    pub pattern: Pattern,
+    /// Gravity, accuracy, end, samples.
+    pub how: HistoryOptions,
 }
 
 /// What a stack did.
@@ -180,8 +152,8 @@ pub struct StackReport {
     pub warnings: Vec<String>,
     /// The stack.
     pub stack: Stack,
-    /// The sampled history; empty if it was not recorded.
-    pub history: Vec<StackPoint>,
+    /// Its history.
+    pub history: StackHistory,
 }
 
 /// The cushion between the bodies of a stack: that under the lower one, or the same law with this
@@ -228,48 +200,6 @@ fn with_stiffness(
     }
 }
 
-/// Samples at a fixed step from the pieces of a history.
-struct Sampler {
-    dt_s: f64,
-    sampled: usize,
-}
-
-impl Sampler {
-    /// For a history until `end_s`; refuses one that is too long.
-    fn new(
-        motion: Option<&Motion>,
-        options: &SpatialOptions,
-        is_wanted: bool,
-    ) -> Result<Self, Problem> {
-        let dt_s = motion.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
-        let end_s = options
-            .duration_s
-            .unwrap_or_else(|| motion.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
-        if is_wanted && end_s / dt_s > MAX_SAMPLES as f64 {
-            let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-            return Err(Problem::value(
-                message,
-                "give a shorter `duration`, or leave `history` and `out` out",
-            ));
-        }
-        Ok(Self { dt_s, sampled: 0 })
-    }
-
-    /// Passes the samples of a piece, each with its time and its share of the piece.
-    fn each(&mut self, piece: &SpatialPiece<'_, '_>, mut take: impl FnMut(f64, f64)) {
-        let end_s = piece.start_s() + piece.length_s();
-        while self.sampled as f64 * self.dt_s <= end_s {
-            let time_s = self.sampled as f64 * self.dt_s;
-            // Before its first piece a body at rest is in its initial state.
-            take(
-                time_s,
-                ((time_s - piece.start_s()) / piece.length_s()).clamp(0.0, 1.0),
-            );
-            self.sampled += 1;
-        }
-    }
-}
-
 /// The motions along the thickness and along the width of an object that is turned.
 fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
     let [first, second] = &request.motions;
@@ -305,12 +235,12 @@ fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
     Ok([part(degrees)?, part(degrees + 90.0)?])
 }
 
-/// Calculates the motion of an object in space; the history is sampled only if `record` is true.
+/// Calculates the motion of an object in space.
 ///
 /// # Errors
 /// The errors of the solver, each with a hint; motions that differ in step or length; a history that
 /// is too long to sample.
-pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialReport, Problem> {
+pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem> {
     wall::check(&request.object)?;
     let [x, y] = turned(request)?;
     let motion = SpatialMotion {
@@ -319,30 +249,11 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         vertical: request.vertical.as_ref(),
     };
     let given = motion.x.or(motion.vertical);
-    let mut sampler = Sampler::new(given, &request.options, record)?;
-    let feet = feet(&request.object.shape);
-    let (mut history, mut outline_m) = (Vec::new(), Vec::new());
-    let rocking = rock_spatial_observed(&request.object, motion, &request.options, |piece| {
-        if !record {
-            return;
-        }
-        sampler.each(piece, |time_s, share| {
-            if let Some(pose) = piece.pose(0, share) {
-                let [x, y] = pose.tilts_rad;
-                let tilts_rad = [x, y, pose.tilt_rad];
-                history.push(SpatialPoint {
-                    time_s,
-                    tilts_rad,
-                    yaw_rad: pose.yaw_rad,
-                    base_m: pose.base_m,
-                });
-            }
-        });
-        let above = |&[x, y]: &[f64; 2]| piece.place_m(0, [x, y, 0.0], 1.0).map(|[x, y, _]| [x, y]);
-        outline_m = feet.iter().filter_map(above).collect();
-    })
-    .map_err(problem)?;
-    let (object, options) = (&request.object, &request.options);
+    let (object, settings) = (&request.object, &request.how.settings);
+    let history = object
+        .follow(motion, &request.how)
+        .map_err(follow_problem)?;
+    let rocking = &history.rocking;
     let [size_x, size_y, height_m] = object.shape.sizes_m();
     let thresholds = object.shape.uplift_thresholds();
     let (model, name) = match object.shape {
@@ -352,16 +263,16 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
     };
     // In the plane there is no width.
     let in_space = |value: f64| (!matches!(object.shape, Shape::Plane { .. })).then_some(value);
-    let body = rocking.body;
+    let body = &rocking.body;
     let facts = Facts::default()
         .key("base", "compliant")
         .key("model", model)
         .fact("shape", "shape", name)
         .fact("outcome", "outcome", body.outcome.name())
         .fact("end_time_s", "end", rocking.end_time_s)
-        .and(tilt_facts(&body))
+        .and(tilt_facts(body))
         .fact("impact_count", "contacts with the floor", rocking.base_contact_count)
-        .and(wall::facts(object, &rocking))
+        .and(wall::facts(object, rocking))
         .fact("threshold_x_g", "uplift threshold, thickness", thresholds[0])
         .fact("threshold_y_g", "uplift threshold, width", in_space(thresholds[1]))
         .fact("static_compression_m", "compression at rest", rocking.static_compression_m)
@@ -371,7 +282,7 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         .key("thickness_m", size_x)
         .key("width_m", in_space(size_y))
         .key("orientation_rad", request.orientation_rad)
-        .and(support_facts(object.mass_kg, &object.support, options, rocking.effort))
+        .and(support_facts(object.mass_kg, &object.support, settings, rocking.effort))
         .fact("notes", "note", notes(&request.edge));
     let is_shaken = given.is_some();
     let mut warnings = warnings(
@@ -387,7 +298,6 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         warnings,
         shape: object.shape,
         history,
-        outline_m,
     })
 }
 
@@ -403,14 +313,14 @@ fn tilt_facts(body: &BodyMotion) -> Facts<'static> {
 fn support_facts(
     mass_kg: f64,
     support: &Support,
-    options: &SpatialOptions,
+    settings: &Settings,
     effort: CompliantEffort,
 ) -> Facts<'static> {
     Facts::default()
         .key("mass_kg", mass_kg)
         .key("law", support.cushion.law().name())
         .and(facts!(support; tangential_stiffness_ratio, friction_ratio))
-        .key("tolerance", options.accuracy.tolerance())
+        .key("tolerance", settings.on_pads.tolerance())
         .and(facts!(effort; steps, evaluations))
 }
 
@@ -428,37 +338,22 @@ fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f
     warnings
 }
 
-/// Calculates the motion of a stack; the history is sampled only if `record` is true.
+/// Calculates the motion of a stack.
 ///
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
-pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport, Problem> {
+pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
     let motion = Base {
         horizontal: request.horizontal.as_ref(),
         vertical: request.vertical.as_ref(),
     };
     let given = motion.horizontal.or(motion.vertical);
-    let mut sampler = Sampler::new(given, &request.options, record)?;
-    let mut history = Vec::new();
-    let rocking = rock_stack_observed(&request.stack, motion, &request.options, |piece| {
-        if record {
-            sampler.each(piece, |time_s, share| {
-                let rotation = |body| {
-                    piece
-                        .pose(body, share)
-                        .map_or(0.0, |pose| pose.tilts_rad[0])
-                };
-                let pattern = piece.pattern().unwrap_or(Pattern::Rest);
-                history.push(StackPoint {
-                    time_s,
-                    rotations_rad: [rotation(0), rotation(1)],
-                    pattern,
-                });
-            });
-        }
-    })
-    .map_err(problem)?;
-    let facts = stack_facts(request, &rocking);
+    let history = request
+        .stack
+        .follow(motion, &request.how)
+        .map_err(follow_problem)?;
+    let rocking = &history.rocking;
+    let facts = stack_facts(request, rocking);
     let lower_kg = request.stack.lower.mass_kg;
     let mut warnings = warnings(
         lower_kg,
@@ -513,24 +408,10 @@ fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static>
         .line("together as one body", percent(patterns.together_ratio))
         .line("the upper body alone", percent(patterns.upper_alone_ratio))
         .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
-        .and(support_facts(stack.lower.mass_kg, &stack.support, &request.options, rocking.effort))
+        .and(support_facts(stack.lower.mass_kg, &stack.support, &request.how.settings, rocking.effort))
         .key("upper_mass_kg", stack.upper.mass_kg)
         .key("interface_friction_ratio", stack.interface.friction_ratio)
         .fact("notes", "note", notes(&request.edge))
-}
-
-/// The outline of the base from above, at rest \[m\].
-fn feet(shape: &Shape) -> Vec<[f64; 2]> {
-    let [x, y, _] = shape.sizes_m().map(|size| 0.5 * size);
-    match shape {
-        Shape::Cylinder { .. } => {
-            let angle = |index: usize| std::f64::consts::TAU * index as f64 / RIM_POINTS as f64;
-            (0..RIM_POINTS)
-                .map(|index| [x * angle(index).cos(), x * angle(index).sin()])
-                .collect()
-        }
-        _ => vec![[-x, -y], [x, -y], [x, y], [-x, y]],
-    }
 }
 
 /// A history in space as CSV.
@@ -551,18 +432,6 @@ pub fn stack_table(history: &[StackPoint]) -> Table {
         "time_s,lower_rotation_rad,upper_rotation_rad",
         history.iter().map(row),
     )
-}
-
-/// A release of an object in space: to the right, about the lower edge.
-pub fn release(rotation_rad: f64, omega_rad_s: f64) -> SpatialStart {
-    if rotation_rad == 0.0 && omega_rad_s == 0.0 {
-        return SpatialStart::Rest;
-    }
-    SpatialStart::Released {
-        tilt_rad: rotation_rad,
-        toward_rad: 0.0,
-        omega_rad_s: [0.0, omega_rad_s, 0.0],
-    }
 }
 
 #[cfg(test)]
@@ -641,7 +510,7 @@ mod tests {
             motions: [Some(motion(1.0)), Some(motion(0.5))],
             vertical: None,
             orientation_rad,
-            options: SpatialOptions::default(),
+            how: HistoryOptions::default(),
         };
         let last = |orientation_rad: f64| {
             turned(&request(orientation_rad))

@@ -6,10 +6,12 @@ use std::path::Path;
 
 use freestand::block::Block;
 use freestand::motion::Motion;
-use freestand::rocking::{Base, Outcome, Restitution, RockingOptions};
+use freestand::respond::{RigidPlane, Settings};
+use freestand::rocking::{Base, Outcome, Restitution, Until};
 use freestand::spectra::{
     PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, uplift_sensitivity, uplift_spectrum,
 };
+use freestand::wall::Walls;
 use serde_json::Value;
 
 /// The horizontal samples of a record in the repository, and its step.
@@ -39,20 +41,22 @@ fn solve(case: &Value) -> Option<(Outcome, Sensitivity)> {
             .collect(),
     )
     .unwrap();
-    let options = RockingOptions {
-        restitution: number("r").map_or(Restitution::Housner, Restitution::Value),
+    let restitution = number("r").map_or(Restitution::Housner, Restitution::Value);
+    let settings = Settings {
         gravity_m_s2: number("g").unwrap_or(freestand::G0_M_S2),
-        ..RockingOptions::default()
+        until: Until::EndOfMotion,
+        ..Settings::default()
     };
     let base = Base {
         horizontal: Some(&motion),
         vertical: None,
     };
     let block = Block::uniform(number("h").unwrap(), number("t").unwrap()).unwrap();
-    let cells = uplift_spectrum(&[block], base, &options);
+    let objects = [RigidPlane::along_x(block, restitution, Walls::NONE)];
+    let cells = uplift_spectrum(&objects, base, &settings);
     Some((
-        cells[0].unwrap().rocking.outcome,
-        uplift_sensitivity(&cells, base, &options)[0],
+        cells[0].as_ref().unwrap().rocking.outcome,
+        uplift_sensitivity(&objects, &cells, base, &settings)[0],
     ))
 }
 

@@ -41,7 +41,7 @@ mod tests;
 use thiserror::Error;
 
 use crate::cushion::Cushion;
-use crate::rocking::{Base, Outcome};
+use crate::rocking::{Accuracy, Base, Outcome};
 
 pub use audit::EnergyAudit;
 pub(crate) use audit::{Energies, Ledger};
@@ -168,6 +168,18 @@ impl CompliantAccuracy {
             Self::Standard => 1e-8,
             Self::Tight => 1e-11,
             Self::Tolerance(tolerance) => tolerance,
+        }
+    }
+}
+
+/// The accuracy of the same name.
+impl From<Accuracy> for CompliantAccuracy {
+    fn from(name: Accuracy) -> Self {
+        match name {
+            Accuracy::Fast => Self::Fast,
+            Accuracy::Standard => Self::Standard,
+            Accuracy::Tight => Self::Tight,
+            Accuracy::Tolerance(tolerance) => Self::Tolerance(tolerance),
         }
     }
 }

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::compliant::CompliantError;
-use crate::rocking::{Outcome, RockingError};
+use crate::rocking::RockingError;
 use crate::sliding::SlidingError;
 
 /// Why it is not known what an object does.
@@ -18,23 +18,19 @@ pub enum RespondError {
     /// On pads.
     #[error(transparent)]
     Compliant(#[from] CompliantError),
-    /// Its history ended before it was certain what becomes of it.
-    #[error("the object is neither at rest nor down long after the motion")]
-    Unresolved,
+    /// More samples than a history may have.
+    #[error("a history of {end_s} s at steps of {dt_s} s is too long")]
+    TooLong {
+        /// Its end, at the latest \[s\].
+        end_s: f64,
+        /// Its step \[s\].
+        dt_s: f64,
+    },
 }
 
 impl RespondError {
     /// Whether the floor falls away, and the object flies: what no rigid base can follow.
     pub fn is_flight(&self) -> bool {
         matches!(self, Self::Rocking(RockingError::FreeFlight { .. }))
-    }
-}
-
-/// An error where a history ended before it was certain what becomes of the object.
-pub(super) fn resolved(outcome: Outcome) -> Result<(), RespondError> {
-    if outcome == Outcome::Unresolved {
-        Err(RespondError::Unresolved)
-    } else {
-        Ok(())
     }
 }

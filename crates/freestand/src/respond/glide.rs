@@ -1,15 +1,15 @@
 //! An object that rolls on free casters, or slides on its base, before it could rock: only a stop can
 //! overturn it.
 
-use crate::G0_M_S2;
-use crate::rocking::{LONGEST_TAIL_S, RockingError, Until};
+use crate::rocking::RockingError;
 use crate::sliding::{
     PlaneMotion, PlaneSliding, Sliding, SlidingOptions, SlidingOutcome, slide, slide_in_plane,
     trip_speed_m_s,
 };
 
 use super::error::RespondError;
-use super::object::{Along, Glider, Plane, Shaking};
+use super::object::{Along, Glider, Plane, Planes, Shaking};
+use super::settings::Settings;
 
 /// What an object that rolls or slides does in one plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,14 +25,12 @@ pub struct Glide {
 }
 
 impl Glider {
-    pub(super) fn followed(&self, shaking: &Shaking<'_>) -> Result<Vec<Glide>, RespondError> {
-        let options = SlidingOptions {
-            clearance: self.clearance,
-            until: Until::Settled {
-                at_most_s: LONGEST_TAIL_S,
-            },
-            ..SlidingOptions::new(self.friction)
-        };
+    pub(super) fn followed(
+        &self,
+        shaking: &Shaking<'_>,
+        settings: &Settings,
+    ) -> Result<Planes<Glide>, RespondError> {
+        let options = settings.sliding(self.friction, self.clearance);
         let both = under_both(&options, shaking)?;
         let in_plane = |plane: &Plane| {
             let (travel_m, stop_speed_m_s) = match &both {
@@ -43,7 +41,7 @@ impl Glider {
                     (found.peak_m.abs(), stop_speed_m_s)
                 }
             };
-            let trip_m_s = trip_speed_m_s(&plane.block, G0_M_S2);
+            let trip_m_s = trip_speed_m_s(&plane.block, settings.gravity_m_s2);
             Ok(Glide {
                 travel_m,
                 is_at_least: both.is_none(),
@@ -51,14 +49,14 @@ impl Glider {
                 has_tripped: stop_speed_m_s.is_some_and(|speed_m_s| speed_m_s >= trip_m_s),
             })
         };
-        self.planes.iter().map(in_plane).collect()
+        self.planes.map(in_plane).all()
     }
 
     /// Without a width the one block stands for both directions: it meets the stops of both.
     fn stop_speed_m_s(&self, plane: &Plane, found: &PlaneSliding) -> Option<f64> {
         let speeds_m_s = [Along::X, Along::Y].into_iter().zip(found.stop_speeds_m_s);
         speeds_m_s
-            .filter(|(along, _)| self.planes.len() == 1 || *along == plane.along)
+            .filter(|(along, _)| self.planes.other.is_none() || *along == plane.along)
             .filter_map(|(_, speed_m_s)| speed_m_s)
             .reduce(f64::max)
     }
@@ -69,11 +67,11 @@ fn under_both(
     options: &SlidingOptions,
     shaking: &Shaking<'_>,
 ) -> Result<Option<PlaneSliding>, RespondError> {
-    let Some(y) = shaking.y else {
+    let (Some(x), Some(y)) = (shaking.x, shaking.y) else {
         return Ok(None);
     };
     let motion = PlaneMotion {
-        x: shaking.x,
+        x,
         y,
         vertical: shaking.vertical,
     };

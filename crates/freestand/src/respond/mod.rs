@@ -7,11 +7,13 @@
 //! the worse of all planes.
 
 mod error;
+mod follow;
 mod glide;
 mod object;
 mod outcome;
 mod pads;
 mod pulse;
+mod settings;
 #[cfg(test)]
 mod tests;
 
@@ -19,35 +21,34 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use crate::G0_M_S2;
-use crate::compliant::{CompliantError, CompliantSummary, CompliantWorld, rock_compliant_many};
+use crate::compliant::{CompliantWorld, rock_compliant_many};
 use crate::motion::Motion;
-use crate::rocking::{
-    Base, LONGEST_TAIL_S, Restitution, RockingError, RockingOptions, RockingSummary, Until,
-    rock_between,
-};
-use crate::spatial::StackPart;
+use crate::rocking::{Base, Restitution, RockingError, RockingSummary, rock_between};
+use crate::spatial::{SpatialObject, Stack, StackPart};
 use crate::wall::Walls;
 
-use error::resolved;
-
 pub use error::RespondError;
+pub use follow::{
+    HistoryOptions, PadHistory, Release, RigidHistory, SlideHistory, SlidePoint, SpatialHistory,
+    SpatialPoint, StackHistory, StackPoint,
+};
 pub use glide::Glide;
-pub use object::{Along, Glider, Object, Pads, Plane, RigidPlane, Shaking, Springs};
+pub use object::{Along, Glider, Object, Pads, Plane, Planes, RigidPlane, Shaking, Springs};
 pub use outcome::{Outcome, Travelled};
 pub use pads::{OnPads, Tilt};
+pub use settings::Settings;
 
 /// What an object did under one motion, as its way tells it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Response {
     /// On a rigid base, in each plane.
-    Rigid(Vec<RockingSummary>),
+    Rigid(Planes<RockingSummary>),
     /// On pads, in each plane.
-    Pads(Vec<OnPads>),
+    Pads(Planes<OnPads>),
     /// How it rolled, in each plane.
-    Rolled(Vec<Glide>),
+    Rolled(Planes<Glide>),
     /// How it slid, in each plane.
-    Slid(Vec<Glide>),
+    Slid(Planes<Glide>),
     /// In three dimensions; without a tilt its pads do not keep it upright.
     Spatial(OnPads, Option<Tilt>),
     /// The lower body, and the one that fell first.
@@ -58,35 +59,24 @@ impl Response {
     /// How the object ended.
     pub fn outcome(&self) -> Outcome {
         match self {
-            Self::Rigid(planes) => Outcome::on_rigid(planes.iter()),
-            Self::Pads(planes) => Outcome::on_pads(planes.iter()),
+            Self::Rigid(planes) => {
+                Outcome::of(planes.iter().map(|one| (one.outcome, one.uplift_m)))
+            }
+            Self::Pads(planes) => Outcome::of(planes.iter().map(|one| (one.outcome, one.lift_m))),
             Self::Rolled(planes) => Outcome::Rolled(Travelled::of(planes)),
             Self::Slid(planes) => Outcome::Slid(Travelled::of(planes)),
             Self::Spatial(body, _) | Self::Stack(body, _) => {
-                Outcome::on_pads(std::iter::once(body))
+                Outcome::of(std::iter::once((body.outcome, body.lift_m)))
             }
         }
-    }
-}
-
-/// The options of every history on a rigid base: it goes on until the object is at rest or down.
-pub fn rocking_options(restitution: Restitution, walls: Walls) -> RockingOptions {
-    RockingOptions {
-        restitution,
-        walls,
-        until: Until::Settled {
-            at_most_s: LONGEST_TAIL_S,
-        },
-        ..RockingOptions::default()
     }
 }
 
 /// What objects do, each under one of the motions, in their order, on the current rayon pool.
 ///
 /// # Accuracy
-/// That of each solver: [`rock_between`] and [`crate::compliant`], at
-/// [`CompliantAccuracy::Fast`](crate::compliant::CompliantAccuracy), [`crate::spatial`] at the same,
-/// [`crate::sliding`]. A response depends neither on the other objects nor on the number of threads.
+/// That of each solver, as the settings ask for it: [`rock_between`], [`crate::compliant`],
+/// [`crate::spatial`], [`crate::sliding`]. A response depends neither on the other objects nor on the number of threads.
 ///
 /// # Errors
 /// Of each object apart.
@@ -95,55 +85,104 @@ pub fn rocking_options(restitution: Restitution, walls: Walls) -> RockingOptions
 /// A cabinet under a pulse that lifts its edge, and the same on casters:
 /// ```
 /// use freestand::respond::{
-///     Along, Glider, Object, Outcome, Plane, RespondError, RigidPlane, Shaking, respond,
+///     Along, Glider, Object, Outcome, Plane, Planes, RespondError, RigidPlane, Settings, Shaking,
+///     respond,
 /// };
 /// use freestand::{block::Block, motion::Motion, rocking::Restitution, wall::Walls};
 /// use freestand::sliding::{Clearance, Friction};
 /// let pulse = Motion::new(0.01, (0..100).map(|i| 4.0 * (0.0628 * f64::from(i)).sin()).collect())?;
-/// let floor = Shaking { x: &pulse, y: None, vertical: None };
+/// let floor = Shaking { x: Some(&pulse), ..Shaking::default() };
 /// let plane = Plane { along: Along::X, block: Block::uniform(1.8, 0.6)? };
 /// let still = RigidPlane { plane, restitution: Restitution::Housner, walls: Walls::NONE };
 /// let friction = Friction::uniform(0.02)?;
-/// let rolling = Glider { planes: vec![plane], friction, clearance: Clearance::default() };
-/// let objects = [(Object::Rigid(vec![still]), floor), (Object::Rolls(rolling), floor)];
-/// let outcomes = respond(&objects).into_iter().map(|found| Ok(found?.outcome()));
+/// let rolling = Glider { planes: Planes::single(plane), friction, clearance: Clearance::default() };
+/// let still = Object::Rigid(Planes::single(still));
+/// let objects = [(still, floor), (Object::Rolls(rolling), floor)];
+/// let outcomes = respond(&objects, &Settings::default()).into_iter().map(|found| Ok(found?.outcome()));
 /// let outcomes: Vec<Outcome> = outcomes.collect::<Result<_, RespondError>>()?;
 /// assert!(matches!(outcomes[0], Outcome::Rocked { uplift_m } if uplift_m > 0.01));
 /// assert!(outcomes[1].travelled().is_some_and(|way| way.travel_m > 0.1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn respond(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<Response, RespondError>> {
-    let mut rocked = on_rigid(objects).into_iter();
-    let mut sprung = on_springs(objects).into_iter();
-    let others: Vec<_> = objects.par_iter().map(one_by_one).collect();
-    let of_object = |((object, _), other): (&(Object, Shaking<'_>), Option<_>)| match object {
-        Object::Rigid(planes) => {
-            let found: Vec<_> = rocked.by_ref().take(planes.len()).collect();
-            let found = found.into_iter().map(|one| {
-                let summary = one?;
-                resolved(summary.outcome).map(|()| summary)
-            });
-            found.collect::<Result<_, _>>().map(Response::Rigid)
-        }
-        Object::Springs(springs) => {
-            let found: Vec<_> = sprung.by_ref().take(springs.planes.len()).collect();
-            let found = found.into_iter().map(OnPads::of_springs);
-            found.collect::<Result<_, _>>().map(Response::Pads)
-        }
-        _ => other.unwrap_or(Err(RespondError::Unresolved)),
+pub fn respond(
+    objects: &[(Object, Shaking<'_>)],
+    settings: &Settings,
+) -> Vec<Result<Response, RespondError>> {
+    let (mut rigid, mut sprung) = (Vec::new(), Vec::new());
+    let mut tasks = Vec::with_capacity(objects.len());
+    for (object, shaking) in objects {
+        tasks.push(match object {
+            Object::Rigid(planes) => Task::Rigid(planes.map(|one| {
+                rigid.push((*one, shaking.base(one.plane.along)));
+                rigid.len() - 1
+            })),
+            Object::Springs(springs) => Task::Springs(springs.planes.map(|plane| {
+                sprung.push(CompliantWorld {
+                    block: plane.block,
+                    mass_kg: springs.mass_kg,
+                    stiffness_n_m: springs.stiffness_n_m,
+                    damping_n_s_m: springs.damping_n_s_m,
+                    motion: shaking.base(plane.along),
+                });
+                sprung.len() - 1
+            })),
+            Object::Pads(pads) => Task::Pads(pads, shaking),
+            Object::Rolls(glider) => Task::Rolls(glider, shaking),
+            Object::Slides(glider) => Task::Slides(glider, shaking),
+            Object::Spatial(object, along) => Task::Spatial(object, *along, shaking),
+            Object::Stack(stack, along) => Task::Stack(stack, *along, shaking),
+        });
+    }
+    let rigid = on_rigid_bases(&rigid, settings);
+    let sprung = rock_compliant_many(&sprung, settings.gravity_m_s2);
+    let done = |task: &Task<'_>| -> Result<Response, RespondError> {
+        Ok(match task {
+            Task::Rigid(places) => {
+                Response::Rigid(places.map(|&place| rigid[place].clone()).all()?)
+            }
+            Task::Springs(places) => {
+                let of_place = |&place: &usize| OnPads::of_springs(sprung[place].clone());
+                Response::Pads(places.map(of_place).all()?)
+            }
+            Task::Pads(pads, shaking) => {
+                let followed = |plane| OnPads::followed(plane, &pads.base, shaking, settings);
+                Response::Pads(pads.planes.map(followed).all()?)
+            }
+            Task::Rolls(glider, shaking) => Response::Rolled(glider.followed(shaking, settings)?),
+            Task::Slides(glider, shaking) => Response::Slid(glider.followed(shaking, settings)?),
+            Task::Spatial(object, along, shaking) => {
+                let (body, tilt) = pads::in_space(object, *along, shaking, settings)?;
+                Response::Spatial(body, tilt)
+            }
+            Task::Stack(stack, along, shaking) => {
+                let (lower, fallen) = pads::stacked(stack, *along, shaking, settings)?;
+                Response::Stack(lower, fallen)
+            }
+        })
     };
-    objects.iter().zip(others).map(of_object).collect()
+    tasks.par_iter().map(done).collect()
 }
 
-/// Blocks that rock under the same motion stand side by side in the kernel.
-fn on_rigid(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<RockingSummary, RockingError>> {
-    let mut planes: Vec<(&RigidPlane, Base<'_>)> = Vec::new();
-    for (object, shaking) in objects {
-        if let Object::Rigid(own) = object {
-            let base = |one: &RigidPlane| shaking.base(one.plane.along);
-            planes.extend(own.iter().map(|one| (one, base(one))));
-        }
-    }
+/// An object in [`respond`]; of one that a kernel follows, the places of its planes there.
+enum Task<'a> {
+    Rigid(Planes<usize>),
+    Springs(Planes<usize>),
+    Pads(&'a Pads, &'a Shaking<'a>),
+    Rolls(&'a Glider, &'a Shaking<'a>),
+    Slides(&'a Glider, &'a Shaking<'a>),
+    Spatial(&'a SpatialObject, Along, &'a Shaking<'a>),
+    Stack(&'a Stack, Along, &'a Shaking<'a>),
+}
+
+/// What blocks on rigid bases do, each under its own motion, in their order. Blocks under the same
+/// motion stand side by side in the kernel. [`respond`] asks it for every object on a rigid base.
+///
+/// # Errors
+/// Of each block apart: see [`rock`](crate::rocking::rock).
+pub fn on_rigid_bases(
+    planes: &[(RigidPlane, Base<'_>)],
+    settings: &Settings,
+) -> Vec<Result<RockingSummary, RockingError>> {
     let address =
         |motion: Option<&Motion>| motion.map_or(0, |motion| std::ptr::from_ref(motion).addr());
     let mut of_motion: BTreeMap<_, (Base<'_>, Vec<usize>)> = BTreeMap::new();
@@ -155,13 +194,13 @@ fn on_rigid(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<RockingSummary, Roc
             .1
             .push(place);
     }
-    let options = rocking_options(Restitution::Housner, Walls::NONE);
+    let options = settings.rocking(Restitution::default(), Walls::NONE);
     let groups: Vec<_> = of_motion.into_values().collect();
     let found: Vec<_> = groups
         .into_par_iter()
         .map(|(base, places)| {
             let block = |&place: &usize| {
-                let one = planes[place].0;
+                let one = &planes[place].0;
                 (one.plane.block, one.restitution, one.walls)
             };
             let blocks: Vec<_> = places.iter().map(block).collect();
@@ -174,39 +213,4 @@ fn on_rigid(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<RockingSummary, Roc
         .collect();
     in_order.sort_by_key(|(place, _)| *place);
     in_order.into_iter().map(|(_, found)| found).collect()
-}
-
-/// All objects on springs stand side by side in the kernel.
-fn on_springs(objects: &[(Object, Shaking<'_>)]) -> Vec<Result<CompliantSummary, CompliantError>> {
-    let mut worlds = Vec::new();
-    for (object, shaking) in objects {
-        if let Object::Springs(springs) = object {
-            worlds.extend(springs.planes.iter().map(|plane| CompliantWorld {
-                block: plane.block,
-                mass_kg: springs.mass_kg,
-                stiffness_n_m: springs.stiffness_n_m,
-                damping_n_s_m: springs.damping_n_s_m,
-                motion: shaking.base(plane.along),
-            }));
-        }
-    }
-    rock_compliant_many(&worlds, G0_M_S2)
-}
-
-/// What no kernel follows; `None`: a kernel does.
-fn one_by_one((object, shaking): &(Object, Shaking<'_>)) -> Option<Result<Response, RespondError>> {
-    Some(match object {
-        Object::Rigid(_) | Object::Springs(_) => return None,
-        Object::Pads(object) => {
-            let planes = object.planes.iter();
-            let found = planes.map(|plane| OnPads::followed(plane, &object.base, shaking));
-            found.collect::<Result<_, _>>().map(Response::Pads)
-        }
-        Object::Rolls(glider) => glider.followed(shaking).map(Response::Rolled),
-        Object::Slides(glider) => glider.followed(shaking).map(Response::Slid),
-        Object::Spatial(object, along) => pads::in_space(object, *along, shaking)
-            .map(|(body, tilt)| Response::Spatial(body, tilt)),
-        Object::Stack(stack, along) => pads::stacked(stack, *along, shaking)
-            .map(|(lower, fallen)| Response::Stack(lower, fallen)),
-    })
 }

@@ -9,10 +9,10 @@ use crate::spatial::{SpatialObject, Stack};
 use crate::wall::Walls;
 
 /// The accelerations of a floor.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Shaking<'a> {
     /// Along x.
-    pub x: &'a Motion,
+    pub x: Option<&'a Motion>,
     /// Along y. `None`: one horizontal component is known. What moves in a plane moves under it in any
     /// direction, what moves in space along its x alone.
     pub y: Option<&'a Motion>,
@@ -20,20 +20,35 @@ pub struct Shaking<'a> {
     pub vertical: Option<&'a Motion>,
 }
 
+impl<'a> From<Base<'a>> for Shaking<'a> {
+    fn from(base: Base<'a>) -> Self {
+        Self {
+            x: base.horizontal,
+            y: None,
+            vertical: base.vertical,
+        }
+    }
+}
+
 impl<'a> Shaking<'a> {
     /// How the base of an object moves in a plane.
     pub fn base(&self, along: Along) -> Base<'a> {
         Base {
-            horizontal: Some(self.component(along)),
+            horizontal: self.component(along),
             vertical: self.vertical,
         }
     }
 
+    /// One of its components, for their step and length, which are the same.
+    pub(super) fn any(&self) -> Option<&'a Motion> {
+        self.x.or(self.y).or(self.vertical)
+    }
+
     /// One of the horizontal components; without a second one the first is both.
-    pub fn component(&self, along: Along) -> &'a Motion {
-        match (along, self.y) {
-            (Along::Y, Some(y)) => y,
-            _ => self.x,
+    pub fn component(&self, along: Along) -> Option<&'a Motion> {
+        match along {
+            Along::X => self.x,
+            Along::Y => self.y.or(self.x),
         }
     }
 }
@@ -47,11 +62,74 @@ pub enum Along {
     Y,
 }
 
+/// The planes in which an object moves, each apart: one, or both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Planes<T> {
+    /// The first one.
+    pub one: T,
+    /// The other one; `None`: the first stands for both directions.
+    pub other: Option<T>,
+}
+
+impl<T> Planes<T> {
+    /// A single plane.
+    pub fn single(one: T) -> Self {
+        Self { one, other: None }
+    }
+
+    /// The first two of these; `None`: there are none.
+    pub fn of(planes: impl IntoIterator<Item = T>) -> Option<Self> {
+        let mut planes = planes.into_iter();
+        Some(Self {
+            one: planes.next()?,
+            other: planes.next(),
+        })
+    }
+
+    /// Each of them.
+    pub fn iter(&self) -> impl Iterator<Item = &T> + Clone {
+        std::iter::once(&self.one).chain(&self.other)
+    }
+
+    /// The other one of its planes alone, if `axis` is 1 and there is one, or the first.
+    fn about(self, axis: usize) -> Self {
+        let other = self.other.filter(|_| axis == 1);
+        Self::single(other.unwrap_or(self.one))
+    }
+
+    /// What `of` makes of each.
+    pub(super) fn map<'a, U>(&'a self, mut of: impl FnMut(&'a T) -> U) -> Planes<U> {
+        Planes {
+            one: of(&self.one),
+            other: self.other.as_ref().map(of),
+        }
+    }
+}
+
+impl<T, E> Planes<Result<T, E>> {
+    /// All of them, or the first error.
+    pub(super) fn all(self) -> Result<Planes<T>, E> {
+        Ok(Planes {
+            one: self.one?,
+            other: self.other.transpose()?,
+        })
+    }
+}
+
+impl<T> IntoIterator for Planes<T> {
+    type Item = T;
+    type IntoIter = std::iter::Chain<std::iter::Once<T>, std::option::IntoIter<T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        std::iter::once(self.one).chain(self.other)
+    }
+}
+
 /// A free-standing object with one value for everything, followed in one way.
 #[derive(Debug, Clone)]
 pub enum Object {
     /// It rocks on a rigid base, about each of its axes apart.
-    Rigid(Vec<RigidPlane>),
+    Rigid(Planes<RigidPlane>),
     /// The same on pads that are springs with dampers.
     Springs(Springs),
     /// The same on pads of any law, with friction or without.
@@ -64,6 +142,25 @@ pub enum Object {
     Spatial(SpatialObject, Along),
     /// It moves in a plane with another body on it, both on pads.
     Stack(Stack, Along),
+}
+
+impl Object {
+    /// The same in its first plane alone, or the other one if `axis` is 1; as it is where it does
+    /// not rock in planes.
+    pub fn about(self, axis: usize) -> Self {
+        match self {
+            Self::Rigid(planes) => Self::Rigid(planes.about(axis)),
+            Self::Springs(springs) => Self::Springs(Springs {
+                planes: springs.planes.about(axis),
+                ..springs
+            }),
+            Self::Pads(pads) => Self::Pads(Pads {
+                planes: pads.planes.about(axis),
+                ..pads
+            }),
+            Self::Rolls(_) | Self::Slides(_) | Self::Spatial(..) | Self::Stack(..) => self,
+        }
+    }
 }
 
 /// An object in one plane of motion.
@@ -86,11 +183,23 @@ pub struct RigidPlane {
     pub walls: Walls,
 }
 
+impl RigidPlane {
+    /// A block that moves along x.
+    pub fn along_x(block: Block, restitution: Restitution, walls: Walls) -> Self {
+        let along = Along::X;
+        Self {
+            plane: Plane { along, block },
+            restitution,
+            walls,
+        }
+    }
+}
+
 /// An object on springs with dampers.
 #[derive(Debug, Clone)]
 pub struct Springs {
-    /// Each of its planes.
-    pub planes: Vec<Plane>,
+    /// Its planes.
+    pub planes: Planes<Plane>,
     /// Its mass \[kg\].
     pub mass_kg: f64,
     /// k: of the pads under one edge, upright and sideways \[N/m\].
@@ -102,8 +211,8 @@ pub struct Springs {
 /// An object on pads of any law.
 #[derive(Debug, Clone)]
 pub struct Pads {
-    /// Each of its planes.
-    pub planes: Vec<Plane>,
+    /// Its planes.
+    pub planes: Planes<Plane>,
     /// Its mass, and what it rests on.
     pub base: CompliantBase,
 }
@@ -111,8 +220,8 @@ pub struct Pads {
 /// An object that rolls or slides without rocking; only a stop can overturn it.
 #[derive(Debug, Clone)]
 pub struct Glider {
-    /// Each of its planes. A single one stands for both directions.
-    pub planes: Vec<Plane>,
+    /// Its planes.
+    pub planes: Planes<Plane>,
     /// Friction of its base, or the rolling resistance of its casters.
     pub friction: Friction,
     /// The way to a stop, on both sides of every plane.

@@ -1,9 +1,9 @@
 //! What counts in decisions: how an object ended, in the worse of its planes.
 
-use crate::rocking::{Outcome as Rocking, RockingSummary};
+use crate::rocking::Outcome as Rocking;
 
 use super::glide::Glide;
-use super::pads::OnPads;
+use super::object::Planes;
 
 /// How an object ended, in the worse of its planes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +23,8 @@ pub enum Outcome {
     Leaned,
     /// It fell.
     Overturned,
+    /// It is neither at rest nor down at the end of its history.
+    Unresolved,
 }
 
 /// How an object rolled or slid.
@@ -39,29 +41,18 @@ pub struct Travelled {
 }
 
 impl Outcome {
-    /// On a rigid base, from every plane.
-    pub fn on_rigid<'a>(planes: impl Iterator<Item = &'a RockingSummary> + Clone) -> Self {
-        let ends = |outcome: Rocking| planes.clone().any(|one| one.outcome == outcome);
+    /// Of an object that rocks, from how it ended in each plane and the uplift there \[m\].
+    pub(super) fn of(planes: impl Iterator<Item = (Rocking, f64)> + Clone) -> Self {
+        let ends = |outcome: Rocking| planes.clone().any(|one| one.0 == outcome);
         if ends(Rocking::Overturned) {
             Self::Overturned
+        } else if ends(Rocking::Unresolved) {
+            Self::Unresolved
         } else if ends(Rocking::Leaned) {
             Self::Leaned
-        } else if planes.clone().any(|one| one.outcome != Rocking::NoUplift) {
+        } else if ends(Rocking::Rocked) {
             Self::Rocked {
-                uplift_m: planes.map(|one| one.uplift_m).fold(0.0, f64::max),
-            }
-        } else {
-            Self::Stood
-        }
-    }
-
-    /// On pads, from every plane or of the whole body.
-    pub fn on_pads<'a>(planes: impl Iterator<Item = &'a OnPads> + Clone) -> Self {
-        if planes.clone().any(|one| one.has_overturned) {
-            Self::Overturned
-        } else if planes.clone().any(|one| one.has_let_go) {
-            Self::Rocked {
-                uplift_m: planes.map(|one| one.lift_m).fold(0.0, f64::max),
+                uplift_m: planes.map(|one| one.1).fold(0.0, f64::max),
             }
         } else {
             Self::Stood
@@ -72,33 +63,39 @@ impl Outcome {
     pub fn travelled(self) -> Option<Travelled> {
         match self {
             Self::Rolled(way) | Self::Slid(way) => Some(way),
-            Self::Stood | Self::Rocked { .. } | Self::Leaned | Self::Overturned => None,
+            Self::Stood
+            | Self::Rocked { .. }
+            | Self::Leaned
+            | Self::Overturned
+            | Self::Unresolved => None,
         }
     }
 
-    /// Largest uplift of an edge, 0 where none lifted; `None`: it fell \[m\].
+    /// Largest uplift of an edge, 0 where none lifted; `None`: it fell, or may still \[m\].
     pub fn uplift_m(self) -> Option<f64> {
         match self {
             Self::Rocked { uplift_m } => Some(uplift_m),
-            Self::Leaned | Self::Overturned => None,
+            Self::Leaned | Self::Overturned | Self::Unresolved => None,
             Self::Rolled(way) | Self::Slid(way) => (!way.has_tripped).then_some(0.0),
             Self::Stood => Some(0.0),
         }
     }
 
     /// Whether it has fallen over, onto the floor or against a wall: what counts in decisions.
-    pub fn has_fallen(self) -> bool {
+    /// `None`: it may still fall.
+    pub fn has_fallen(self) -> Option<bool> {
         match self {
-            Self::Leaned | Self::Overturned => true,
-            Self::Rolled(way) | Self::Slid(way) => way.has_tripped,
-            Self::Stood | Self::Rocked { .. } => false,
+            Self::Leaned | Self::Overturned => Some(true),
+            Self::Rolled(way) | Self::Slid(way) => Some(way.has_tripped),
+            Self::Stood | Self::Rocked { .. } => Some(false),
+            Self::Unresolved => None,
         }
     }
 }
 
 impl Travelled {
     /// In all planes together.
-    pub fn of(planes: &[Glide]) -> Self {
+    pub(super) fn of(planes: &Planes<Glide>) -> Self {
         let speeds_m_s = planes.iter().filter_map(|one| one.stop_speed_m_s);
         Self {
             travel_m: planes.iter().map(|one| one.travel_m).fold(0.0, f64::max),

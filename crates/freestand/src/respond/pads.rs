@@ -1,32 +1,24 @@
 //! An object on its pads: in a plane, in three dimensions, or with another body on it.
 
 use crate::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantSummary,
-    PadOutcome, rock_compliant_observed,
+    CompliantBase, CompliantError, CompliantSummary, PadOutcome, rock_compliant_observed,
 };
 use crate::rocking::Outcome as Rocking;
 use crate::spatial::{
-    BaseLandings, BodyMotion, SpatialMotion, SpatialObject, SpatialOptions, Stack, StackPart,
-    rock_spatial, rock_stack,
+    BaseLandings, BodyMotion, SpatialMotion, SpatialObject, Stack, StackPart, rock_spatial,
+    rock_stack,
 };
 
-use super::error::{RespondError, resolved};
+use super::error::RespondError;
 use super::object::{Along, Plane, Shaking};
 use super::pulse::Pulses;
-
-/// Accuracy of every history. In space single histories differ from those at `Standard`,
-/// distributions do not: of 40 pairs of motions a square cabinet falls in 14 against 16, a bookshelf
-/// in 30 against 31, and the median tilt of the cabinet is 0.260 against 0.273; it takes half of the
-/// time.
-const ACCURACY: CompliantAccuracy = CompliantAccuracy::Fast;
+use super::settings::Settings;
 
 /// What an object on its pads did.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnPads {
-    /// Whether it fell.
-    pub has_overturned: bool,
-    /// Whether an edge let go of its pad.
-    pub has_let_go: bool,
+    /// How it ended; [`Rocking::NoUplift`]: no edge let go of its pad.
+    pub outcome: Rocking,
     /// U, as in [`CompliantSummary`]; `None` from a solver that does not know it.
     pub pad_uplift_ratio: Option<f64>,
     /// Largest height of an edge above its unloaded pad \[m\].
@@ -53,10 +45,19 @@ pub struct Tilt {
 }
 
 impl OnPads {
+    /// Whether it fell.
+    pub fn has_fallen(&self) -> bool {
+        self.outcome.has_fallen()
+    }
+
+    /// Whether an edge let go of its pad.
+    pub fn has_let_go(&self) -> bool {
+        self.outcome != Rocking::NoUplift
+    }
+
     /// An object that its pads do not keep upright.
     const TOPPLED: Self = Self {
-        has_overturned: true,
-        has_let_go: true,
+        outcome: Rocking::Overturned,
         pad_uplift_ratio: None,
         lift_m: 0.0,
         edge_acceleration_m_s2: 0.0,
@@ -72,8 +73,11 @@ impl OnPads {
     ) -> Result<Self, RespondError> {
         match found {
             Ok(found) => Ok(Self {
-                has_overturned: found.outcome == PadOutcome::Overturned,
-                has_let_go: found.outcome != PadOutcome::StayedOn,
+                outcome: match found.outcome {
+                    PadOutcome::StayedOn => Rocking::NoUplift,
+                    PadOutcome::LetGo => Rocking::Rocked,
+                    PadOutcome::Overturned => Rocking::Overturned,
+                },
                 pad_uplift_ratio: Some(found.pad_uplift_ratio),
                 lift_m: found.lift_m,
                 edge_acceleration_m_s2: found.peak_edge_acceleration_m_s2(),
@@ -91,12 +95,10 @@ impl OnPads {
         plane: &Plane,
         base: &CompliantBase,
         shaking: &Shaking<'_>,
+        settings: &Settings,
     ) -> Result<Self, RespondError> {
-        let options = CompliantOptions {
-            accuracy: ACCURACY,
-            ..CompliantOptions::default()
-        };
         let motion = shaking.base(plane.along);
+        let options = settings.compliant(motion.horizontal.or(motion.vertical));
         let mut pulses = Pulses::new(plane.block.base_width_m());
         let found = rock_compliant_observed(&plane.block, base, motion, &options, |piece| {
             pulses.observe(piece)
@@ -105,11 +107,9 @@ impl OnPads {
             Ok(found) => found,
             Err(error) => return toppled(error),
         };
-        resolved(found.outcome)?;
         let (velocity_change_m_s, pulse_duration_s) = pulses.found(&found);
         Ok(Self {
-            has_overturned: found.outcome.has_fallen(),
-            has_let_go: found.outcome != Rocking::NoUplift,
+            outcome: found.outcome,
             pad_uplift_ratio: None,
             lift_m: found.uplift_m,
             edge_acceleration_m_s2: found.peak_edge_acceleration_m_s2(),
@@ -123,8 +123,7 @@ impl OnPads {
     /// Of a body in space.
     fn of_body(outcome: Rocking, body: &BodyMotion, landings: &BaseLandings) -> Self {
         Self {
-            has_overturned: outcome.has_fallen(),
-            has_let_go: outcome != Rocking::NoUplift,
+            outcome,
             pad_uplift_ratio: None,
             lift_m: body.uplift_m,
             edge_acceleration_m_s2: landings.peak_acceleration_m_s2,
@@ -150,25 +149,25 @@ pub(super) fn in_space(
     object: &SpatialObject,
     along: Along,
     shaking: &Shaking<'_>,
+    settings: &Settings,
 ) -> Result<(OnPads, Option<Tilt>), RespondError> {
     let across = match along {
         Along::X => Along::Y,
         Along::Y => Along::X,
     };
-    let component = |along: Along| {
-        let is_known = along == Along::X || shaking.y.is_some();
-        is_known.then(|| shaking.component(along))
+    let component = |along: Along| match along {
+        Along::X => shaking.x,
+        Along::Y => shaking.y,
     };
     let motion = SpatialMotion {
         x: component(along),
         y: component(across),
         vertical: shaking.vertical,
     };
-    let found = match rock_spatial(object, motion, &options()) {
+    let found = match rock_spatial(object, motion, &settings.spatial(shaking.any())) {
         Ok(found) => found,
         Err(error) => return toppled(error).map(|body| (body, None)),
     };
-    resolved(found.body.outcome)?;
     let tilt = Tilt {
         tilt_rad: found.body.peak_tilt_rad,
         walk_m: found.body.base_slide_peak_m,
@@ -182,21 +181,14 @@ pub(super) fn stacked(
     stack: &Stack,
     along: Along,
     shaking: &Shaking<'_>,
+    settings: &Settings,
 ) -> Result<(OnPads, Option<StackPart>), RespondError> {
-    let found = match rock_stack(stack, shaking.base(along), &options()) {
+    let found = match rock_stack(stack, shaking.base(along), &settings.spatial(shaking.any())) {
         Ok(found) => found,
         Err(error) => {
             return toppled(error).map(|body| (body, Some(StackPart::Lower)));
         }
     };
-    resolved(found.outcome)?;
     let lower = OnPads::of_body(found.outcome, &found.lower, &found.landings);
     Ok((lower, found.overturned_body))
-}
-
-fn options() -> SpatialOptions {
-    SpatialOptions {
-        accuracy: ACCURACY,
-        ..SpatialOptions::default()
-    }
 }

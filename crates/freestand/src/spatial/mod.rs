@@ -133,7 +133,7 @@ impl Shape {
     }
 
     /// The points of the base, from its centre \[m\].
-    fn feet_m(&self) -> Vec<[f64; 2]> {
+    pub fn feet_m(&self) -> Vec<[f64; 2]> {
         let [x, y, _] = self.sizes_m().map(|size| 0.5 * size);
         match self {
             Self::Prism { .. } => vec![[-x, -y], [x, -y], [x, y], [-x, y]],

@@ -233,7 +233,7 @@ pub(super) fn of_study(
                 .enumerate()
                 .map(|(world, (floor, ground))| {
                     let name = all.name(world as u32);
-                    let strength = Strength::new(floor.shaking().x, asked)
+                    let strength = Strength::new(&floor.motion.along, asked)
                         .map_err(|problem| of_motion(problem, &name))?;
                     still(&strength, &name)?;
                     Ok(Shaking {

@@ -1,12 +1,11 @@
 //! `freestand rock --base compliant`: one object on its cushions.
 
 use clap::{Args, ValueEnum};
-use freestand::G0_M_S2;
-use freestand::compliant::{CompliantBase, CompliantOptions, Start};
-use freestand::rocking::Base;
+use freestand::compliant::CompliantBase;
+use freestand::respond::{Along, HistoryOptions, Pads, Plane, Planes};
 use freestand_input::quantity::Dimension;
 use freestand_study::compliant::{
-    CompliantRequest, Release, accuracy, history_table, rock_on_cushions, start, trace_figure,
+    CompliantRequest, Turned, history_table, rock_on_cushions, start, trace_figure,
     with_tangential_stiffness,
 };
 use freestand_study::drawn::drawn_on_pads;
@@ -99,25 +98,20 @@ pub(super) fn run(
             hint,
         ));
     }
-    let (request, reading) = request(args)?;
+    let (mut request, reading) = request(args)?;
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
-    let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
-    if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        let options = CompliantOptions {
-            duration_s: Some(report.rocking.end_time_s),
-            ..request.options.clone()
-        };
-        let motion = Base {
-            horizontal: request.horizontal.as_ref(),
-            vertical: request.vertical.as_ref(),
-        };
-        let history = drawn_on_pads(&request.block, &request.base, motion, &options)?;
+    let session = printer.session().filter(|session| session.wants_history());
+    request.how.is_sampled = args.history.is_some() || files.wanted() || session.is_some();
+    let report = rock_on_cushions(&request)?;
+    if let Some(session) = session {
+        let block = &request.object.planes.one.block;
+        let history = drawn_on_pads(block, &report.history, request.horizontal.as_ref());
         session.beside(&Beside { history });
     }
-    if !report.rocking.touches.is_empty() {
+    if !report.history.rocking.touches.is_empty() {
         files.figure("trace", || trace_figure(&report))?;
     }
-    let history = || history_table(&report.history);
+    let history = || history_table(&report.history.samples);
     reading.finish(
         args.history.as_deref(),
         history,
@@ -162,10 +156,8 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let gravity = values.read(&args.gravity);
     let duration_s = values.read(&args.duration);
     let at = values.read(&flags.at);
-    let release = rise
-        .map(Release::CgRise)
-        .or(rotation.map(Release::Rotation));
-    let start = block.and_then(|block| values.take(start(&block, release, omega.unwrap_or(0.0))));
+    let turned = rise.map(Turned::CgRise).or(rotation.map(Turned::Rotation));
+    let start = block.and_then(|block| values.take(start(&block, turned, omega.unwrap_or(0.0))));
     values.finish()?;
     let (Some((block, start)), Some((mass_kg, edge))) = (block.zip(start), mass.zip(edge)) else {
         return Err(without_cushion());
@@ -173,12 +165,12 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     if args.motion.is_empty() && args.vertical.is_none() {
         args.read
             .refuse_without_record(|_| "name the record with --motion".to_owned())?;
-        if start == Start::Rest {
+        if start.is_at_rest() {
             let hint = "give --motion FILE, or --cg-rise, --initial-rotation or --initial-velocity";
             return Err(Failure::usage("nothing moves the object", hint));
         }
     }
-    let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
+    let settings = args.settings(gravity, duration_s);
     let mut base = CompliantBase {
         friction_ratio,
         ..CompliantBase::new(mass_kg, edge.cushion)
@@ -186,30 +178,29 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     base.contacts = flags.contacts.unwrap_or(base.contacts);
     base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
     if let Some(stiffness_n_m) = tangential {
-        base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
+        base = with_tangential_stiffness(base, stiffness_n_m, settings.gravity_m_s2);
     }
     let mut reading = Reading::of(args)?;
     let (horizontal, vertical) = (
         reading.horizontal.pop().map(|named| named.1),
         reading.vertical.take(),
     );
-    let options = CompliantOptions {
-        gravity_m_s2,
-        accuracy: accuracy(args.rocking.accuracy),
+    let how = HistoryOptions {
+        settings,
         start,
-        duration_s,
         points_m: at.into_iter().collect(),
+        is_sampled: false,
     };
-    let (pad_thickness_m, notes) = (edge.pad_thickness_m, edge.notes);
+    let along = Along::X;
+    let planes = Planes::single(Plane { along, block });
     Ok((
         CompliantRequest {
-            block,
-            base,
-            pad_thickness_m,
-            notes,
+            object: Pads { planes, base },
+            pad_thickness_m: edge.pad_thickness_m,
+            notes: edge.notes,
             horizontal,
             vertical,
-            options,
+            how,
         },
         reading,
     ))

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
-use freestand::rocking::RockingOptions;
+use freestand::respond::{HistoryOptions, Release, RigidPlane, Settings};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
 use freestand_input::words::number;
@@ -182,13 +182,13 @@ pub(crate) fn run(
         return Ok(done);
     }
     let target = args.plot.target(global)?;
-    let (request, mut reading) = request(args)?;
+    let (mut request, mut reading) = request(args)?;
     if let Some(target) = &target {
         target.check(reading.horizontal.len().max(1))?;
     }
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let session = printer.session().filter(|session| session.wants_history());
-    let is_recorded =
+    request.how.is_sampled =
         args.history.is_some() || files.wanted() || target.is_some() || session.is_some();
     if reading.horizontal.len() > 1 {
         return several(&request, reading, target.as_ref(), files, printer);
@@ -201,17 +201,19 @@ pub(crate) fn run(
         horizontal,
         ..request
     };
-    let report = rock(&request, is_recorded)?;
-    let history = || history_table(&request.block, &report.history);
+    let report = rock(&request)?;
+    let block = &request.object.plane.block;
+    let history = || history_table(block, &report.history.samples);
     if let Some(session) = session {
+        let floor = request.horizontal.as_ref();
         session.beside(&Beside {
-            history: drawn(&report, request.horizontal.as_ref()),
+            history: drawn(&request.object, &report.history, &report.landings, floor),
         });
     }
     let mut plots = None;
     if let Some(target) = &target {
         let name = name.unwrap_or_else(|| "free rocking".to_owned());
-        let figure = rock_figure(&name, &request.block, &report)?;
+        let figure = rock_figure(&name, block, &report)?;
         let figures = figure
             .into_iter()
             .map(|figure| ("history".to_owned(), figure))
@@ -264,11 +266,12 @@ fn several(
             horizontal: Some(motion),
             ..request.clone()
         };
-        let report = rock(&request, files.wanted() || target.is_some())?;
+        let report = rock(&request)?;
+        let block = &request.object.plane.block;
         let file = format!("history-{:02}-{name}", index + 1);
-        files.table(&file, || Ok(history_table(&request.block, &report.history)))?;
+        files.table(&file, || Ok(history_table(block, &report.history.samples)))?;
         if let Some(target) = target
-            && let Some(figure) = rock_figure(&name, &request.block, &report)?
+            && let Some(figure) = rock_figure(&name, block, &report)?
         {
             plots.extend(place(
                 target,
@@ -393,6 +396,17 @@ impl Reading {
 }
 
 impl RockArgs {
+    /// How closely the object is followed, and until when.
+    fn settings(&self, gravity_m_s2: Option<f64>, duration_s: Option<f64>) -> Settings {
+        Settings {
+            accuracy: self.rocking.accuracy,
+            on_pads: self.rocking.accuracy.into(),
+            gravity_m_s2: gravity_m_s2.unwrap_or(G0_M_S2),
+            until: until(duration_s),
+            ..Settings::default()
+        }
+    }
+
     /// Refuses flags that name one file if there are several motions.
     fn refuse_one_file_for_several(&self) -> Result<(), Failure> {
         if self.motion.len() < 2 {
@@ -446,15 +460,14 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let (walls, wall) = args
         .walls
         .read(block.as_ref(), mass, args.rocking.model, &mut values);
-    let options = RockingOptions {
+    let restitution = args.rocking.restitution(block.as_slice(), &mut values);
+    let start = Release {
+        rotation_rad: rotation.unwrap_or(0.0),
+        omega_rad_s: omega.unwrap_or(0.0),
+    };
+    let settings = Settings {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(block.as_slice(), &mut values),
-        gravity_m_s2: gravity.unwrap_or(G0_M_S2),
-        accuracy: args.rocking.accuracy,
-        initial_rotation_rad: rotation.unwrap_or(0.0),
-        initial_omega_rad_s: omega.unwrap_or(0.0),
-        until: until(duration),
-        walls,
+        ..args.settings(gravity, duration)
     };
     values.finish()?;
     let Some(block) = block else {
@@ -469,7 +482,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         args.read
             .refuse_without_record(|_| "name the record with --motion".to_owned())?;
     }
-    if no_motion && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
+    if no_motion && start.is_at_rest() {
         return Err(Failure::usage(
             "nothing moves the object",
             "give --motion FILE, or --initial-rotation or --initial-velocity",
@@ -479,10 +492,14 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let vertical = reading.vertical.take();
     Ok((
         RockRequest {
-            block,
+            object: RigidPlane::along_x(block, restitution, walls),
             horizontal: None,
             vertical,
-            options,
+            how: HistoryOptions {
+                settings,
+                start,
+                ..HistoryOptions::default()
+            },
             cushion: mass.zip(edge),
             wall,
             friction,

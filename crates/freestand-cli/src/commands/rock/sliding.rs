@@ -1,9 +1,8 @@
 //! `freestand rock --sliding` and `--casters`: one object that slides or rolls.
 
-use freestand::G0_M_S2;
+use freestand::respond::{HistoryOptions, SlideHistory};
 use freestand_output::facts::Facts;
 use freestand_study::figures::slide_figure;
-use freestand_study::rock::until;
 use freestand_study::sliding::{SlideReport, SlideRequest, StopShock, history_table, slide};
 
 use super::{Reading, RockArgs, SCHEMA, place};
@@ -41,10 +40,11 @@ pub(super) fn run(
     }
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let recorded = args.history.is_some() || files.wanted() || target.is_some();
-    let request = SlideRequest {
+    let mut request = SlideRequest {
         vertical: reading.vertical.take(),
         ..request
     };
+    request.how.is_sampled = recorded;
     let motions = std::mem::take(&mut reading.horizontal);
     let is_one = motions.len() < 2;
     let (mut results, mut plots, mut history) = (Vec::new(), Vec::new(), Vec::new());
@@ -57,21 +57,22 @@ pub(super) fn run(
         motions.push(("vertical motion".to_owned(), None));
     }
     for (index, (name, horizontal)) in motions.into_iter().enumerate() {
-        let report = slide(
-            &SlideRequest {
-                horizontal,
-                ..request.clone()
-            },
-            recorded,
-        )?;
+        let report = slide(&SlideRequest {
+            horizontal,
+            ..request.clone()
+        })?;
         let file = if is_one {
             "history".to_owned()
         } else {
             format!("history-{:02}-{name}", index + 1)
         };
         if let Some(target) = &target
-            && let Some(figure) =
-                slide_figure(&name, &request.block, &request.surface, &report.history)?
+            && let Some(figure) = slide_figure(
+                &name,
+                &request.block,
+                &request.surface,
+                &report.history.samples,
+            )?
         {
             plots.extend(place(
                 target,
@@ -83,7 +84,9 @@ pub(super) fn run(
         let SlideReport {
             facts,
             warnings,
-            history: points,
+            history: SlideHistory {
+                samples: points, ..
+            },
         } = report;
         if is_one {
             reading.warnings.extend(warnings);
@@ -171,7 +174,10 @@ fn request(args: &RockArgs) -> Result<Option<SlideRequest>, Failure> {
             "give --motion FILE",
         ));
     }
-    let (gravity_m_s2, until) = (gravity.unwrap_or(G0_M_S2), until(duration));
+    let how = HistoryOptions {
+        settings: args.settings(gravity, duration),
+        ..HistoryOptions::default()
+    };
     let stop = stop.flatten();
     Ok(Some(SlideRequest {
         block,
@@ -179,7 +185,6 @@ fn request(args: &RockArgs) -> Result<Option<SlideRequest>, Failure> {
         horizontal: None,
         vertical: None,
         stop,
-        gravity_m_s2,
-        until,
+        how,
     }))
 }

@@ -3,19 +3,19 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::G0_M_S2;
 use freestand::compliant::CompliantBase;
 use freestand::motion::Motion;
+use freestand::respond::{HistoryOptions, Release};
 use freestand::rocking::RockingModel;
-use freestand::spatial::{Shape, SpatialObject, SpatialOptions, Support, Wall};
+use freestand::spatial::{Shape, SpatialObject, Support, Wall};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
-use freestand_study::compliant::{accuracy, with_tangential_stiffness};
+use freestand_study::compliant::with_tangential_stiffness;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::recorded::{Second, read_all};
 use freestand_study::spatial::{
-    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_figure,
-    spatial_table, walls_on_cushions,
+    SHAPES, ShapeName, SpatialRequest, rock_in_space, shape, spatial_figure, spatial_table,
+    walls_on_cushions,
 };
 
 use super::{Reading, RockArgs, SCHEMA};
@@ -59,7 +59,7 @@ pub(super) struct Common {
     pub(super) mass_kg: f64,
     pub(super) edge: EdgeCushion,
     pub(super) support: Support,
-    pub(super) options: SpatialOptions,
+    pub(super) how: HistoryOptions,
 }
 
 impl Common {
@@ -98,15 +98,19 @@ impl Common {
         let ratio = values.read(&flags.tangential_ratio);
         let rotation = values.read(&args.initial_rotation);
         let omega = values.read(&args.initial_velocity);
-        let gravity_m_s2 = values.read(&args.gravity).unwrap_or(G0_M_S2);
+        let gravity = values.read(&args.gravity);
         let duration_s = values.read(&args.duration);
+        let settings = args.settings(gravity, duration_s);
         values.finish()?;
         let (Some((height_m, thickness_m)), Some((mass_kg, edge))) =
             (height.zip(thickness), mass.zip(edge))
         else {
             return Err(super::compliant::without_cushion());
         };
-        let start = release(rotation.unwrap_or(0.0), omega.unwrap_or(0.0));
+        let start = Release {
+            rotation_rad: rotation.unwrap_or(0.0),
+            omega_rad_s: omega.unwrap_or(0.0),
+        };
         if args.motion.is_empty() && args.vertical.is_none() && duration_s.is_none() {
             let hint = "give --motion FILE, or --initial-rotation with --duration";
             return Err(Failure::usage("nothing moves the object", hint));
@@ -117,7 +121,7 @@ impl Common {
         };
         base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
         if let Some(stiffness_n_m) = tangential {
-            base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
+            base = with_tangential_stiffness(base, stiffness_n_m, settings.gravity_m_s2);
         }
         let CompliantBase {
             cushion,
@@ -135,11 +139,10 @@ impl Common {
                 tangential_stiffness_ratio,
                 friction_ratio,
             },
-            options: SpatialOptions {
-                gravity_m_s2,
-                accuracy: accuracy(args.rocking.accuracy),
+            how: HistoryOptions {
+                settings,
                 start,
-                duration_s,
+                ..HistoryOptions::default()
             },
         })
     }
@@ -177,7 +180,7 @@ pub(super) fn run(
     let walls = walls(args, &common, &mut values);
     let (shape, walls) = values.finish_with(shape.zip(walls))?;
     let (name, motions, mut reading) = motions(args, second)?;
-    let request = SpatialRequest {
+    let mut request = SpatialRequest {
         object: SpatialObject {
             shape,
             mass_kg: common.mass_kg,
@@ -188,13 +191,11 @@ pub(super) fn run(
         motions,
         vertical: reading.vertical.take(),
         orientation_rad: orientation.unwrap_or(0.0),
-        options: common.options,
+        how: common.how,
     };
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
-    let report = rock_in_space(
-        &request,
-        args.history.is_some() || files.wanted() || target.is_some(),
-    )?;
+    request.how.is_sampled = args.history.is_some() || files.wanted() || target.is_some();
+    let report = rock_in_space(&request)?;
     let figure = || spatial_figure(&name, &report);
     let mut facts = report.facts.clone();
     if let Some(target) = &target {
@@ -204,7 +205,7 @@ pub(super) fn run(
             .collect();
         facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
     }
-    let history = || spatial_table(&report.history);
+    let history = || spatial_table(&report.history.samples);
     reading.finish(
         args.history.as_deref(),
         history,

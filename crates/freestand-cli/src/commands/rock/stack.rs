@@ -100,18 +100,16 @@ pub(super) fn run(
             (name, Some(motion))
         });
     let vertical = reading.vertical.take();
-    let request = StackRequest {
+    let mut request = StackRequest {
         stack,
         edge: common.edge,
         horizontal,
         vertical,
-        options: common.options,
+        how: common.how,
     };
     let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
-    let report = rock_stacked(
-        &request,
-        args.history.is_some() || files.wanted() || target.is_some(),
-    )?;
+    request.how.is_sampled = args.history.is_some() || files.wanted() || target.is_some();
+    let report = rock_stacked(&request)?;
     let mut facts = report.facts.clone();
     if let Some(target) = &target {
         let figures = stack_figure(&name, &report)?
@@ -120,7 +118,7 @@ pub(super) fn run(
             .collect();
         facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
     }
-    let history = || stack_table(&report.history);
+    let history = || stack_table(&report.history.samples);
     reading.finish(
         args.history.as_deref(),
         history,
