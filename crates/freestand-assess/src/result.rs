@@ -537,7 +537,7 @@ pub struct Assessment {
     pub floor: Option<FloorFacts>,
     /// Its response with the values of the inventory; `None`: geometry or level is missing, or
     /// every history failed.
-    pub response: Option<Response>,
+    pub response: Option<OnRigidBase>,
     /// The shock of its landings; `None`: mass or cushion is missing too.
     pub shock: Option<Shock>,
     /// Demand/capacity; `None`: the tolerance is missing too.
@@ -632,7 +632,7 @@ pub struct FloorFacts {
 
 /// The response of an object with the values of the inventory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Response {
+pub struct OnRigidBase {
     /// Motions with a history about every axis.
     pub motions: usize,
     /// Motions for which a history failed.

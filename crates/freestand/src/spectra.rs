@@ -286,7 +286,7 @@ mod tests {
                 vertical: None,
             };
             let cells = uplift_spectrum(&[standing(block)], base, &Settings::default());
-            let cell = cells[0].as_ref().unwrap();
+            let cell = cells[0].unwrap();
             assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
             let shock = cell.shock(
                 150.0,
@@ -330,7 +330,7 @@ mod tests {
         let objects = [standing(Block::uniform(1.5, 0.4).unwrap())];
         let cells = uplift_spectrum(&objects, base, &settings);
         (
-            cells[0].as_ref().unwrap().rocking.outcome,
+            cells[0].unwrap().rocking.outcome,
             uplift_sensitivity(&objects, &cells, base, &settings)[0],
         )
     }
@@ -433,9 +433,7 @@ mod tests {
             horizontal: Some(&push),
             vertical: None,
         };
-        let cell = uplift_spectrum(&[standing(block)], base, &Settings::default())[0]
-            .clone()
-            .unwrap();
+        let cell = uplift_spectrum(&[standing(block)], base, &Settings::default())[0].unwrap();
         assert_eq!(
             (cell.rocking.outcome, cell.rocking.uplift_m),
             (Outcome::Overturned, 0.2)

@@ -13,8 +13,8 @@ use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
-    Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, Probability,
-    Response, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer, Sliding,
+    Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
+    Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer, Sliding,
     SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
@@ -255,7 +255,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             pfa_g_max: 0.52,
             pfv_m_s_median: 0.41,
         }),
-        response: Some(Response {
+        response: Some(OnRigidBase {
             motions: 20,
             failed: usize::from(index.is_multiple_of(7)),
             failure: index

@@ -12,8 +12,8 @@ use freestand::spectra::landings;
 use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
-    FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked,
-    Response, Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
+    FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
+    Ranked, Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -552,7 +552,7 @@ fn ratios_on_pads(trial: &Trial) -> Ranked {
     ratios.map_or(Ranked::NoData, |ratios| quantiles(ratios.into_iter())[1])
 }
 
-fn response(trial: &Trial) -> Option<Response> {
+fn response(trial: &Trial) -> Option<OnRigidBase> {
     let worlds = trial.followed().count();
     if worlds == 0 {
         return None;
@@ -560,7 +560,7 @@ fn response(trial: &Trial) -> Option<Response> {
     let over = |number: &dyn Fn(&AxisMotion) -> f64| {
         quantiles(trial.followed().map(|(_, axes)| ranked(axes, number)))
     };
-    Some(Response {
+    Some(OnRigidBase {
         motions: worlds,
         failed: trial
             .lived

@@ -2,7 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::CompliantAccuracy;
-use freestand::respond::{HistoryOptions, Object, OnPads, Pads, Plane, Planes, Settings};
+use freestand::respond::{HistoryOptions, Object, PadSummary, Pads, Plane, Planes, Settings};
 use freestand::rocking::Outcome;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
@@ -186,7 +186,7 @@ fn of_rigid(axis: usize, motion: &AxisMotion, lived: &Lived) -> InWorld {
 }
 
 fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
-    let OnPads {
+    let PadSummary {
         outcome, lift_m, ..
     } = motion.found;
     let landing_g = motion.edge_m_s2 / G0_M_S2;

@@ -3,7 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::respond::{Glide, OnPads, Outcome, RespondError, Tilt};
+use freestand::respond::{Glide, Outcome, PadSummary, RespondError, Tilt};
 use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
@@ -145,7 +145,7 @@ impl Strike {
 /// One axis on its pads, or the whole body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PadMotion {
-    pub(super) found: OnPads,
+    pub(super) found: PadSummary,
     /// The shock of an edge, with the factor of the world \[m/s²\].
     pub(super) edge_m_s2: f64,
     /// `None`: it moves in a plane.
@@ -361,7 +361,7 @@ pub(super) fn terms(
 /// What a history on pads means in its world.
 pub(super) fn pad_motion(
     Drawn { subject, draw }: Drawn<'_>,
-    found: OnPads,
+    found: PadSummary,
     floor_m_s2: f64,
 ) -> PadMotion {
     let edge_m_s2 = draw.compliant * found.edge_acceleration_m_s2;

@@ -55,7 +55,7 @@ fn solve(case: &Value) -> Option<(Outcome, Sensitivity)> {
     let objects = [RigidPlane::along_x(block, restitution, Walls::NONE)];
     let cells = uplift_spectrum(&objects, base, &settings);
     Some((
-        cells[0].as_ref().unwrap().rocking.outcome,
+        cells[0].unwrap().rocking.outcome,
         uplift_sensitivity(&objects, &cells, base, &settings)[0],
     ))
 }

@@ -35,7 +35,7 @@ pub use follow::{
 pub use glide::Glide;
 pub use object::{Along, Glider, Object, Pads, Plane, Planes, RigidPlane, Shaking, Springs};
 pub use outcome::{Outcome, Travelled};
-pub use pads::{OnPads, Tilt};
+pub use pads::{PadSummary, Tilt};
 pub use settings::Settings;
 
 /// What an object did under one motion, as its way tells it.
@@ -44,15 +44,15 @@ pub enum Response {
     /// On a rigid base, in each plane.
     Rigid(Planes<RockingSummary>),
     /// On pads, in each plane.
-    Pads(Planes<OnPads>),
+    Pads(Planes<PadSummary>),
     /// How it rolled, in each plane.
     Rolled(Planes<Glide>),
     /// How it slid, in each plane.
     Slid(Planes<Glide>),
     /// In three dimensions; without a tilt its pads do not keep it upright.
-    Spatial(OnPads, Option<Tilt>),
+    Spatial(PadSummary, Option<Tilt>),
     /// The lower body, and the one that fell first.
-    Stack(OnPads, Option<StackPart>),
+    Stack(PadSummary, Option<StackPart>),
 }
 
 impl Response {
@@ -137,15 +137,13 @@ pub fn respond(
     let sprung = rock_compliant_many(&sprung, settings.gravity_m_s2);
     let done = |task: &Task<'_>| -> Result<Response, RespondError> {
         Ok(match task {
-            Task::Rigid(places) => {
-                Response::Rigid(places.map(|&place| rigid[place].clone()).all()?)
-            }
+            Task::Rigid(places) => Response::Rigid(places.map(|&place| rigid[place]).all()?),
             Task::Springs(places) => {
-                let of_place = |&place: &usize| OnPads::of_springs(sprung[place].clone());
+                let of_place = |&place: &usize| PadSummary::of_springs(sprung[place].clone());
                 Response::Pads(places.map(of_place).all()?)
             }
             Task::Pads(pads, shaking) => {
-                let followed = |plane| OnPads::followed(plane, &pads.base, shaking, settings);
+                let followed = |plane| PadSummary::followed(plane, &pads.base, shaking, settings);
                 Response::Pads(pads.planes.map(followed).all()?)
             }
             Task::Rolls(glider, shaking) => Response::Rolled(glider.followed(shaking, settings)?),

@@ -16,7 +16,7 @@ use super::settings::Settings;
 
 /// What an object on its pads did.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OnPads {
+pub struct PadSummary {
     /// How it ended; [`Rocking::NoUplift`]: no edge let go of its pad.
     pub outcome: Rocking,
     /// U, as in [`CompliantSummary`]; `None` from a solver that does not know it.
@@ -44,7 +44,7 @@ pub struct Tilt {
     pub walk_m: f64,
 }
 
-impl OnPads {
+impl PadSummary {
     /// Whether it fell.
     pub fn has_fallen(&self) -> bool {
         self.outcome.has_fallen()
@@ -136,9 +136,9 @@ impl OnPads {
 }
 
 /// A block whose pads do not keep it upright falls under any motion.
-fn toppled(error: CompliantError) -> Result<OnPads, RespondError> {
+fn toppled(error: CompliantError) -> Result<PadSummary, RespondError> {
     match error {
-        CompliantError::Unstable { .. } => Ok(OnPads::TOPPLED),
+        CompliantError::Unstable { .. } => Ok(PadSummary::TOPPLED),
         _ => Err(error.into()),
     }
 }
@@ -150,7 +150,7 @@ pub(super) fn in_space(
     along: Along,
     shaking: &Shaking<'_>,
     settings: &Settings,
-) -> Result<(OnPads, Option<Tilt>), RespondError> {
+) -> Result<(PadSummary, Option<Tilt>), RespondError> {
     let across = match along {
         Along::X => Along::Y,
         Along::Y => Along::X,
@@ -172,7 +172,7 @@ pub(super) fn in_space(
         tilt_rad: found.body.peak_tilt_rad,
         walk_m: found.body.base_slide_peak_m,
     };
-    let body = OnPads::of_body(found.body.outcome, &found.body, &found.landings);
+    let body = PadSummary::of_body(found.body.outcome, &found.body, &found.landings);
     Ok((body, Some(tilt)))
 }
 
@@ -182,13 +182,13 @@ pub(super) fn stacked(
     along: Along,
     shaking: &Shaking<'_>,
     settings: &Settings,
-) -> Result<(OnPads, Option<StackPart>), RespondError> {
+) -> Result<(PadSummary, Option<StackPart>), RespondError> {
     let found = match rock_stack(stack, shaking.base(along), &settings.spatial(shaking.any())) {
         Ok(found) => found,
         Err(error) => {
             return toppled(error).map(|body| (body, Some(StackPart::Lower)));
         }
     };
-    let lower = OnPads::of_body(found.outcome, &found.lower, &found.landings);
+    let lower = PadSummary::of_body(found.outcome, &found.lower, &found.landings);
     Ok((lower, found.overturned_body))
 }

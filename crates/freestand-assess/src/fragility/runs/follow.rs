@@ -6,7 +6,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 
 use super::super::measure::{At, Measure};
-use super::shaking::Shaking;
+use super::shaking::FloorShaking;
 use super::{Method, ObjectRuns, RunsRequest};
 use crate::verdict::NominalRun;
 use crate::worlds::FloorOfWorld;
@@ -39,7 +39,7 @@ pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
 fn followed(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     scales_ratio: &[f64],
 ) -> Vec<Followed> {
     let floors: Vec<_> = scales_ratio
@@ -67,7 +67,7 @@ fn followed(
 fn followed_at(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     scale_ratio: f64,
 ) -> Option<Followed> {
     followed(request, one, shaking, &[scale_ratio]).pop()
@@ -79,7 +79,7 @@ const TOGETHER: usize = 16;
 fn followed_together(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     scales_ratio: &[f64],
     go_on: GoOn,
 ) -> Result<Vec<Followed>, Problems> {
@@ -100,7 +100,7 @@ const MAX_DOWN: i32 = 200;
 pub(super) fn uplift_ratio(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
 ) -> Option<f64> {
     const BELOW: f64 = 0.999;
     let highest_ratio = BELOW * shaking.uplift_scale_ratio(one.factors);
@@ -127,7 +127,7 @@ pub(super) type GoOn<'a> = &'a (dyn Fn() -> Result<(), Problems> + Sync);
 pub(super) fn first_runs(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     measures: &[(Measure, At)],
     go_on: GoOn,
 ) -> Result<Vec<Followed>, Problems> {
@@ -162,7 +162,7 @@ pub(super) fn first_runs(
 /// The scales of a motion that give it these intensities by the first measure.
 fn stripes(
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     measures: &[(Measure, At)],
     levels: &[f64],
 ) -> Result<Vec<f64>, Problems> {
@@ -185,7 +185,7 @@ fn stripes(
 fn adaptive(
     request: &RunsRequest,
     one: &ObjectRuns,
-    shaking: &Shaking,
+    shaking: &FloorShaking,
     go_on: GoOn,
 ) -> Result<Vec<Followed>, Problems> {
     let mut stopped = Ok(());
@@ -226,7 +226,7 @@ const NORMAL_95: f64 = 1.644_853_626_951_472_6;
 /// at the largest scale would only add levels at which nothing happens; if none lifts it, all count.
 fn span(
     one: &ObjectRuns,
-    shakings: &[Shaking],
+    shakings: &[FloorShaking],
     measure: Measure,
     place: usize,
     at: At,
@@ -279,7 +279,7 @@ fn span(
 pub(super) fn fill(
     request: &RunsRequest,
     one: &mut ObjectRuns,
-    shakings: &[Shaking],
+    shakings: &[FloorShaking],
     measures: &[(Measure, At)],
     go_on: GoOn,
 ) -> Result<(), Problems> {

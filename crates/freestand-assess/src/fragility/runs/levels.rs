@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::super::hazard::{HazardPlace, MeasuredHazard, hazard_of};
 use super::super::measure::{At, Measure};
-use super::shaking::Shaking;
+use super::shaking::FloorShaking;
 use super::{METHODS, Method, ObjectRuns, RunsRequest, follow};
 
 /// The ratio of neighbours. The part of a rate between two intensities is at most about k ln ratio times the
@@ -28,7 +28,7 @@ const BEYOND: f64 = 1.5;
 pub(super) fn chosen(
     request: &RunsRequest,
     objects: &[ObjectRuns],
-    floors: &[Vec<Shaking>],
+    floors: &[Vec<FloorShaking>],
     measures: &[(Measure, At)],
     go_on: follow::GoOn,
 ) -> Result<Vec<f64>, Problems> {
@@ -93,7 +93,7 @@ struct Ends {
 pub(super) fn limit(
     request: &RunsRequest,
     objects: &[ObjectRuns],
-    floors: &[Vec<Shaking>],
+    floors: &[Vec<FloorShaking>],
     measures: &[(Measure, At)],
 ) -> f64 {
     let units = objects
@@ -107,10 +107,10 @@ pub(super) fn limit(
 /// The intensities of the motions of an object at a scale of 1.
 fn units<'a>(
     one: &'a ObjectRuns,
-    floors: &'a [Vec<Shaking>],
+    floors: &'a [Vec<FloorShaking>],
     measures: &'a [(Measure, At)],
 ) -> impl Iterator<Item = Option<f64>> + 'a {
-    let of = |shaking: &Shaking| {
+    let of = |shaking: &FloorShaking| {
         measures
             .first()
             .and_then(|(measure, at)| shaking.intensity(*measure, 0, *at, one.factors))
@@ -189,7 +189,7 @@ pub(super) fn hazard(
 pub(super) fn open(
     hazard: &Hazard,
     objects: &[ObjectRuns],
-    (floors, measures): (&[Vec<Shaking>], &[(Measure, At)]),
+    (floors, measures): (&[Vec<FloorShaking>], &[(Measure, At)]),
     levels: &[f64],
 ) -> Vec<Vec<OpenPart>> {
     let levels = Levels::new(levels);

@@ -42,7 +42,7 @@ use follow::{Followed, GoOn};
 use levels::Added;
 use report::OfStudy;
 use request::{DOUBTFUL_SCALE, MAX_MEASURES};
-use shaking::{RatioFactors, Shaking};
+use shaking::{FloorShaking, RatioFactors};
 
 pub use changed::{Change, ChangedObject};
 pub use kept::KeepRuns;
@@ -127,7 +127,7 @@ pub fn fragility_of_runs(
 
 /// What all runs of a request have in common.
 struct Work<'a> {
-    floors: &'a [Vec<Shaking>],
+    floors: &'a [Vec<FloorShaking>],
     measures: &'a [(Measure, At)],
     /// Where finished runs are kept.
     store: Option<&'a Store>,
@@ -248,7 +248,7 @@ type Followings = (Vec<Followed>, Option<f64>);
 fn run_part(
     request: &RunsRequest,
     objects: &mut [ObjectRuns],
-    floors: &[Vec<Shaking>],
+    floors: &[Vec<FloorShaking>],
     measures: &[(Measure, At)],
     (go_on, count): (GoOn, GoOn),
 ) -> Result<(), Problems> {
@@ -483,7 +483,7 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
 fn check_ground(
     request: &RunsRequest,
     measures: &[(Measure, At)],
-    floors: &[Vec<Shaking>],
+    floors: &[Vec<FloorShaking>],
 ) -> Result<(), Problem> {
     let has_ground = floors
         .iter()
@@ -519,7 +519,7 @@ fn check_ground(
 /// Objects and motions before anything is run.
 struct Prepared {
     objects: Vec<ObjectRuns>,
-    floors: Vec<Vec<Shaking>>,
+    floors: Vec<Vec<FloorShaking>>,
     /// Ids, and why.
     left_out: Vec<(String, String)>,
 }

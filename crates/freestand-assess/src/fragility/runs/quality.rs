@@ -8,7 +8,7 @@ use freestand_output::facts::Facts;
 use super::super::measure::{At, Measure};
 use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
 use super::follow::Followed;
-use super::shaking::{Shaking, Strength};
+use super::shaking::{FloorShaking, Strength};
 use super::table::weights;
 use super::{Method, ObjectRuns};
 
@@ -63,7 +63,7 @@ pub(super) fn qualities(
     method: Method,
     object: &ObjectFragility,
     runs: &ObjectRuns,
-    shakings: &[Shaking],
+    shakings: &[FloorShaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<Quality> {
     let states = object.fit.curves.iter().map(|curve| curve.limit_state);
@@ -123,7 +123,7 @@ pub(super) fn qualities(
 fn demands(
     state: LimitState,
     runs: &ObjectRuns,
-    shakings: &[Shaking],
+    shakings: &[FloorShaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, (f64, f64, f64))> {
     let units: Vec<Option<f64>> = shakings
@@ -169,7 +169,7 @@ fn demands(
 fn capacities(
     state: LimitState,
     runs: &ObjectRuns,
-    shakings: &[Shaking],
+    shakings: &[FloorShaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, f64)> {
     let known = runs

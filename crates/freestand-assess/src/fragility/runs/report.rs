@@ -12,7 +12,7 @@ use freestand_output::table::Table;
 use super::super::{FitMethod, FragilityReport, input_facts};
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
-use super::shaking::Shaking;
+use super::shaking::FloorShaking;
 use super::{METHODS, Method, ObjectRuns, Quality, RunObjects, figures, follow};
 use crate::job::{JobReport, said};
 use crate::output::head;
@@ -34,7 +34,7 @@ pub struct RunsReport {
     pub(super) rotation_ratio: Option<f64>,
     pub(super) fit: FitMethod,
     pub(super) objects: Vec<ObjectRuns>,
-    pub(super) floors: Vec<Vec<Shaking>>,
+    pub(super) floors: Vec<Vec<FloorShaking>>,
     pub(super) left_out: Vec<(String, String)>,
     pub(super) inputs: Vec<InputFile>,
     /// Whose building and hazard this is; `None`: the motions were given.

@@ -107,7 +107,7 @@ impl RatioFactors {
 
 /// A motion of a floor with the motion of the ground under it.
 #[derive(Debug, Clone)]
-pub(super) struct Shaking {
+pub(super) struct FloorShaking {
     pub(super) name: String,
     /// Its place among the motions of the floor.
     pub(super) number: u32,
@@ -117,7 +117,7 @@ pub(super) struct Shaking {
     pub(super) at_ground: Option<Strength>,
 }
 
-impl Shaking {
+impl FloorShaking {
     /// The motion of the floor at a scale, its own acceleration left out of demands; `None` where its
     /// numbers have no end.
     pub(super) fn scaled(&self, scale_ratio: f64) -> Option<FloorOfWorld> {
@@ -166,12 +166,12 @@ pub(super) fn given(
     motions: &[FloorMotion],
     is_ground: bool,
     asked: &[Measure],
-) -> Result<Vec<Shaking>, Problems> {
+) -> Result<Vec<FloorShaking>, Problems> {
     let shaking = |(number, motion): (usize, &FloorMotion)| {
         let strength = Strength::new(&motion.horizontal, asked)
             .map_err(|problem| of_motion(problem, &motion.name))?;
         still(&strength, &motion.name)?;
-        Ok(Shaking {
+        Ok(FloorShaking {
             name: motion.name.clone(),
             number: number as u32,
             floor: Arc::new(FloorOfWorld::given(
@@ -197,7 +197,7 @@ pub(super) fn of_study(
     worlds: Option<u32>,
     asked: &[Measure],
     go_on: impl Fn() -> Result<(), Problems> + Sync,
-) -> Result<Vec<Vec<Shaking>>, Problems> {
+) -> Result<Vec<Vec<FloorShaking>>, Problems> {
     let all = Worlds::new(study, &go_on)?;
     if let Some(level) = levels_ratio.iter().find(|level| !all.has_floor(**level)) {
         let message = format!("the study has no motion for the floor at {level} of the height");
@@ -225,7 +225,7 @@ pub(super) fn of_study(
         .map(ground)
         .collect::<Result<Vec<_>, Problems>>()?;
     let floors = all.floors(0..count, levels_ratio, Again::default(), None, &go_on)?;
-    let of_floor = |floors: Vec<Arc<FloorOfWorld>>| -> Result<Vec<Shaking>, Problems> {
+    let of_floor = |floors: Vec<Arc<FloorOfWorld>>| -> Result<Vec<FloorShaking>, Problems> {
         let made =
             floors
                 .into_par_iter()
@@ -236,7 +236,7 @@ pub(super) fn of_study(
                     let strength = Strength::new(&floor.motion.along, asked)
                         .map_err(|problem| of_motion(problem, &name))?;
                     still(&strength, &name)?;
-                    Ok(Shaking {
+                    Ok(FloorShaking {
                         name,
                         number: world as u32,
                         floor,
