@@ -24,6 +24,8 @@ pub const HERTZ_EXPONENT: f64 = 1.5;
 /// Why an object that does not overturn has no shock.
 pub const BOTTOMED: &str = "the cushion bottoms, so that its law gives no reliable shock";
 
+const CHECK_NUMBERS: &str = "check the numbers of the cushion";
+
 /// The cushion under one edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EdgeCushion {
@@ -33,6 +35,20 @@ pub struct EdgeCushion {
     pub pad_thickness_m: Option<f64>,
     /// How the input was read: pads under an edge, layers in series, damping from its ratio.
     pub notes: Vec<String>,
+}
+
+/// A linear cushion F = k d, with k in N/m of everything under one edge.
+///
+/// # Errors
+/// A stiffness that is not positive.
+pub fn linear(stiffness_n_m: f64) -> Result<EdgeCushion, Problem> {
+    let cushion = Cushion::linear(stiffness_n_m)
+        .map_err(|error| Problem::value(error.to_string(), CHECK_NUMBERS).of(&["stiffness"]))?;
+    Ok(EdgeCushion {
+        cushion,
+        pad_thickness_m: None,
+        notes: Vec::new(),
+    })
 }
 
 /// The words of a linear cushion F = k d, with k in N/m of everything under one edge.
@@ -381,7 +397,7 @@ impl Reader<'_> {
             Err(CushionError::DampedSeries { .. }) => {
                 "give one damped law, measured on everything that is under the edge"
             }
-            _ => "check the numbers of the cushion",
+            _ => CHECK_NUMBERS,
         };
         self.words.keep(
             key,
