@@ -452,7 +452,7 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
     let entry = values.text(Column::Cushion);
     let mut support = Support::default();
     if let Some(stiffness_n_m) = values.given_stiffness() {
-        let edge = cushion::linear(stiffness_n_m).map_err(Problems::from);
+        let edge = cushion::linear(stiffness_n_m, &words);
         support.cushion = resolved(values, edge, mass_kg);
         return support;
     }

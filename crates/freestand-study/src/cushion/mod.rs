@@ -24,8 +24,6 @@ pub const HERTZ_EXPONENT: f64 = 1.5;
 /// Why an object that does not overturn has no shock.
 pub const BOTTOMED: &str = "the cushion bottoms, so that its law gives no reliable shock";
 
-const CHECK_NUMBERS: &str = "check the numbers of the cushion";
-
 /// The cushion under one edge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EdgeCushion {
@@ -37,18 +35,16 @@ pub struct EdgeCushion {
     pub notes: Vec<String>,
 }
 
-/// A linear cushion F = k d, with k in N/m of everything under one edge.
+/// A linear cushion F = k d, with k in N/m of everything under one edge, and with the layers in series that
+/// words with the key `series_stiffness` describe.
 ///
 /// # Errors
-/// A stiffness that is not positive.
-pub fn linear(stiffness_n_m: f64) -> Result<EdgeCushion, Problem> {
-    let cushion = Cushion::linear(stiffness_n_m)
-        .map_err(|error| Problem::value(error.to_string(), CHECK_NUMBERS).of(&["stiffness"]))?;
-    Ok(EdgeCushion {
-        cushion,
-        pad_thickness_m: None,
-        notes: Vec::new(),
-    })
+/// A stiffness that is not positive, or that cannot be read.
+pub fn linear(stiffness_n_m: f64, layers: &Words) -> Result<EdgeCushion, Problems> {
+    let mut reader = Reader::new(layers);
+    let edge = reader.made("stiffness", Cushion::linear(stiffness_n_m));
+    let cushion = edge.and_then(|edge| reader.in_series(edge));
+    reader.finish(cushion, None)
 }
 
 /// The words of a linear cushion F = k d, with k in N/m of everything under one edge.
@@ -62,21 +58,10 @@ pub fn spring(stiffness_n_m: f64) -> Words {
 /// # Errors
 /// Everything that is wrong, each problem with its key.
 pub fn resolve(words: &Words, mass_kg: Option<f64>) -> Result<EdgeCushion, Problems> {
-    let mut reader = Reader {
-        words: WordReader::new(words),
-        notes: Vec::new(),
-    };
+    let mut reader = Reader::new(words);
     let cushion = reader.cushion(mass_kg);
     let pad_thickness_m = reader.words.positive("pad_thickness", Dimension::Length);
-    let Reader {
-        words: WordReader { problems, .. },
-        notes,
-    } = reader;
-    problems.finish(cushion.map(|cushion| EdgeCushion {
-        cushion,
-        pad_thickness_m,
-        notes,
-    }))
+    reader.finish(cushion, pad_thickness_m)
 }
 
 /// The contact laws that a user can name.
@@ -118,7 +103,27 @@ struct Reader<'w> {
     notes: Vec<String>,
 }
 
-impl Reader<'_> {
+impl<'w> Reader<'w> {
+    fn new(words: &'w Words) -> Self {
+        Self {
+            words: WordReader::new(words),
+            notes: Vec::new(),
+        }
+    }
+
+    fn finish(
+        self,
+        cushion: Option<Cushion>,
+        pad_thickness_m: Option<f64>,
+    ) -> Result<EdgeCushion, Problems> {
+        let Self { words, notes } = self;
+        words.problems.finish(cushion.map(|cushion| EdgeCushion {
+            cushion,
+            pad_thickness_m,
+            notes,
+        }))
+    }
+
     fn cushion(&mut self, mass_kg: Option<f64>) -> Option<Cushion> {
         let law = if self.words.has("law") {
             self.words.one_of("law", &LAWS)?
@@ -397,7 +402,7 @@ impl Reader<'_> {
             Err(CushionError::DampedSeries { .. }) => {
                 "give one damped law, measured on everything that is under the edge"
             }
-            _ => CHECK_NUMBERS,
+            _ => "check the numbers of the cushion",
         };
         self.words.keep(
             key,
