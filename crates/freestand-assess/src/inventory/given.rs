@@ -2,15 +2,11 @@
 
 use freestand_input::quantity::Dimension;
 
+use super::Casters;
 use super::columns::Column;
-use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
-use super::item::{Reading, item};
-use super::problems::{Finding, Findings};
-use super::values::{Told, Values};
+use super::problems::Told;
 use super::vocabulary::is_missing;
-use super::{Casters, Item};
-use crate::library::Lookup;
 
 /// A value as it is.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,42 +44,9 @@ impl Value {
     }
 }
 
-/// The object of these values, and what is wrong or doubtful about it; floors are found by their names
-/// unless the values have a [`Column::LevelRatio`].
-pub(crate) fn item_of(
-    values: &[(Column, Value)],
-    floors: &Floors,
-    lookup: &Lookup<'_>,
-) -> (Item, Vec<Finding>) {
-    let mut findings = Findings::default();
-    let given = Given {
-        values,
-        told: Told {
-            findings: &mut findings,
-            doubts: Vec::new(),
-        },
-    };
-    let names: Vec<String> = given
-        .get(Column::Floor)
-        .map(|floor| floor.shown(Column::Floor))
-        .into_iter()
-        .collect();
-    let finder = given
-        .get(Column::LevelRatio)
-        .is_none()
-        .then(|| FloorFinder::new(floors, &names, false, false));
-    let reading = Reading {
-        lookup,
-        floors: finder.as_ref(),
-        section: "",
-    };
-    let item = item(&mut Values::Given(given), &reading, Vec::new());
-    (item, findings.finish().0)
-}
-
 /// The values of an object.
 pub(super) struct Given<'a> {
-    values: &'a [(Column, Value)],
+    pub(super) values: &'a [(Column, Value)],
     pub(super) told: Told<'a>,
 }
 

@@ -13,9 +13,10 @@ use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
 use super::columns::{COLUMNS, Column};
-use super::floors::{FloorFinder, Found};
+use super::floors::{FloorFinder, Floors, Found};
+use super::given::{Given, Value};
 use super::plausible;
-use super::problems::Kind;
+use super::problems::{Finding, Findings, Kind, Told};
 use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
@@ -32,6 +33,36 @@ pub(super) struct Reading<'a> {
     /// Finds floors by their names; `None`: the list has shares of the height.
     pub(super) floors: Option<&'a FloorFinder>,
     pub(super) section: &'a str,
+}
+
+/// The object of these values, and what is wrong or doubtful about it; floors are found by their names
+/// unless the values have a [`Column::LevelRatio`].
+pub(crate) fn item_of(
+    values: &[(Column, Value)],
+    floors: &Floors,
+    lookup: &Lookup<'_>,
+) -> (Item, Vec<Finding>) {
+    let mut findings = Findings::default();
+    let given = Given {
+        values,
+        told: Told::new(&mut findings),
+    };
+    let names: Vec<String> = given
+        .get(Column::Floor)
+        .map(|floor| floor.shown(Column::Floor))
+        .into_iter()
+        .collect();
+    let finder = given
+        .get(Column::LevelRatio)
+        .is_none()
+        .then(|| FloorFinder::new(floors, &names, false, false));
+    let reading = Reading {
+        lookup,
+        floors: finder.as_ref(),
+        section: "",
+    };
+    let item = item(&mut Values::Given(given), &reading, Vec::new());
+    (item, findings.finish().0)
 }
 
 /// The object of a row.

@@ -22,12 +22,12 @@ use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
 use super::mapping::Mapping;
-use super::problems::{Findings, Kind, Place};
+use super::problems::{Findings, Kind, Place, Told};
 use super::report::HeadingReport;
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
 use super::units::CellUnit;
-use super::values::{Cells, Told, Values};
+use super::values::{Cells, Values};
 use super::{Inventory, Item};
 
 /// Largest number of columns that are carried through; an asset register has some dozens.
@@ -583,10 +583,7 @@ impl ReadTable<'_> {
                     rows: &sheet.rows,
                     columns,
                     merges: &sheet.merges,
-                    told: Told {
-                        findings: &mut findings,
-                        doubts: Vec::new(),
-                    },
+                    told: Told::new(&mut findings),
                     is_shifted: false,
                     counts: &mut counts,
                 };

@@ -13,7 +13,7 @@ use super::columns::Column;
 use super::given::Given;
 use super::headings::dimension;
 use super::numbers::Decimal;
-use super::problems::{Findings, Kind, Place, Severity};
+use super::problems::{Kind, Place, Told};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
@@ -23,22 +23,6 @@ use super::vocabulary::{
 use super::wheels::{Wheels, casters};
 use super::workbook::Merges;
 use super::{Casters, Rating};
-
-/// What is said of a row.
-pub(super) struct Told<'a> {
-    pub(super) findings: &'a mut Findings,
-    /// What is doubtful about this object.
-    pub(super) doubts: Vec<Kind>,
-}
-
-impl Told<'_> {
-    fn add(&mut self, place: Place, kind: Kind, row: u32, example: &str, detail: Option<String>) {
-        self.findings.add(kind, place, Some(row), example, detail);
-        if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
-            self.doubts.push(kind);
-        }
-    }
-}
 
 /// The values of a row.
 pub(super) enum Values<'a> {
