@@ -90,17 +90,24 @@ impl<'w> WordReader<'w> {
             return Some(value);
         }
         let text = self.words.get(key).unwrap_or_default();
+        self.refuse(key, text, dimension, expected);
+        None
+    }
+
+    /// Adds a problem with a quantity that is none of the expected, as in [`Self::accepted`].
+    pub fn refuse(
+        &mut self,
+        key: &'static str,
+        text: &str,
+        dimension: Dimension,
+        [must_be, give]: [&str; 2],
+    ) {
         let message = format!(
-            "`{key}` must be {}, not \"{}\"",
-            expected[0],
+            "`{key}` must be {must_be}, not \"{}\"",
             shorten(text.trim())
         );
-        self.note(
-            &[key],
-            message,
-            format!("give {} {}", dimension.with_article(), expected[1]),
-        );
-        None
+        let hint = format!("give {} {give}", dimension.with_article());
+        self.note(&[key], message, hint);
     }
 
     /// A quantity above zero.

@@ -1,33 +1,14 @@
 //! The motions of one floor of a building at a place, for users without records.
 
-use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 
-use crate::resolve::{Overrides, resolve_with};
+use crate::resolve::{Values, of_values};
 use crate::result::GroundMotion;
 use crate::run::{floors_under, ground_motions};
 use crate::spectrum::SpectrumMotion;
 use crate::study::{Ground, Study};
-
-/// A floor of a building at a place. What is left out is as in the built-in study.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct AtPlace {
-    /// Keys of the hazard: `place`, `site`, `return_period_years`.
-    pub hazard: Words,
-    /// Number of synthetic motions.
-    pub count: Option<u16>,
-    /// Number of storeys.
-    pub storeys: Option<u16>,
-    /// Height of a storey \[m\].
-    pub storey_height_m: Option<f64>,
-    /// Height of the floor over that of the building, 0 to 1.
-    pub level_ratio: f64,
-    /// Seed of the motions.
-    pub seed: Option<u64>,
-}
 
 /// The ground motions of the last place: a user who moves a slider asks for another floor above the
 /// same ground, and to match ten motions to a spectrum takes longer than to carry them to a floor.
@@ -49,38 +30,31 @@ pub struct FloorMotions {
     pub warnings: Vec<String>,
 }
 
-/// The motions of a floor.
+/// The motions of the floor at a share of the height of a building, 0 to 1.
 ///
 /// # Errors
-/// Everything that is wrong with the keys, and what `go_on` returns.
+/// Everything that is wrong with the values, and what `go_on` returns.
 pub fn motions_at(
-    place: &AtPlace,
+    values: &Values,
+    level_ratio: f64,
     last: &LastGround,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<FloorMotions, Problems> {
-    if !(0.0..=1.0).contains(&place.level_ratio) {
-        let message = format!(
-            "`level_ratio`: {} is not a share of the height",
-            place.level_ratio
-        );
+    if !(0.0..=1.0).contains(&level_ratio) {
+        let message = format!("`level_ratio`: {level_ratio} is not a share of the height");
         return Err(Problem::value(
             message,
             "give 0 for the ground, 1 for the roof, or a value between them",
         )
         .into());
     }
-    let overrides = Overrides {
-        seed: place.seed,
-        hazard: place.hazard.clone(),
-        ..Overrides::default()
-    };
-    let study = resolve_with(&text(place), None, Path::new(""), &overrides)?;
+    let study = of_values(values)?;
     let ground = last.of(&study.ground, &go_on)?;
     let mut motions = Vec::with_capacity(ground.len());
     for one in ground.iter() {
         go_on()?;
         let floors = match &study.building {
-            Some(building) => floors_under(one, building, &[place.level_ratio])?,
+            Some(building) => floors_under(one, building, &[level_ratio])?,
             None => vec![one.motion.clone()],
         };
         let named = |motion| SpectrumMotion {
@@ -92,38 +66,20 @@ pub fn motions_at(
     }
     Ok(FloorMotions {
         motions,
-        processing: processing(&study, place),
-        warnings: study.warnings,
+        processing: processing(&study, level_ratio),
+        warnings: study.and_assumed_building(),
     })
 }
 
-/// The tables of a study, as far as they are given.
-fn text(place: &AtPlace) -> String {
-    let count = place.count.map(|count| format!("count = {count}\n"));
-    let storeys = place
-        .storeys
-        .map(|storeys| format!("storeys = {storeys}\n"));
-    let height = place
-        .storey_height_m
-        .map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
-    format!(
-        "[ground]\n{}[building]\n{}{}levels = [{{ name = \"floor\", level_ratio = {:?} }}]\n",
-        count.unwrap_or_default(),
-        storeys.unwrap_or_default(),
-        height.unwrap_or_default(),
-        place.level_ratio
-    )
-}
-
-fn processing(study: &Study, place: &AtPlace) -> Vec<String> {
+fn processing(study: &Study, level_ratio: f64) -> Vec<String> {
     let ground = study
         .ground
         .code_spectrum()
         .map(|target| format!("matched to {}", target.one_line()));
     let floor = study.building.as_ref().map(|building| {
         format!(
-            "carried to {} of the height of {} storeys",
-            place.level_ratio, building.storeys
+            "carried to {level_ratio} of the height of {} storeys",
+            building.storeys
         )
     });
     ground.into_iter().chain(floor).collect()
@@ -154,8 +110,12 @@ impl LastGround {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use freestand_input::keys::Words;
+
     use super::*;
-    use crate::resolve::resolve;
+    use crate::resolve::{Hazard, resolve};
     use crate::run::{no_progress, run};
 
     /// A study that says nothing else asks for the roof too: its floor motions are the same to the last bit.
@@ -169,53 +129,45 @@ mod tests {
             .iter()
             .find(|level| level.level.level_ratio == Some(1.0))
             .unwrap();
-        let hazard =
-            Words::from_iter([("place", "Melbourne".to_owned()), ("site", "De".to_owned())]);
         let last = LastGround::default();
-        let place = AtPlace {
-            hazard,
+        let values = Values {
+            hazard: Hazard::Keys(Words::from_iter([("place", "Melbourne"), ("site", "De")])),
             count: Some(2),
-            level_ratio: 1.0,
-            ..AtPlace::default()
+            ..Values::default()
         };
-        let made = motions_at(&place, &last, || Ok(())).unwrap();
+        let at = |level_ratio| motions_at(&values, level_ratio, &last, || Ok(())).unwrap();
+        let made = at(1.0);
         assert_eq!(made.motions.len(), roof.floors.len());
         for (made, floor) in made.motions.iter().zip(&roof.floors) {
             assert_eq!(made.horizontal, floor.along, "{}", made.name);
         }
         // Another floor, and back: what is remembered changes nothing.
-        let lower = AtPlace {
-            level_ratio: 0.5,
-            ..place.clone()
-        };
-        let middle = motions_at(&lower, &last, || Ok(())).unwrap();
+        let middle = at(0.5);
         assert!(middle.motions[0].horizontal.peak_m_s2() < made.motions[0].horizontal.peak_m_s2());
-        assert_eq!(
-            motions_at(&place, &last, || Ok(())).unwrap().motions,
-            made.motions
-        );
+        assert_eq!(at(1.0).motions, made.motions);
     }
 
     #[test]
     fn what_is_wrong_is_said() {
-        let hazard = Words::from_iter([("place", "Atlantis".to_owned())]);
-        let problems = motions_at(
-            &AtPlace {
-                hazard,
-                ..AtPlace::default()
-            },
-            &LastGround::default(),
-            || Ok(()),
-        );
-        assert!(problems.unwrap_err().to_string().contains("Atlantis"));
-        let outside = AtPlace {
-            level_ratio: 1.5,
-            ..AtPlace::default()
+        let said = |values: Values, level_ratio| {
+            let found = motions_at(&values, level_ratio, &LastGround::default(), || Ok(()));
+            found.unwrap_err().to_string()
         };
-        let problems = motions_at(&outside, &LastGround::default(), || Ok(())).unwrap_err();
-        assert!(
-            problems.to_string().contains("`level_ratio`: 1.5"),
-            "{problems}"
+        let elsewhere = Values {
+            hazard: Hazard::Keys(Words::from_iter([("place", "Atlantis")])),
+            ..Values::default()
+        };
+        assert!(said(elsewhere, 0.0).contains("Atlantis"));
+        assert!(said(Values::default(), 1.5).contains("`level_ratio`: 1.5"));
+        // A value that nobody wrote has no line.
+        let tall = Values {
+            storey_height_m: Some(40.0),
+            ..Values::default()
+        };
+        assert_eq!(
+            said(tall, 1.0),
+            "storey_height must be a height between 1 and 30 m, not \"40 m\" (give a length such as \"3.2 m\", from \
+             floor to floor)"
         );
     }
 }

@@ -35,7 +35,7 @@ use freestand_records::horizontal::HorizontalMotion;
 pub(crate) const MASS_KG: f64 = 150.0;
 /// Two pads of 2190 N/mm.
 pub(crate) fn spring() -> EdgeCushion {
-    cushion::resolve(&cushion::spring(4.38e6), None).unwrap()
+    cushion::linear(4.38e6, &Words::default()).unwrap()
 }
 
 /// A study with synthetic ground motions.

@@ -6,17 +6,17 @@ use freestand::rocking::Restitution;
 
 use crate::library::{Confidence, Lookup, Tolerance};
 use freestand_input::keys::Words;
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
-use super::cell::Cell;
 use super::columns::{COLUMNS, Column};
-use super::floors::{FloorFinder, Found};
+use super::floors::{FloorFinder, Floors, Found};
+use super::given::{Given, Value};
 use super::plausible;
-use super::problems::Kind;
+use super::problems::{Finding, Findings, Kind, Told};
 use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
@@ -33,6 +33,36 @@ pub(super) struct Reading<'a> {
     /// Finds floors by their names; `None`: the list has shares of the height.
     pub(super) floors: Option<&'a FloorFinder>,
     pub(super) section: &'a str,
+}
+
+/// The object of these values, and what is wrong or doubtful about it; floors are found by their names
+/// unless the values have a [`Column::LevelRatio`].
+pub(crate) fn item_of(
+    values: &[(Column, Value)],
+    floors: &Floors,
+    lookup: &Lookup<'_>,
+) -> (Item, Vec<Finding>) {
+    let mut findings = Findings::default();
+    let given = Given {
+        values,
+        told: Told::new(&mut findings),
+    };
+    let names: Vec<String> = given
+        .get(Column::Floor)
+        .map(|floor| floor.shown(Column::Floor))
+        .into_iter()
+        .collect();
+    let finder = given
+        .get(Column::LevelRatio)
+        .is_none()
+        .then(|| FloorFinder::new(floors, &names, false, false));
+    let reading = Reading {
+        lookup,
+        floors: finder.as_ref(),
+        section: "",
+    };
+    let item = item(&mut Values::Given(given), &reading, Vec::new());
+    (item, findings.finish().0)
 }
 
 /// The object of a row.
@@ -52,7 +82,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let is_known_to_roll = friction_ratio.is_some_and(|(_, highest)| highest <= WHEEL_FRICTION);
     let surroundings = surroundings(values, &rests_on, casters, is_known_to_roll);
     let mut item = Item {
-        row: values.row.number,
+        row: values.row(),
         section: reading.section.to_owned(),
         id: id(values),
         item: values.text(Column::Item),
@@ -102,11 +132,11 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         ];
         let found = columns
             .into_iter()
-            .find(|column| values.columns.get(*column).is_some())
+            .find(|column| values.has(*column))
             .unwrap_or(column);
         values.report(found, kind, None);
     }
-    item.doubts = values.doubts.clone();
+    item.doubts.clone_from(&values.told().doubts);
     item
 }
 
@@ -137,13 +167,9 @@ fn surroundings(
         {
             None
         }
-        _ => [Column::Item, Column::Notes].into_iter().find(|column| {
-            let cell = values
-                .columns
-                .get(*column)
-                .and_then(|one| values.row.get(one.index));
-            cell.is_some_and(|cell| may_roll(&cell.shown()))
-        }),
+        _ => [Column::Item, Column::Notes]
+            .into_iter()
+            .find(|column| values.shown(*column).is_some_and(|text| may_roll(&text))),
     };
     if let Some(column) = doubted {
         values.report(column, Kind::Casters, None);
@@ -181,8 +207,8 @@ fn surroundings(
 /// Whether it is anchored: what rolls for certain is not.
 fn anchored(values: &mut Values<'_>, surroundings: &Surroundings) -> Option<bool> {
     let anchored = values.answer(Column::Anchored);
-    let rolls =
-        surroundings.casters == Some(Casters::Free) && !values.doubts.contains(&Kind::Casters);
+    let rolls = surroundings.casters == Some(Casters::Free)
+        && !values.told().doubts.contains(&Kind::Casters);
     if anchored == Some(true) && rolls {
         values.report(Column::Anchored, Kind::AnchoredUnclear, None);
         return None;
@@ -230,13 +256,10 @@ fn id(values: &mut Values<'_>) -> String {
         }
         return id;
     }
-    if values.columns.get(Column::Id).is_some() {
-        values.findings.note(
-            "no id: the row number is used, such as row-12",
-            values.row.number,
-        );
+    if values.has(Column::Id) {
+        values.note("no id: the row number is used, such as row-12");
     }
-    format!("row-{}", values.row.number)
+    format!("row-{}", values.row())
 }
 
 /// The floor as it is named, and its height over that of the building.
@@ -245,7 +268,7 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
     let Some(finder) = reading.floors else {
         return (name, level(values));
     };
-    let has_column = values.columns.get(Column::Floor).is_some();
+    let has_column = values.has(Column::Floor);
     // A section "Level 3" over rows without a floor of their own.
     let is_section = name.is_empty() && !has_column;
     let text = if is_section { reading.section } else { &name };
@@ -262,10 +285,7 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             }
             // A floor whose height is given is not guessed.
             match finder.identity(text).filter(|_| !finder.names(text)) {
-                Some((1, _)) => values.findings.note(
-                    "a basement moves like the ground: level 0",
-                    values.row.number,
-                ),
+                Some((1, _)) => values.note("a basement moves like the ground: level 0"),
                 Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
                 _ => {}
             }
@@ -384,7 +404,7 @@ fn size(values: &mut Values<'_>) -> Size {
     }
     if size.blocks.iter().any(|block| block.landing_ratio() < 0.0) {
         let squat = "squat (Housner's restitution is negative; h/t < 0.707 for a uniform block): landings are halted";
-        values.findings.note(squat, values.row.number);
+        values.note(squat);
     }
     size
 }
@@ -411,11 +431,7 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
         (Some(thickness), Some(width)) => (thickness - width).abs() <= 0.02 * width,
         (sides, _) => sides.is_some(),
     };
-    let item = values
-        .columns
-        .get(Column::Item)
-        .and_then(|one| values.row.get(one.index))
-        .map(Cell::shown);
+    let item = values.shown(Column::Item);
     let is_named = is_equal && item.is_some_and(|item| names_round_object(&item));
     size.is_round = shape.unwrap_or(is_marked || is_named);
     if size.is_round {
@@ -457,7 +473,7 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
         Column::SeriesStiffness,
         Column::PadThickness,
     ] {
-        if let Some((_, text)) = values.positive_text(column) {
+        if let Some(text) = values.positive_text(column) {
             words.set(column.name(), text);
         }
     }
@@ -466,6 +482,11 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
     }
     let entry = values.text(Column::Cushion);
     let mut support = Support::default();
+    if let Some(stiffness_n_m) = values.given_stiffness() {
+        let edge = cushion::linear(stiffness_n_m, &words);
+        support.cushion = resolved(values, edge, mass_kg);
+        return support;
+    }
     if !entry.is_empty() {
         let Some(prior) = (lookup.cushion)(&entry) else {
             refuse_entry(
@@ -504,7 +525,22 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
         values.report(Column::PadStiffness, Kind::PadsMissing, None);
         return Support::default();
     }
-    match cushion::resolve(&words, mass_kg) {
+    match resolved(values, cushion::resolve(&words, mass_kg), mass_kg) {
+        Some(edge) => Support {
+            cushion: Some(edge),
+            ..support
+        },
+        None => Support::default(),
+    }
+}
+
+/// The cushion, if it could be made; what is wrong or doubtful about it is reported.
+fn resolved(
+    values: &mut Values<'_>,
+    edge: Result<EdgeCushion, Problems>,
+    mass_kg: Option<f64>,
+) -> Option<EdgeCushion> {
+    match edge {
         Ok(edge) => {
             let doubts =
                 mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
@@ -516,8 +552,7 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
                 };
                 values.report(column, Kind::Stiffness, None);
             }
-            support.cushion = Some(edge);
-            support
+            Some(edge)
         }
         Err(problems) => {
             if mass_kg.is_none()
@@ -532,7 +567,7 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
                     values.wrong(column_of(problem), Kind::Unreadable, problem);
                 }
             }
-            Support::default()
+            None
         }
     }
 }
@@ -673,7 +708,7 @@ fn restitution(values: &mut Values<'_>, blocks: &[Block]) -> Restitution {
 }
 
 /// The first column that describes a pad.
-fn pad_column(values: &mut Values<'_>) -> Column {
+fn pad_column(values: &Values<'_>) -> Column {
     let columns = [
         Column::PadThickness,
         Column::PadsPerEdge,

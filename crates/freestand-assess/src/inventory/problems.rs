@@ -495,6 +495,37 @@ impl Findings {
     }
 }
 
+/// What is said of a row.
+pub(super) struct Told<'a> {
+    pub(super) findings: &'a mut Findings,
+    /// What is doubtful about this object.
+    pub(super) doubts: Vec<Kind>,
+}
+
+impl<'a> Told<'a> {
+    /// Nothing so far.
+    pub(super) fn new(findings: &'a mut Findings) -> Self {
+        Self {
+            findings,
+            doubts: Vec::new(),
+        }
+    }
+
+    pub(super) fn add(
+        &mut self,
+        place: Place,
+        kind: Kind,
+        row: u32,
+        example: &str,
+        detail: Option<String>,
+    ) {
+        self.findings.add(kind, place, Some(row), example, detail);
+        if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
+            self.doubts.push(kind);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

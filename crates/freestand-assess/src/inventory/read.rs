@@ -22,12 +22,12 @@ use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
 use super::mapping::Mapping;
-use super::problems::{Findings, Kind, Place};
+use super::problems::{Findings, Kind, Place, Told};
 use super::report::HeadingReport;
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
 use super::units::CellUnit;
-use super::values::Values;
+use super::values::{Cells, Values};
 use super::{Inventory, Item};
 
 /// Largest number of columns that are carried through; an asset register has some dozens.
@@ -578,23 +578,22 @@ impl ReadTable<'_> {
                 let section = section
                     .and_then(|section| body.sections.get(section))
                     .map_or("", String::as_str);
-                let mut values = Values {
+                let mut cells = Cells {
                     row,
                     rows: &sheet.rows,
                     columns,
                     merges: &sheet.merges,
-                    findings: &mut findings,
-                    doubts: Vec::new(),
+                    told: Told::new(&mut findings),
                     is_shifted: false,
                     counts: &mut counts,
                 };
-                let carried = carried(&mut values, sheet, &table.header);
+                let carried = carried(&mut cells, sheet, &table.header);
                 let reading = item::Reading {
                     lookup: options.lookup,
                     floors: finder,
                     section,
                 };
-                items.push(item(&mut values, &reading, carried));
+                items.push(item(&mut Values::Cells(cells), &reading, carried));
             }
             (items, counts, findings)
         };
@@ -781,9 +780,9 @@ fn unread(columns: &Understood) -> Vec<String> {
 }
 
 /// The cells of other columns, unchanged.
-fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<String> {
-    let row = values.row;
-    let columns = values.columns;
+fn carried(cells: &mut Cells<'_>, sheet: &Sheet, header: &Header) -> Vec<String> {
+    let row = cells.row;
+    let columns = cells.columns;
     let mut carried = vec![String::new(); columns.carried.len()];
     // In a CSV a number with a decimal comma that is not in quotes moves every cell after it.
     if let (Some(width), Some(_)) = (header.width, sheet.separator)
@@ -794,7 +793,7 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
     {
         let count = row.cells.last().map_or(0, |(index, _)| index + 1);
         let detail = format!("has {count} cells for {width} headings, so its numbers are not used");
-        values.findings.add(
+        cells.told.findings.add(
             Kind::Unreadable,
             Place::ROW,
             Some(row.number),
@@ -802,10 +801,11 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
             Some(detail),
         );
         let hint = "put cells that contain the separator in quotes, or give every column a heading";
-        values
+        cells
+            .told
             .findings
             .hint(Kind::Unreadable, Place::ROW, hint.to_owned());
-        values.is_shifted = true;
+        cells.is_shifted = true;
     }
     for (index, cell) in &row.cells {
         if let Ok(at) = columns
@@ -813,12 +813,12 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
             .binary_search_by_key(index, |(index, _)| *index)
         {
             match cell {
-                Cell::Error(_) => values.findings.note(
+                Cell::Error(_) => cells.told.findings.note(
                     "an error such as #REF! in a column that is carried through",
                     row.number,
                 ),
                 Cell::Unevaluated | Cell::TooLong(_) => {
-                    values.findings.note(
+                    cells.told.findings.note(
                         "a cell without a value in a column that is carried through",
                         row.number,
                     );
@@ -828,8 +828,8 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
             if let Some(slot) = carried.get_mut(at) {
                 *slot = cell.shown();
             }
-        } else if !header.headings.contains_key(index) && !cell.is_blank() && !values.is_shifted {
-            values.findings.note(
+        } else if !header.headings.contains_key(index) && !cell.is_blank() && !cells.is_shifted {
+            cells.told.findings.note(
                 "cells in columns without a heading are not read",
                 row.number,
             );

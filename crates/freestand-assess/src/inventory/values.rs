@@ -1,4 +1,5 @@
-//! The cells of one row as values; each that cannot be read is added to the problems.
+//! The values of one row: read from its cells, where each that cannot be read is added to the problems, or
+//! given as they are.
 
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
@@ -9,9 +10,10 @@ use freestand_study::study::assessment::Questions;
 use super::cell::{Cell, Row};
 use super::cells::{Choice, Measured, Sizes, Wrong, number_text, quantity, sizes, with_pulse};
 use super::columns::Column;
+use super::given::Given;
 use super::headings::dimension;
 use super::numbers::Decimal;
-use super::problems::{Findings, Kind, Place, Severity};
+use super::problems::{Kind, Place, Told};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
@@ -22,23 +24,345 @@ use super::wheels::{Wheels, casters};
 use super::workbook::Merges;
 use super::{Casters, Rating};
 
+/// The values of a row.
+pub(super) enum Values<'a> {
+    /// In the cells of a list.
+    Cells(Cells<'a>),
+    /// As they are.
+    Given(Given<'a>),
+}
+
+impl<'a> Values<'a> {
+    /// Its row, counted from 1.
+    pub(super) fn row(&self) -> u32 {
+        match self {
+            Self::Cells(cells) => cells.row.number,
+            Self::Given(_) => 1,
+        }
+    }
+
+    pub(super) fn told(&mut self) -> &mut Told<'a> {
+        match self {
+            Self::Cells(cells) => &mut cells.told,
+            Self::Given(given) => &mut given.told,
+        }
+    }
+
+    /// Whether the list has a column.
+    pub(super) fn has(&self, column: Column) -> bool {
+        match self {
+            Self::Cells(cells) => cells.columns.get(column).is_some(),
+            Self::Given(given) => given.get(column).is_some(),
+        }
+    }
+
+    /// A value as a person would see it.
+    pub(super) fn shown(&self, column: Column) -> Option<String> {
+        match self {
+            Self::Cells(cells) => {
+                let one = cells.columns.get(column)?;
+                cells.row.get(one.index).map(Cell::shown)
+            }
+            Self::Given(given) => Some(given.get(column)?.shown(column)),
+        }
+    }
+
+    /// Whether a column has a text in this row that is not a word for a missing value.
+    pub(super) fn is_filled(&self, column: Column) -> bool {
+        self.shown(column).is_some_and(|text| !is_missing(&text))
+    }
+
+    /// The place of a column; that of the row where the list does not have it.
+    fn place(&self, column: Column) -> Place<'a> {
+        let one = match self {
+            Self::Cells(cells) => cells.columns.get(column),
+            Self::Given(_) => None,
+        };
+        one.map_or(
+            Place {
+                column: Some(column),
+                index: None,
+                heading: None,
+            },
+            Cells::place,
+        )
+    }
+
+    /// Adds a problem of a column.
+    pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
+        let example = self.shown(column).unwrap_or_default();
+        let (place, row) = (self.place(column), self.row());
+        self.told().add(place, kind, row, &example, detail);
+    }
+
+    /// Adds a problem of the whole list that this row shows.
+    pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
+        let example = self.shown(column).unwrap_or_default();
+        let place = self.place(column);
+        self.told().findings.add(kind, place, None, &example, None);
+    }
+
+    /// Adds a wrong value with a message of another reader.
+    pub(super) fn wrong(&mut self, column: Column, kind: Kind, problem: &Problem) {
+        self.report(column, kind, Some(problem.message.clone()));
+        if let Some(hint) = problem.hint.as_ref().filter(|_| self.has(column)) {
+            let place = self.place(column);
+            self.told().findings.hint(kind, place, hint.clone());
+        }
+    }
+
+    /// Adds a warning about the row.
+    pub(super) fn note(&mut self, words: &'static str) {
+        let row = self.row();
+        self.told().findings.note(words, row);
+    }
+
+    /// Its cells, if there are any.
+    fn cells(&mut self) -> Option<&mut Cells<'a>> {
+        match self {
+            Self::Cells(cells) => Some(cells),
+            Self::Given(_) => None,
+        }
+    }
+
+    /// Text without the blanks around it; empty where there is none.
+    pub(super) fn text(&mut self, column: Column) -> String {
+        match self {
+            Self::Cells(cells) => cells.text(column),
+            Self::Given(given) => given.text(column),
+        }
+    }
+
+    /// A quantity in SI.
+    pub(super) fn number(&mut self, column: Column) -> Option<f64> {
+        match self {
+            Self::Cells(cells) => cells.quantity(column).map(|found| found.si),
+            Self::Given(given) => given.number(column),
+        }
+    }
+
+    /// A quantity in SI that a test accepts; `expected` says what it must be.
+    fn accepted(
+        &mut self,
+        column: Column,
+        accept: impl Fn(f64) -> bool,
+        expected: &str,
+    ) -> Option<f64> {
+        let value = self.number(column)?;
+        if accept(value) {
+            return Some(value);
+        }
+        self.report(column, Kind::OutOfRange, Some(expected.to_owned()));
+        None
+    }
+
+    /// A positive quantity in SI.
+    pub(super) fn positive(&mut self, column: Column) -> Option<f64> {
+        self.accepted(column, |value| value > 0.0, "must be above 0")
+    }
+
+    /// A quantity in SI that may be 0.
+    pub(super) fn not_negative(&mut self, column: Column) -> Option<f64> {
+        self.accepted(column, |value| value >= 0.0, "must not be below 0")
+    }
+
+    /// A ratio above 0 and below 1.
+    pub(super) fn share(&mut self, column: Column) -> Option<f64> {
+        let value = self.positive(column)?;
+        if value < 1.0 {
+            return Some(value);
+        }
+        let expected = "must be above 0 and below 1".to_owned();
+        self.report(column, Kind::OutOfRange, Some(expected));
+        None
+    }
+
+    /// A positive quantity of a cell as text with its unit.
+    pub(super) fn positive_text(&mut self, column: Column) -> Option<String> {
+        let found = self.cells()?.quantity(column)?;
+        if found.si > 0.0 {
+            return Some(found.text);
+        }
+        self.report(column, Kind::OutOfRange, Some("must be above 0".to_owned()));
+        None
+    }
+
+    /// The stiffness under one edge, where it is given as it is \[N/m\].
+    pub(super) fn given_stiffness(&self) -> Option<f64> {
+        match self {
+            Self::Given(given) => given.number(Column::Stiffness),
+            Self::Cells(_) => None,
+        }
+    }
+
+    /// A whole number, at least 1.
+    pub(super) fn whole(&mut self, column: Column) -> Option<u32> {
+        self.cells()?.whole(column)
+    }
+
+    /// The sizes in one cell.
+    pub(super) fn sizes(&mut self) -> Option<Sizes> {
+        self.cells()?.sizes()
+    }
+
+    /// Whether a cell of a side calls it a diameter.
+    pub(super) fn is_diameter(&mut self, column: Column) -> bool {
+        self.cells().is_some_and(|cells| cells.is_diameter(column))
+    }
+
+    /// The duration in a tolerance such as `15g 11ms` \[s\].
+    pub(super) fn pulse(&mut self) -> Option<f64> {
+        self.cells()?.pulse()
+    }
+
+    /// Says which cells of the columns of units are none.
+    pub(super) fn units(&mut self) {
+        if let Some(cells) = self.cells() {
+            cells.units();
+        }
+    }
+
+    /// Two positive ratios in rising order.
+    pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
+        match self {
+            Self::Cells(cells) => cells.range(column),
+            Self::Given(given) => {
+                let ends = given.range(column)?;
+                if is_rising(ends) {
+                    return Some(ends);
+                }
+                self.report(column, Kind::OutOfRange, Some(NOT_RISING.to_owned()));
+                None
+            }
+        }
+    }
+
+    /// Whether the base is round; `None`: nothing says so.
+    pub(super) fn shape(&mut self) -> Option<bool> {
+        if let Self::Given(given) = self {
+            return given.is_round().then_some(true);
+        }
+        let text = self.text(Column::Shape);
+        if text.is_empty() {
+            return None;
+        }
+        let found = shape(&text);
+        if found.is_none() {
+            let detail =
+                "is not a shape: write box, or cylinder where the base is round".to_owned();
+            self.report(Column::Shape, Kind::Unreadable, Some(detail));
+        }
+        found
+    }
+
+    /// High, medium or low.
+    pub(super) fn rating(&mut self, column: Column) -> Option<Rating> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        match rating(&text) {
+            Some(2) => Some(Rating::High),
+            Some(1) => Some(Rating::Medium),
+            Some(_) => Some(Rating::Low),
+            None => {
+                self.report(
+                    column,
+                    Kind::Unreadable,
+                    Some("is not a rating: write H, M or L".to_owned()),
+                );
+                None
+            }
+        }
+    }
+
+    /// Yes or no; what is not clearly one of them is a doubt.
+    pub(super) fn answer(&mut self, column: Column) -> Option<bool> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        match yes_or_no(&text) {
+            Answer::Yes => Some(true),
+            Answer::No => Some(false),
+            Answer::Unclear => {
+                self.report(column, Kind::AnchoredUnclear, None);
+                None
+            }
+        }
+    }
+
+    /// What a cell says about its casters, and what else it says that the object stands on.
+    pub(super) fn casters(&mut self, column: Column) -> (Option<Casters>, String) {
+        if let Self::Given(given) = self {
+            return (given.casters(column), String::new());
+        }
+        let text = self.text(column);
+        if text.is_empty() {
+            return (None, text);
+        }
+        match casters(&text) {
+            Wheels::Said(found) => (Some(found), String::new()),
+            Wheels::Some | Wheels::PerhapsBraked => {
+                self.report(column, Kind::Casters, None);
+                (Some(Casters::Free), String::new())
+            }
+            Wheels::Other => (Some(Casters::None), text),
+            Wheels::Unclear => {
+                let detail = "does not say whether it rolls: write no, free or braked";
+                self.report(column, Kind::NotUnderstood, Some(detail.to_owned()));
+                (None, text)
+            }
+        }
+    }
+
+    /// What is asked of the object.
+    pub(super) fn questions(&mut self, column: Column) -> Option<Questions> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        let plain: String = text
+            .to_lowercase()
+            .chars()
+            .filter(|c| !c.is_whitespace())
+            .collect();
+        let found = Questions::ALL
+            .iter()
+            .find(|(name, _)| *name == plain)
+            .map(|(_, questions)| *questions);
+        if found.is_none() {
+            self.report(
+                column,
+                Kind::Unreadable,
+                Some("is not a question: write falls or falls+shock".to_owned()),
+            );
+        }
+        found
+    }
+}
+
+const NOT_RISING: &str = "is not a positive value or a rising range, such as 0.3-0.5";
+
+fn is_rising((low, high): (f64, f64)) -> bool {
+    low > 0.0 && low <= high
+}
+
 /// A row with everything that is needed to read its cells.
-pub(super) struct Values<'a> {
+pub(super) struct Cells<'a> {
     pub(super) row: &'a Row,
     /// All rows of the sheet, for cells that are merged with one above.
     pub(super) rows: &'a [Row],
     pub(super) columns: &'a Understood,
     pub(super) merges: &'a Merges,
-    pub(super) findings: &'a mut Findings,
-    /// What is doubtful about this object.
-    pub(super) doubts: Vec<Kind>,
+    pub(super) told: Told<'a>,
     /// Its cells have shifted: no number is taken.
     pub(super) is_shifted: bool,
     /// For each column in use: cells with a value, and cells without any.
     pub(super) counts: &'a mut [(usize, usize)],
 }
 
-impl<'a> Values<'a> {
+impl<'a> Cells<'a> {
     fn place(one: &Use) -> Place<'_> {
         Place {
             column: Some(one.column),
@@ -49,62 +373,8 @@ impl<'a> Values<'a> {
 
     /// Adds a problem of a cell.
     fn problem(&mut self, one: &Use, kind: Kind, example: &str, detail: Option<String>) {
-        self.add(Self::place(one), kind, example, detail);
-    }
-
-    fn add(&mut self, place: Place, kind: Kind, example: &str, detail: Option<String>) {
-        self.findings
-            .add(kind, place, Some(self.row.number), example, detail);
-        if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
-            self.doubts.push(kind);
-        }
-    }
-
-    /// Adds a problem of a column; of the row where the list does not have that column.
-    pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
-        let columns = self.columns;
-        let one = columns.get(column);
-        let example = one
-            .and_then(|one| self.row.get(one.index))
-            .map(Cell::shown)
-            .unwrap_or_default();
-        let place = one.map_or(
-            Place {
-                column: Some(column),
-                index: None,
-                heading: None,
-            },
-            Self::place,
-        );
-        self.add(place, kind, &example, detail);
-    }
-
-    /// Adds a problem of the whole list that this row shows.
-    pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
-        let columns = self.columns;
-        let one = columns.get(column);
-        let example = one
-            .and_then(|one| self.row.get(one.index))
-            .map(Cell::shown)
-            .unwrap_or_default();
-        let place = one.map_or(
-            Place {
-                column: Some(column),
-                index: None,
-                heading: None,
-            },
-            Self::place,
-        );
-        self.findings.add(kind, place, None, &example, None);
-    }
-
-    /// Adds a wrong value with a message of another reader.
-    pub(super) fn wrong(&mut self, column: Column, kind: Kind, problem: &Problem) {
-        self.report(column, kind, Some(problem.message.clone()));
-        let columns = self.columns;
-        if let (Some(hint), Some(one)) = (&problem.hint, columns.get(column)) {
-            self.findings.hint(kind, Self::place(one), hint.clone());
-        }
+        let row = self.row.number;
+        self.told.add(Self::place(one), kind, row, example, detail);
     }
 
     /// A cell that is not blank; a cell that is merged with one above has its value.
@@ -133,14 +403,6 @@ impl<'a> Values<'a> {
         Some(cell)
     }
 
-    /// Whether a column has a text in this row that is not a word for a missing value.
-    pub(super) fn is_filled(&mut self, column: Column) -> bool {
-        self.columns
-            .get(column)
-            .and_then(|one| self.row.get(one.index))
-            .is_some_and(|cell| !is_missing(&cell.shown()))
-    }
-
     fn count(&mut self, one: &Use, has_value: bool) {
         if let Some((values, missing)) = self.counts.get_mut(one.slot) {
             *(if has_value { values } else { missing }) += 1;
@@ -148,7 +410,7 @@ impl<'a> Values<'a> {
     }
 
     /// Text without the blanks around it; empty where there is none.
-    pub(super) fn text(&mut self, column: Column) -> String {
+    fn text(&mut self, column: Column) -> String {
         let columns = self.columns;
         let Some(one) = columns.get(column) else {
             return String::new();
@@ -291,7 +553,7 @@ impl<'a> Values<'a> {
     }
 
     /// Says which cells of the columns of units are none.
-    pub(super) fn units(&mut self) {
+    fn units(&mut self) {
         let columns = self.columns;
         for one in columns.all(Column::Unit) {
             let text = self
@@ -378,42 +640,8 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// A quantity in SI.
-    pub(super) fn number(&mut self, column: Column) -> Option<f64> {
-        self.quantity(column).map(|found| found.si)
-    }
-
-    /// A positive quantity in SI, and as text with its unit.
-    pub(super) fn positive_text(&mut self, column: Column) -> Option<(f64, String)> {
-        let found = self.quantity(column)?;
-        if found.si > 0.0 {
-            return Some((found.si, found.text));
-        }
-        self.report(column, Kind::OutOfRange, Some("must be above 0".to_owned()));
-        None
-    }
-
-    /// A positive quantity in SI.
-    pub(super) fn positive(&mut self, column: Column) -> Option<f64> {
-        self.positive_text(column).map(|(value, _)| value)
-    }
-
-    /// A quantity in SI that may be 0.
-    pub(super) fn not_negative(&mut self, column: Column) -> Option<f64> {
-        let value = self.number(column)?;
-        if value >= 0.0 {
-            return Some(value);
-        }
-        self.report(
-            column,
-            Kind::OutOfRange,
-            Some("must not be below 0".to_owned()),
-        );
-        None
-    }
-
     /// The duration in a tolerance such as `15g 11ms` \[s\].
-    pub(super) fn pulse(&mut self) -> Option<f64> {
+    fn pulse(&mut self) -> Option<f64> {
         let columns = self.columns;
         let one = columns.get(Column::Tolerance)?;
         let text = number_text(self.cell(one)?).ok().flatten()?;
@@ -430,7 +658,7 @@ impl<'a> Values<'a> {
     }
 
     /// The sizes in one cell.
-    pub(super) fn sizes(&mut self) -> Option<Sizes> {
+    fn sizes(&mut self) -> Option<Sizes> {
         let columns = self.columns;
         let one = columns.get(Column::Dimensions)?;
         let (cell, text) = self.numeric(one)?;
@@ -455,7 +683,7 @@ impl<'a> Values<'a> {
     }
 
     /// Whether a cell of a side calls it a diameter.
-    pub(super) fn is_diameter(&self, column: Column) -> bool {
+    fn is_diameter(&self, column: Column) -> bool {
         let cell = self
             .columns
             .get(column)
@@ -463,37 +691,8 @@ impl<'a> Values<'a> {
         cell.is_some_and(|cell| matches!(cell, Cell::Text(text) if names_diameter(text)))
     }
 
-    /// Whether the base is round, by its column; `None`: the column does not say.
-    pub(super) fn shape(&mut self) -> Option<bool> {
-        let text = self.text(Column::Shape);
-        if text.is_empty() {
-            return None;
-        }
-        let found = shape(&text);
-        if found.is_none() {
-            let detail =
-                "is not a shape: write box, or cylinder where the base is round".to_owned();
-            self.report(Column::Shape, Kind::Unreadable, Some(detail));
-        }
-        found
-    }
-
-    /// A ratio above 0 and below 1.
-    pub(super) fn share(&mut self, column: Column) -> Option<f64> {
-        let value = self.positive(column)?;
-        if value < 1.0 {
-            return Some(value);
-        }
-        self.report(
-            column,
-            Kind::OutOfRange,
-            Some("must be above 0 and below 1".to_owned()),
-        );
-        None
-    }
-
     /// A whole number, at least 1.
-    pub(super) fn whole(&mut self, column: Column) -> Option<u32> {
+    fn whole(&mut self, column: Column) -> Option<u32> {
         // "2 pcs" and "3x" are counts.
         const WORDS: [&str; 14] = [
             "pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st",
@@ -540,91 +739,8 @@ impl<'a> Values<'a> {
         Some(found.si as u32)
     }
 
-    /// High, medium or low.
-    pub(super) fn rating(&mut self, column: Column) -> Option<Rating> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        match rating(&text) {
-            Some(2) => Some(Rating::High),
-            Some(1) => Some(Rating::Medium),
-            Some(_) => Some(Rating::Low),
-            None => {
-                self.report(
-                    column,
-                    Kind::Unreadable,
-                    Some("is not a rating: write H, M or L".to_owned()),
-                );
-                None
-            }
-        }
-    }
-
-    /// Yes or no; what is not clearly one of them is a doubt.
-    pub(super) fn answer(&mut self, column: Column) -> Option<bool> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        match yes_or_no(&text) {
-            Answer::Yes => Some(true),
-            Answer::No => Some(false),
-            Answer::Unclear => {
-                self.report(column, Kind::AnchoredUnclear, None);
-                None
-            }
-        }
-    }
-
-    /// What a cell says about its casters, and what else it says that the object stands on.
-    pub(super) fn casters(&mut self, column: Column) -> (Option<Casters>, String) {
-        let text = self.text(column);
-        if text.is_empty() {
-            return (None, text);
-        }
-        match casters(&text) {
-            Wheels::Said(found) => (Some(found), String::new()),
-            Wheels::Some | Wheels::PerhapsBraked => {
-                self.report(column, Kind::Casters, None);
-                (Some(Casters::Free), String::new())
-            }
-            Wheels::Other => (Some(Casters::None), text),
-            Wheels::Unclear => {
-                let detail = "does not say whether it rolls: write no, free or braked";
-                self.report(column, Kind::NotUnderstood, Some(detail.to_owned()));
-                (None, text)
-            }
-        }
-    }
-
-    /// What is asked of the object.
-    pub(super) fn questions(&mut self, column: Column) -> Option<Questions> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        let plain: String = text
-            .to_lowercase()
-            .chars()
-            .filter(|c| !c.is_whitespace())
-            .collect();
-        let found = Questions::ALL
-            .iter()
-            .find(|(name, _)| *name == plain)
-            .map(|(_, questions)| *questions);
-        if found.is_none() {
-            self.report(
-                column,
-                Kind::Unreadable,
-                Some("is not a question: write falls or falls+shock".to_owned()),
-            );
-        }
-        found
-    }
-
     /// Two positive ratios in rising order, `0.3-0.5` or `0.3 to 0.5`, or one for both.
-    pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
+    fn range(&mut self, column: Column) -> Option<(f64, f64)> {
         let columns = self.columns;
         let one = columns.get(column)?;
         let (cell, text) = self.numeric(one)?;
@@ -637,11 +753,9 @@ impl<'a> Values<'a> {
             Some((low, high)) => ratio(low).and_then(|low| Ok((low, ratio(high)?))),
             None => ratio(&text).map(|value| (value, value)),
         };
-        let rising = |(low, high)| match low > 0.0 && low <= high {
-            true => Ok((low, high)),
-            false => Err(Wrong::out_of_range(
-                "is not a positive value or a rising range, such as 0.3-0.5",
-            )),
+        let rising = |ends| match is_rising(ends) {
+            true => Ok(ends),
+            false => Err(Wrong::out_of_range(NOT_RISING)),
         };
         self.taken(one, cell, both.and_then(rising))
     }

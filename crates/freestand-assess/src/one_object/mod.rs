@@ -1,8 +1,8 @@
 //! One object: whether an earthquake rocks it and whether it falls over, in one sentence.
 //!
-//! It is one row of an assessment. `row` makes the list of one object and reads it like any other
-//! list, `shaking` makes the study; [`one_object`] lets the object live through its worlds as
-//! [`crate::job`] does, and `sentence` says what comes out.
+//! It is one row of an assessment. `row` judges its values as those of a row of a list, `shaking` makes the
+//! study; [`one_object`] lets the object live through its worlds as [`crate::job`] does, and `sentence` says
+//! what comes out.
 
 mod report;
 mod row;

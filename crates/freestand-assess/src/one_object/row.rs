@@ -1,21 +1,16 @@
-//! The object as the only row of a list: it is read like any other list.
-
-use std::path::Path;
+//! The object as a row of a list has it, without a list.
 
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::inventory::{
-    Column, Finding, Item, Kind, Mapping, ReadOptions, Severity, Surroundings, parse_inventory,
-};
+use crate::inventory::{Column, Finding, Item, Severity, Surroundings, Value, item_of};
 use crate::job::floors_of;
 use crate::library::Libraries;
 
-/// The identifier of the row. Random numbers belong to identifiers: a list with this row has the
-/// same numbers.
+/// Its identifier. Random numbers belong to identifiers: a list with this object has the same numbers.
 pub(super) const ID: &str = "object";
 
 /// The object, as a list has it.
@@ -25,7 +20,7 @@ pub(super) struct Row {
     pub(super) warnings: Vec<String>,
 }
 
-/// Reads the object.
+/// The object of a request.
 ///
 /// # Errors
 /// All problems of its values, under the keys of the request.
@@ -35,20 +30,10 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         settings.library.as_deref(),
         settings.cushion_library.as_deref(),
     )?;
-    // Numbers are written with a point, whatever they look like.
-    let mapping = Mapping::parse("[numbers]\ndecimal = \"point\"\n")?;
     let mut floors = floors_of(study, None);
     floors.first_floor = floors.first_floor.or(Some(FirstFloor::Above));
-    let list = list(request)?;
-    let reading = libraries.looked_up(|lookup| {
-        let options = ReadOptions {
-            mapping: Some(&mapping),
-            floors,
-            ..ReadOptions::new(lookup)
-        };
-        parse_inventory(list, Path::new(ID), &options)
-    })?;
-    // A problem of the list is that of the flag whose value it is; the path has no meaning.
+    let (mut item, findings) =
+        libraries.looked_up(|lookup| item_of(&values(request), &floors, lookup));
     let mut problems = Problems::default();
     let Object {
         height_m,
@@ -56,19 +41,15 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         width_m,
         ..
     } = request.object;
-    // In place of what a list says of such sizes: there is no cell to confirm.
+    // In place of what a list says of such sizes, which asks for a cell to be confirmed: who gives one object
+    // with its units means what is only unusual.
     let mut warnings = Sizes {
         height_m,
         thickness_m,
         width_m,
     }
     .check()?;
-    for finding in reading
-        .inventory
-        .findings
-        .iter()
-        .filter(|one| one.kind != Kind::ImplausibleSize)
-    {
+    for finding in &findings {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),
@@ -78,10 +59,7 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
             }
         }
     }
-    let mut item = problems.finish(reading.inventory.items.into_iter().next())?;
-    // Who gives one object with its units means what is only unusual.
-    item.to_confirm.clear();
-    item.doubts.retain(|doubt| *doubt != Kind::ImplausibleSize);
+    problems.finish(Some(()))?;
     if let Earthquake::Motions { .. } = request.earthquake {
         // Under given motions nothing is drawn.
         item.cushion_log_sd = None;
@@ -91,8 +69,8 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
     Ok(Row { item, warnings })
 }
 
-/// The list, in SI with all digits.
-fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
+/// The values of the object by the columns that a list has for them.
+fn values(request: &ObjectRequest) -> Vec<(Column, Value)> {
     let Object {
         height_m,
         thickness_m,
@@ -116,92 +94,66 @@ fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
         clearance_m,
         upper,
     } = surroundings;
-    let with = |unit: &'static str| move |value: f64| format!("{value} {unit}");
+    let number = |value: Option<f64>| value.map(Value::Number);
     let (stiffness, entry) = match rests_on {
-        Some(RestsOn::Stiffness(stiffness_n_m)) => (Some(format!("{stiffness_n_m} N/m")), None),
+        Some(RestsOn::Stiffness(stiffness_n_m)) => (Some(*stiffness_n_m), None),
         Some(RestsOn::Entry(entry)) => (None, Some(entry.clone())),
         None => (None, None),
     };
-    let (floor, level) = match &request.floor.place {
-        FloorPlace::Ground => (None, Some("0".to_owned())),
+    let (floor, level_ratio) = match &request.floor.place {
+        FloorPlace::Ground => (None, Some(0.0)),
         FloorPlace::Name(name) => (Some(name.clone()), None),
-        FloorPlace::Share(ratio) => (None, Some(ratio.to_string())),
+        FloorPlace::Share(ratio) => (None, Some(*ratio)),
     };
-    let cells = [
-        (Column::Id, Some(ID.to_owned())),
-        (Column::Height, Some(format!("{height_m} m"))),
-        (Column::Thickness, Some(format!("{thickness_m} m"))),
-        (Column::Width, width_m.map(with("m"))),
-        (Column::Shape, is_round.then(|| "cylinder".to_owned())),
-        (Column::CgHeight, cg_height_m.map(with("m"))),
-        (Column::Mass, mass_kg.map(with("kg"))),
-        (Column::Stiffness, stiffness),
-        (Column::Cushion, entry),
+    let values = [
+        (Column::Id, Some(Value::Text(ID.to_owned()))),
+        (Column::Height, number(Some(*height_m))),
+        (Column::Thickness, number(Some(*thickness_m))),
+        (Column::Width, number(*width_m)),
+        (Column::Shape, is_round.then_some(Value::Round)),
+        (Column::CgHeight, number(*cg_height_m)),
+        (Column::Mass, number(*mass_kg)),
+        (Column::Stiffness, number(stiffness)),
+        (Column::Cushion, entry.map(Value::Text)),
         (
             Column::Tolerance,
-            tolerance.map(|one| format!("{} m/s2", one.peak_m_s2)),
+            number(tolerance.map(|one| one.peak_m_s2)),
         ),
         (
             Column::ToleranceDuration,
-            tolerance.and_then(|one| one.duration_s).map(with("s")),
+            number(tolerance.and_then(|one| one.duration_s)),
         ),
         (
             Column::Friction,
-            friction_ratio.map(|(low, high)| format!("{low} to {high}")),
+            friction_ratio.map(|(low, high)| Value::Range(low, high)),
         ),
-        (Column::WallGap, wall_gap_m.map(with("m"))),
-        (Column::NeighbourGap, neighbour_gap_m.map(with("m"))),
-        (Column::WallHeight, wall_height_m.map(with("m"))),
-        (Column::WallStiffness, wall_stiffness_n_m.map(with("N/m"))),
-        (
-            Column::WallRestitution,
-            wall_restitution.map(|ratio| ratio.to_string()),
-        ),
-        (
-            Column::Casters,
-            casters.map(|casters| casters.name().to_owned()),
-        ),
-        (
-            Column::RollingResistance,
-            rolling_resistance_ratio.map(|ratio| ratio.to_string()),
-        ),
-        (Column::Clearance, clearance_m.map(with("m"))),
-        (
-            Column::UpperHeight,
-            upper.map(|body| body.height_m).map(with("m")),
-        ),
+        (Column::WallGap, number(*wall_gap_m)),
+        (Column::NeighbourGap, number(*neighbour_gap_m)),
+        (Column::WallHeight, number(*wall_height_m)),
+        (Column::WallStiffness, number(*wall_stiffness_n_m)),
+        (Column::WallRestitution, number(*wall_restitution)),
+        (Column::Casters, casters.map(Value::Casters)),
+        (Column::RollingResistance, number(*rolling_resistance_ratio)),
+        (Column::Clearance, number(*clearance_m)),
+        (Column::UpperHeight, number(upper.map(|body| body.height_m))),
         (
             Column::UpperThickness,
-            upper.map(|body| body.thickness_m).map(with("m")),
+            number(upper.map(|body| body.thickness_m)),
         ),
         (
             Column::UpperMass,
-            upper.and_then(|body| body.mass_kg).map(with("kg")),
+            number(upper.and_then(|body| body.mass_kg)),
         ),
-        (Column::Floor, floor),
-        (Column::LevelRatio, level),
+        (Column::Floor, floor.map(Value::Text)),
+        (Column::LevelRatio, number(level_ratio)),
     ];
-    let (names, texts): (Vec<&str>, Vec<String>) = cells
-        .into_iter()
-        .filter_map(|(column, text)| Some((column.name(), text?)))
-        .unzip();
-    let broken = |error: &dyn std::fmt::Display| {
-        Problem::new(
-            ProblemKind::Computation,
-            format!("the list of one object cannot be written: {error}"),
-        )
-    };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer
-        .write_record(&names)
-        .map_err(|error| broken(&error))?;
-    writer
-        .write_record(&texts)
-        .map_err(|error| broken(&error))?;
-    writer.into_inner().map_err(|error| broken(&error))
+    let given = values.into_iter();
+    given
+        .filter_map(|(column, value)| Some((column, value?)))
+        .collect()
 }
 
-/// A problem of a cell under the key of the request.
+/// A problem of a value under the key of the request.
 fn problem(finding: &Finding, request: &ObjectRequest, study: &Study) -> Problem {
     let key = match finding.column {
         Some(Column::Stiffness | Column::Cushion | Column::PadStiffness) => "on",
@@ -245,4 +197,60 @@ fn no_floor(name: &str, study: &Study) -> Problem {
         format!("`floor` \"{name}\" is not a floor of the building"),
         hint,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use freestand_input::keys::Words;
+    use freestand_input::quantity::UnitSystem;
+    use freestand_study::resolve::{Values, of_values};
+
+    use super::super::{Floor, Withstood};
+    use super::*;
+    use crate::inventory::Kind;
+
+    /// Values keep their bits. In a list, 2.125 could be 2125 too: a value has one meaning.
+    #[test]
+    fn values_are_taken_as_they_are() {
+        let third = 1.0 / 3.0;
+        let object = Object {
+            width_m: Some(2.0 * third),
+            mass_kg: Some(100.0 * third),
+            rests_on: Some(RestsOn::Stiffness(1e6 * third)),
+            tolerance: Some(Withstood {
+                peak_m_s2: 2.125,
+                duration_s: Some(0.01 * third),
+            }),
+            ..Object::of_size(5.0 * third, third)
+        };
+        let request = ObjectRequest {
+            object,
+            earthquake: Earthquake::Place(Words::default()),
+            floor: Floor {
+                place: FloorPlace::Share(third),
+                storeys: None,
+                storey_height_m: None,
+            },
+            worlds: None,
+            seed: None,
+            units: UnitSystem::Si,
+        };
+        let Row { item, warnings } =
+            row(&request, &of_values(&Values::default()).unwrap()).unwrap();
+        // It is below 0.3 g, and that is all.
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        let sizes = (item.height_m, item.thickness_m, item.width_m);
+        assert_eq!(sizes, (Some(5.0 * third), Some(third), Some(2.0 * third)));
+        let stiffness = item
+            .cushion
+            .and_then(|edge| edge.cushion.linear_stiffness_n_m());
+        assert_eq!(
+            (item.mass_kg, stiffness, item.level_ratio),
+            (Some(100.0 * third), Some(1e6 * third), Some(third))
+        );
+        let tolerance = item.tolerance.unwrap();
+        let found = (tolerance.peak_m_s2, tolerance.duration_s);
+        assert_eq!(found, (Some(2.125), Some(0.01 * third)));
+        assert_eq!(item.doubts, [Kind::Tolerance]);
+    }
 }

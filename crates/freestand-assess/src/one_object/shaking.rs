@@ -12,7 +12,7 @@ use freestand_input::words::{counted, number};
 use freestand_records::notes::grouped;
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
-use freestand_study::resolve::{Overrides, load, nothing_stated, resolve_with};
+use freestand_study::resolve::{Hazard, Overrides, Values, load, of_values, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
@@ -59,40 +59,46 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
         storey_height_m,
         ..
     } = request.floor;
-    let overrides = |hazard| Overrides {
-        seed: request.seed,
+    let values = |hazard| Values {
         hazard,
+        count: None,
+        seed: request.seed,
         storeys,
         storey_height_m,
+    };
+    let overrides = |hazard: &Words| Overrides {
+        seed: request.seed,
+        hazard: hazard.clone(),
         ..Overrides::default()
     };
-    let made = |text: &str, hazard| resolve_with(text, None, Path::new(""), &overrides(hazard));
     let mut shaken = match &request.earthquake {
         Earthquake::Place(hazard) => {
             check_hazard(hazard)?;
-            let study = nothing_stated(&overrides(hazard.clone()))?;
+            let study = of_values(&values(Hazard::Keys(hazard.clone())))?;
             let mut shaken = of_study(study, hazard.get("site").is_some(), None);
-            shaken.warnings = warnings(&shaken.study, &request.floor);
+            if let Some(warnings) = of_ground(&shaken.study, &request.floor) {
+                shaken.warnings = warnings;
+            }
             shaken
         }
         Earthquake::GroundAcceleration(peak_m_s2) => {
             // a_g S is the value of the spectrum at T = 0: EN 1998-1:2004, Eq. (3.2).
             let soil = SpectrumShape::recommended(SPECTRUM.0, SPECTRUM.1).soil_factor_ratio;
-            let text = format!(
-                "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration = \"{} m/s2\"\n",
-                peak_m_s2 / soil
-            );
+            let target = Target::eurocode8(SPECTRUM.0, SPECTRUM.1, peak_m_s2 / soil / G0_M_S2)
+                .map_err(|error| {
+                    Problem::value(format!("`pga`: {error}"), "give an acceleration above 0")
+                })?;
             let peak_g = peak_m_s2 / G0_M_S2;
             let words = format!(
                 "a ground acceleration of {} g, with the spectrum of Eurocode 8, type 1, ground B, scaled to it",
                 number(peak_g, 4)
             );
-            let study = made(&text, Default::default())?;
-            let told = Told::GroundAcceleration { peak_g };
+            let study = of_values(&values(Hazard::Spectrum(Box::new(target))))?;
+            let warnings = of_ground(&study, &request.floor);
             Shaken {
-                warnings: warnings(&study, &request.floor),
+                warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
                 study,
-                told,
+                told: Told::GroundAcceleration { peak_g },
                 words,
             }
         }
@@ -100,7 +106,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             source: StudySource::File(path),
             hazard,
         } => {
-            let study = load(path, &overrides(hazard.clone()))?;
+            let study = load(path, &overrides(hazard))?;
             let name = path
                 .file_name()
                 .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -110,13 +116,13 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             source: StudySource::Text(text),
             hazard,
         } => of_study(
-            made(text, hazard.clone())?,
+            resolve_with(text, None, Path::new(""), &overrides(hazard))?,
             true,
             Some("the study".to_owned()),
         ),
         Earthquake::Motions { motions, .. } => {
             refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
-            let mut study = nothing_stated(&overrides(Words::default()))?;
+            let mut study = of_values(&values(Hazard::default()))?;
             let warnings = grouped(motions.iter().flat_map(ReadMotion::named_notes));
             let recorded = motions.iter().map(|read| read.motion.clone()).collect();
             let words = match motions.as_slice() {
@@ -183,12 +189,10 @@ fn check_hazard(hazard: &Words) -> Result<(), Problems> {
     checked.map_err(|problems| problems.into_iter().map(told).collect())
 }
 
-/// The warnings of a study without a file: on the ground, its building has no part in the answer.
-fn warnings(study: &Study, floor: &Floor) -> Vec<String> {
-    match (&floor.place, study.ground.code_spectrum()) {
-        (FloorPlace::Ground, Some(target)) => target.warnings.clone(),
-        _ => study.warnings.clone(),
-    }
+/// The warnings for an object on the ground: the building has no part in the answer. `None`: it is on a floor.
+fn of_ground(study: &Study, floor: &Floor) -> Option<Vec<String>> {
+    let target = study.ground.code_spectrum()?;
+    (floor.place == FloorPlace::Ground).then(|| target.warnings.clone())
 }
 
 /// Nothing is drawn, and every motion is used once.

@@ -1,5 +1,4 @@
-//! The rows of `objects.csv` as JSON. They are read from the file, so that a run that finds its
-//! folder complete has them too, and so that they say what the file says.
+//! The rows of `objects.csv` as JSON.
 
 use std::fs::File;
 use std::path::Path;
@@ -17,6 +16,11 @@ use super::table::{COLUMNS, Cell, Kind, Line, ROW, carried_cells, carried_names}
 
 /// Calls `each` with every row of the `objects.csv` in `folder`: an object with the columns as keys,
 /// and the number of its row in the inventory.
+///
+/// The file is read because it is the only place of the rows of a finished run. A row has its rank once every
+/// object is assessed; then the results are not in memory, their parts are removed when the folder is complete,
+/// `objects.parquet` is written only on request, and a run that finds its folder complete calculates nothing.
+/// Rows that are printed while files are written would stand in a document of a run that then fails.
 ///
 /// Numbers are numbers, or `"overturned"` where that ranks above every number; an empty field is
 /// null.

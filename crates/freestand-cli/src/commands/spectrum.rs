@@ -12,9 +12,10 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
 use freestand_records::notes::grouped;
-use freestand_study::at_place::{AtPlace, LastGround, motions_at};
+use freestand_study::at_place::{LastGround, motions_at};
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::recorded::ReadMotion;
+use freestand_study::resolve::{Hazard, Values as StudyValues};
 use freestand_study::restitution::checked;
 use freestand_study::rock::{edge_landings, follow_problem, problem};
 use freestand_study::spectrum::{
@@ -371,13 +372,12 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
         values.read(&place.storey_height),
     );
     values.finish()?;
-    let place = AtPlace {
-        hazard: place.hazard.words.clone(),
+    let study = StudyValues {
+        hazard: Hazard::Keys(place.hazard.words.clone()),
         count: place.count,
+        seed: global.seed,
         storeys: place.storeys,
         storey_height_m,
-        level_ratio: level_ratio.unwrap_or(0.0),
-        seed: global.seed,
     };
     let go_on = || {
         if stop.wanted() {
@@ -386,7 +386,7 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
             Ok(())
         }
     };
-    let made = motions_at(&place, &LAST, go_on)?;
+    let made = motions_at(&study, level_ratio.unwrap_or(0.0), &LAST, go_on)?;
     let processed = |motion: &SpectrumMotion| Processed {
         motion: motion.name.clone(),
         steps: made.processing.clone(),

@@ -17,6 +17,7 @@ use freestand_records::tables::{load_table, read_modes, read_storeys};
 
 pub(crate) use words::axis_key;
 pub use words::resolve;
+pub(crate) use words::{GivenStoreys, resolve_with};
 
 /// Default number of storeys.
 pub const DEFAULT_STOREYS: u32 = 30;
@@ -111,6 +112,15 @@ pub struct BuildingInput {
 }
 
 impl BuildingInput {
+    /// What is said of it where a study states no building.
+    pub fn assumed_words(&self) -> String {
+        format!(
+            "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
+            self.storeys,
+            number(self.height_m, 4)
+        )
+    }
+
     /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
     pub fn tail_s(&self) -> f64 {
         self.across

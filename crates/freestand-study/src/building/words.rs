@@ -60,13 +60,32 @@ pub fn resolve(
     base_dir: &Path,
     code: Option<PeriodCode>,
 ) -> Result<BuildingInput, Problems> {
+    resolve_with(words, GivenStoreys::default(), base_dir, code)
+}
+
+/// Storeys in values, in place of those of words.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct GivenStoreys {
+    pub(crate) count: Option<u16>,
+    /// \[m\]
+    pub(crate) each_m: Option<f64>,
+}
+
+/// As [`resolve`], with storeys in values.
+pub(crate) fn resolve_with(
+    words: &Words,
+    given: GivenStoreys,
+    base_dir: &Path,
+    code: Option<PeriodCode>,
+) -> Result<BuildingInput, Problems> {
     let mut reader = WordReader::new(words);
-    let building = building(&mut reader, base_dir, code);
+    let building = building(&mut reader, given, base_dir, code);
     reader.problems.finish(building)
 }
 
 fn building(
     reader: &mut WordReader,
+    given: GivenStoreys,
     base_dir: &Path,
     code: Option<PeriodCode>,
 ) -> Option<BuildingInput> {
@@ -74,7 +93,7 @@ fn building(
         count: storeys,
         each_m: storey_height_m,
         height_m: stated_m,
-    } = storeys(reader);
+    } = storeys(reader, given);
     let named = reader.one_of(
         "period_code",
         &PeriodCode::ALL.map(|code| (code.name(), code)),
@@ -355,17 +374,25 @@ struct Storeys {
 const STOREY_M: std::ops::RangeInclusive<f64> = 1.0..=30.0;
 
 /// Number and height of the storeys: as given, or from the height of the building.
-fn storeys(reader: &mut WordReader) -> Storeys {
-    let count = whole(reader, "storeys", MAX_STOREYS);
-    let each_m = reader.accepted(
-        "storey_height",
-        Dimension::Length,
-        |each_m| STOREY_M.contains(&each_m),
-        [
-            "a height between 1 and 30 m",
-            "such as \"3.2 m\", from floor to floor",
-        ],
-    );
+fn storeys(reader: &mut WordReader, given: GivenStoreys) -> Storeys {
+    const KEY: &str = "storey_height";
+    const EXPECTED: [&str; 2] = [
+        "a height between 1 and 30 m",
+        "such as \"3.2 m\", from floor to floor",
+    ];
+    let count = match given.count {
+        Some(count) => at_most(reader, "storeys", count.into(), MAX_STOREYS),
+        None => whole(reader, "storeys", MAX_STOREYS),
+    };
+    let is_storey = |each_m| STOREY_M.contains(&each_m);
+    let each_m = match given.each_m {
+        Some(each_m) if is_storey(each_m) => Some(each_m),
+        Some(each_m) => {
+            reader.refuse(KEY, &format!("{each_m} m"), Dimension::Length, EXPECTED);
+            None
+        }
+        None => reader.accepted(KEY, Dimension::Length, is_storey, EXPECTED),
+    };
     let Some(height_m) = reader.positive("height", Dimension::Length) else {
         let count = count.unwrap_or(DEFAULT_STOREYS);
         return Storeys {
@@ -389,6 +416,11 @@ fn storeys(reader: &mut WordReader) -> Storeys {
 /// A whole number from 1 to `most`.
 fn whole(reader: &mut WordReader, key: &'static str, most: u32) -> Option<u32> {
     let number = reader.whole(key)?;
+    at_most(reader, key, number, most)
+}
+
+/// The number, if it is from 1 to `most`.
+fn at_most(reader: &mut WordReader, key: &'static str, number: u32, most: u32) -> Option<u32> {
     if (1..=most).contains(&number) {
         return Some(number);
     }

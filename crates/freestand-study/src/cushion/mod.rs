@@ -35,6 +35,18 @@ pub struct EdgeCushion {
     pub notes: Vec<String>,
 }
 
+/// A linear cushion F = k d, with k in N/m of everything under one edge, and with the layers in series that
+/// words with the key `series_stiffness` describe.
+///
+/// # Errors
+/// A stiffness that is not positive, or that cannot be read.
+pub fn linear(stiffness_n_m: f64, layers: &Words) -> Result<EdgeCushion, Problems> {
+    let mut reader = Reader::new(layers);
+    let edge = reader.made("stiffness", Cushion::linear(stiffness_n_m));
+    let cushion = edge.and_then(|edge| reader.in_series(edge));
+    reader.finish(cushion, None)
+}
+
 /// The words of a linear cushion F = k d, with k in N/m of everything under one edge.
 pub fn spring(stiffness_n_m: f64) -> Words {
     Words::from_iter([("stiffness", format!("{stiffness_n_m} N/m"))])
@@ -46,21 +58,10 @@ pub fn spring(stiffness_n_m: f64) -> Words {
 /// # Errors
 /// Everything that is wrong, each problem with its key.
 pub fn resolve(words: &Words, mass_kg: Option<f64>) -> Result<EdgeCushion, Problems> {
-    let mut reader = Reader {
-        words: WordReader::new(words),
-        notes: Vec::new(),
-    };
+    let mut reader = Reader::new(words);
     let cushion = reader.cushion(mass_kg);
     let pad_thickness_m = reader.words.positive("pad_thickness", Dimension::Length);
-    let Reader {
-        words: WordReader { problems, .. },
-        notes,
-    } = reader;
-    problems.finish(cushion.map(|cushion| EdgeCushion {
-        cushion,
-        pad_thickness_m,
-        notes,
-    }))
+    reader.finish(cushion, pad_thickness_m)
 }
 
 /// The contact laws that a user can name.
@@ -102,7 +103,27 @@ struct Reader<'w> {
     notes: Vec<String>,
 }
 
-impl Reader<'_> {
+impl<'w> Reader<'w> {
+    fn new(words: &'w Words) -> Self {
+        Self {
+            words: WordReader::new(words),
+            notes: Vec::new(),
+        }
+    }
+
+    fn finish(
+        self,
+        cushion: Option<Cushion>,
+        pad_thickness_m: Option<f64>,
+    ) -> Result<EdgeCushion, Problems> {
+        let Self { words, notes } = self;
+        words.problems.finish(cushion.map(|cushion| EdgeCushion {
+            cushion,
+            pad_thickness_m,
+            notes,
+        }))
+    }
+
     fn cushion(&mut self, mass_kg: Option<f64>) -> Option<Cushion> {
         let law = if self.words.has("law") {
             self.words.one_of("law", &LAWS)?

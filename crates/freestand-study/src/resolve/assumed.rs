@@ -11,6 +11,8 @@ pub(super) struct Stated<'s> {
     pub(super) ground: &'s GroundOptions,
     pub(super) building: &'s BuildingOptions,
     pub(super) overrides: &'s Overrides,
+    /// A spectrum is given, with everything that belongs to it.
+    pub(super) is_spectrum: bool,
     /// Nobody chose what the built-in study states.
     pub(super) is_builtin: bool,
     pub(super) place_is_assumed: bool,
@@ -19,7 +21,8 @@ pub(super) struct Stated<'s> {
 
 impl Stated<'_> {
     fn of_ground(&self, key: &str) -> bool {
-        self.overrides.hazard.get(key).is_some()
+        self.is_spectrum
+            || self.overrides.hazard.get(key).is_some()
             || !self.is_builtin && self.ground.target.get(key).is_some()
     }
 

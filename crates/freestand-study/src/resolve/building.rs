@@ -6,7 +6,7 @@ use freestand::code_spectrum::PeriodCode;
 
 use super::recorded::has_measured_floors;
 use super::{MAX_LEVELS, Overrides, Resolver, or};
-use crate::building::{self, BuildingInput};
+use crate::building::{self, BuildingInput, GivenStoreys};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::rerun::with_storeys;
 use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, FirstFloor, Level, NamedFloor};
@@ -34,8 +34,8 @@ fn states_its_size(written: &BuildingOptions) -> bool {
 }
 
 impl Resolver<'_> {
-    /// Puts the storeys of `overrides` in place of those of a building that nobody stated. Returns the text
-    /// of the study with them, and whether the building is still assumed. Nobody chose the one of the
+    /// The storeys of `overrides` in place of those of a building that nobody stated: the text of the study
+    /// with them, their values, and whether the building is still assumed. Nobody chose the one of the
     /// built-in study.
     pub(super) fn with_storeys(
         &mut self,
@@ -43,12 +43,13 @@ impl Resolver<'_> {
         text: String,
         overrides: &Overrides,
         is_builtin: bool,
-    ) -> (String, bool) {
+    ) -> (String, GivenStoreys, bool) {
+        let none = GivenStoreys::default();
         if states_its_size(written) && !is_builtin {
-            return (text, false);
+            return (text, none, false);
         }
         let Some(storeys) = overrides.storeys else {
-            return (text, true);
+            return (text, none, true);
         };
         // The name of the built-in building is not that of another.
         if is_builtin {
@@ -57,13 +58,10 @@ impl Resolver<'_> {
         let height = overrides
             .storey_height_m
             .map(|height_m| format!("{height_m} m"));
-        written.words.set("storeys", storeys.to_string());
-        if let Some(height) = &height {
-            written.words.set("storey_height", height);
-        }
         // Text that is not TOML was noted when it was read.
         (
             with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text),
+            GivenStoreys::of(overrides),
             false,
         )
     }
@@ -72,9 +70,10 @@ impl Resolver<'_> {
     pub(super) fn building(
         &mut self,
         words: &Words,
+        storeys: GivenStoreys,
         code: Option<PeriodCode>,
     ) -> Option<BuildingInput> {
-        match building::resolve(words, self.base_dir, code) {
+        match building::resolve_with(words, storeys, self.base_dir, code) {
             Ok(building) => Some(building),
             Err(problems) => {
                 for mut problem in problems {
@@ -132,9 +131,15 @@ impl Resolver<'_> {
 
     /// What the building is called. The default is that of the default building alone: any other
     /// building has the name that its study gives it, or none.
-    pub(super) fn building_name(&mut self, written: &BuildingOptions) -> Option<String> {
+    pub(super) fn building_name(
+        &mut self,
+        written: &BuildingOptions,
+        storeys: GivenStoreys,
+    ) -> Option<String> {
         let Some(Written { value, line }) = &written.name else {
-            return (*written == BuildingOptions::default()).then(|| DEFAULT_NAME.to_owned());
+            let is_default =
+                *written == BuildingOptions::default() && storeys == GivenStoreys::default();
+            return is_default.then(|| DEFAULT_NAME.to_owned());
         };
         let name = value.trim();
         if name.is_empty()

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::recorded::reading_keys;
 use super::suite::suite_keys;
-use super::{MAX_MOTIONS, Overrides, Resolver, or};
+use super::{MAX_MOTIONS, Overrides, Resolver, Values, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::{GroundOptions, VerticalOption};
 use crate::study::{
@@ -234,18 +234,21 @@ impl Resolver<'_> {
     }
 
     fn synthetic(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
-        self.require(
-            &written.count,
-            |count| (1..=MAX_MOTIONS).contains(&count),
-            "count",
-            "a whole number from 1 to 1000",
-        );
+        let given = self.values.and_then(|values| values.count).map(u64::from);
+        let count = given.unwrap_or(or(&written.count, DEFAULT_MOTIONS));
+        if !(1..=MAX_MOTIONS).contains(&count) {
+            let expected = "a whole number from 1 to 1000";
+            self.note(
+                written.count.as_ref().map(|count| count.line),
+                format!("count must be {expected}, not {count}"),
+                format!("give count as {expected}"),
+            );
+        }
         let target = self.target(written)?;
         let vertical = self.vertical_target(written, &target);
         self.warnings.extend(target.warnings.iter().cloned());
         // A larger count was refused above; the names of its motions are still listed.
-        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS))
-            .unwrap_or_default();
+        let count = usize::try_from(count.min(MAX_MOTIONS)).unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {
             target,
             count,
@@ -308,7 +311,11 @@ impl Resolver<'_> {
         written: &GroundOptions,
         check: impl Fn(&Target) -> Result<(), Problem>,
     ) -> Option<Target> {
-        let resolved = Target::resolve(&written.target, self.base_dir).and_then(|target| {
+        let target = match self.values.and_then(Values::spectrum) {
+            Some(target) => Ok(target.clone()),
+            None => Target::resolve(&written.target, self.base_dir),
+        };
+        let resolved = target.and_then(|target| {
             check(&target).map_err(|problem| problem.of(&["spectrum"]))?;
             Ok(target)
         });

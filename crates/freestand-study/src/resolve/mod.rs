@@ -15,7 +15,8 @@ mod suite;
 
 use std::path::{Path, PathBuf};
 
-use crate::options::{self, Options};
+use crate::building::GivenStoreys;
+use crate::options::{self, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 use crate::target::Target;
@@ -25,7 +26,6 @@ use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
-use freestand_input::words::number;
 use freestand_records::notes::{Note, grouped};
 
 use recorded::has_measured_floors;
@@ -71,13 +71,56 @@ pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
     resolve_as(Text::Builtin, None, Path::new(""), overrides)
 }
 
-/// The study in which nothing is stated but `overrides`: everything else is as in the built-in study,
-/// and is assumed.
+/// A study that nobody wrote: values over the built-in study. What is `None` is as there, and is assumed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Values {
+    /// The hazard.
+    pub hazard: Hazard,
+    /// Number of synthetic motions.
+    pub count: Option<u16>,
+    /// Seed of the synthetic motions.
+    pub seed: Option<u64>,
+    /// Number of storeys.
+    pub storeys: Option<u16>,
+    /// Height of a storey \[m\].
+    pub storey_height_m: Option<f64>,
+}
+
+/// The hazard of a study that nobody wrote.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Hazard {
+    /// Keys of `[ground]` as a person gave them: `place`, `site`, `return_period_years`.
+    Keys(Words),
+    /// A spectrum, every value of which is stated.
+    Spectrum(Box<Target>),
+}
+
+impl Default for Hazard {
+    fn default() -> Self {
+        Self::Keys(Words::default())
+    }
+}
+
+/// The study of values; its text is empty.
 ///
 /// # Errors
-/// Those of the overrides.
-pub fn nothing_stated(overrides: &Overrides) -> Result<Study, Problems> {
-    resolve_as(Text::Nothing, None, Path::new(""), overrides)
+/// Everything that is wrong with the values.
+///
+/// # Example
+/// ```
+/// use freestand_study::resolve::{Values, of_values};
+/// let study = of_values(&Values { storeys: Some(12), ..Values::default() })?;
+/// assert_eq!(study.building.map(|building| building.height_m), Some(12.0 * 3.2));
+/// # Ok::<(), freestand_input::problem::Problems>(())
+/// ```
+pub fn of_values(values: &Values) -> Result<Study, Problems> {
+    let overrides = Overrides {
+        seed: values.seed,
+        storeys: values.storeys,
+        storey_height_m: values.storey_height_m,
+        ..Overrides::default()
+    };
+    resolve_as(Text::None(values), None, Path::new(""), &overrides)
 }
 
 /// Reads a study from a file; paths in it are relative to its folder.
@@ -171,14 +214,14 @@ pub fn resolve_with(
 }
 
 /// The text of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Text<'t> {
     /// Somebody wrote it.
     Of(&'t str),
     /// The built-in study: nobody stated its place or its building.
     Builtin,
-    /// Nothing is written.
-    Nothing,
+    /// Nothing is written: there are values.
+    None(&'t Values),
 }
 
 fn resolve_as(
@@ -188,16 +231,20 @@ fn resolve_as(
     overrides: &Overrides,
 ) -> Result<Study, Problems> {
     let is_builtin = written == Text::Builtin;
-    let text = match written {
-        Text::Of(text) => text,
-        Text::Builtin => builtin_toml(),
-        Text::Nothing => "",
+    let (text, values) = match written {
+        Text::Of(text) => (text, None),
+        Text::Builtin => (builtin_toml(), None),
+        Text::None(values) => ("", Some(values)),
     };
-    let (options, problems) = options::parse(text, source);
+    let (options, problems) = match values {
+        None => options::parse(text, source),
+        Some(values) => (values.options(), Problems::default()),
+    };
     let is_complete = problems.is_empty();
     let mut resolver = Resolver {
         source,
         base_dir,
+        values,
         problems,
         warnings: Vec::new(),
         notes: Vec::new(),
@@ -214,8 +261,14 @@ fn resolve_as(
         restraint,
     } = options;
     let text = resolver.with_hazard(&mut ground, text, overrides);
-    let (text, building_is_assumed) =
-        resolver.with_storeys(&mut building, text, overrides, is_builtin);
+    let (text, storeys, building_is_assumed) = match values {
+        Some(_) => (
+            text,
+            GivenStoreys::of(overrides),
+            overrides.storeys.is_none(),
+        ),
+        None => resolver.with_storeys(&mut building, text, overrides, is_builtin),
+    };
     if has_measured_floors(&building)
         || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
     {
@@ -228,12 +281,16 @@ fn resolve_as(
         .is_some_and(|measured| measured.value);
     let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
     let vertical_amplification_ratio = resolver.vertical_amplification(&building);
-    let building_name = resolver.building_name(&building);
+    let building_name = resolver.building_name(&building, storeys);
     let (ground_input, other_ground, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), None, Some(None))
     } else {
-        let found = resolver.building(&building.words, period_code(&ground.target));
+        let code = match values.and_then(Values::spectrum) {
+            Some(target) => target.period_code(),
+            None => period_code(&ground.target),
+        };
+        let found = resolver.building(&building.words, storeys, code);
         let ground_input = resolver.ground(&ground, overrides, found.as_ref(), &levels);
         let other_type = ground_input
             .as_ref()
@@ -283,6 +340,7 @@ fn resolve_as(
         ground: &ground,
         building: &building,
         overrides,
+        is_spectrum: values.is_some_and(|values| values.spectrum().is_some()),
         is_builtin,
         place_is_assumed,
         building_is_assumed,
@@ -295,11 +353,7 @@ fn resolve_as(
     if let (Text::Of(_), true, Some(Some(building))) =
         (written, building_is_assumed, &building_input)
     {
-        resolver.warnings.push(format!(
-            "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
-            building.storeys,
-            number(building.height_m, 4)
-        ));
+        resolver.warnings.push(building.assumed_words());
     }
     let notes = grouped(resolver.notes.iter().map(|(name, note)| (name, note)));
     match (ground_input, building_input, objects) {
@@ -344,6 +398,8 @@ fn resolve_as(
 struct Resolver<'a> {
     source: Option<&'a Path>,
     base_dir: &'a Path,
+    /// Where nothing is written.
+    values: Option<&'a Values>,
     problems: Problems,
     warnings: Vec<String>,
     /// Of all records that are read, with their names.
@@ -360,6 +416,38 @@ fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
     written
         .as_ref()
         .map_or(default, |written| written.value.clone())
+}
+
+impl Values {
+    fn options(&self) -> Options {
+        let target = match &self.hazard {
+            Hazard::Keys(words) => words.clone(),
+            Hazard::Spectrum(_) => Words::default(),
+        };
+        Options {
+            ground: GroundOptions {
+                target,
+                ..GroundOptions::default()
+            },
+            ..Options::default()
+        }
+    }
+
+    fn spectrum(&self) -> Option<&Target> {
+        match &self.hazard {
+            Hazard::Spectrum(target) => Some(target),
+            Hazard::Keys(_) => None,
+        }
+    }
+}
+
+impl GivenStoreys {
+    fn of(overrides: &Overrides) -> Self {
+        Self {
+            count: overrides.storeys,
+            each_m: overrides.storey_height_m,
+        }
+    }
 }
 
 impl Resolver<'_> {

@@ -20,7 +20,7 @@ fn study(text: &str) -> Study {
 #[test]
 fn the_built_in_study_is_the_same_as_no_study_at_all() {
     let dumped = builtin(&Overrides::default()).unwrap();
-    let mut nothing = nothing_stated(&Overrides::default()).unwrap();
+    let mut nothing = of_values(&Values::default()).unwrap();
     nothing.toml.clone_from(&dumped.toml);
     assert!(dumped.is_builtin && !nothing.is_builtin);
     assert!(nothing.place_is_assumed && nothing.building_is_assumed);
@@ -136,13 +136,58 @@ fn what_nobody_stated_is_known() {
         (Some("Annex"), 7)
     );
     // Two ways to the same building.
-    let [one, other] =
-        [builtin, nothing_stated].map(|made| made(&overrides(Some(7), "Wellington")).unwrap());
+    let one = builtin(&overrides(Some(7), "Wellington")).unwrap();
+    let other = of_values(&Values {
+        hazard: Hazard::Keys(Words::from_iter([("place", "Wellington")])),
+        storeys: Some(7),
+        ..Values::default()
+    })
+    .unwrap();
     assert_eq!(
         (one.building, one.building_name),
         (other.building, other.building_name)
     );
     assert!(one.toml.contains("storeys = 7") && !one.toml.contains("name = \"tower\""));
+}
+
+/// Values are taken as the same values in a text are.
+#[test]
+fn values_are_those_of_a_text_with_the_same_keys() {
+    use freestand::code_spectrum::{GroundType, SpectrumType};
+    // A third has no short decimal.
+    let target = Target::eurocode8(SpectrumType::Type2, GroundType::C, 1.0 / 3.0).unwrap();
+    let values = Values {
+        hazard: Hazard::Spectrum(Box::new(target)),
+        count: Some(3),
+        seed: Some(7),
+        storeys: Some(12),
+        storey_height_m: Some(10.0 / 3.0),
+    };
+    let text = format!(
+        "[ground]\ncode = \"eurocode8\"\nspectrum_type = 2\nsite = \"C\"\nground_acceleration = \"{} g\"\n\
+         count = 3\nseed = 7\n[building]\nstoreys = 12\nstorey_height = \"{} m\"\n",
+        1.0 / 3.0,
+        10.0 / 3.0
+    );
+    let mut written = study(&text);
+    assert_eq!(std::mem::take(&mut written.toml), text);
+    assert_eq!(of_values(&values).unwrap(), written);
+    let wrong = Values {
+        count: Some(0),
+        storeys: Some(501),
+        storey_height_m: Some(0.5),
+        ..values
+    };
+    let problems = of_values(&wrong).unwrap_err().problems;
+    let said: Vec<String> = problems.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        said,
+        [
+            "storeys must be a whole number from 1 to 500, not 501",
+            "storey_height must be a height between 1 and 30 m, not \"0.5 m\"",
+            "count must be a whole number from 1 to 1000, not 0",
+        ]
+    );
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use super::{SCENARIOS, ShockRequest};
 use crate::cushion::{self, EdgeCushion};
-use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 
@@ -30,11 +29,8 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
             ));
             return None;
         };
-        let mut side = cushion::spring(value_n_m);
-        for text in request.cushion.all("series_stiffness") {
-            side.add("series_stiffness", text, None);
-        }
-        return resolved(&side, request, problems);
+        let side = cushion::linear(value_n_m, &request.cushion);
+        return problems.keep(side).map(Contact::Cushion);
     }
     if request.contact_stiffness_n_m.is_some() {
         problems.push(Problem::value(
@@ -70,12 +66,8 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
             ));
             None
         }
-        None => resolved(&request.cushion, request, problems),
+        None => problems
+            .keep(cushion::resolve(&request.cushion, Some(request.mass_kg)))
+            .map(Contact::Cushion),
     }
-}
-
-fn resolved(words: &Words, request: &ShockRequest, problems: &mut Problems) -> Option<Contact> {
-    problems
-        .keep(cushion::resolve(words, Some(request.mass_kg)))
-        .map(Contact::Cushion)
 }

@@ -92,6 +92,13 @@ impl Study {
         })
     }
 
+    /// Its warnings, with what is said of a building that nobody stated.
+    pub fn and_assumed_building(&self) -> Vec<String> {
+        let building = self.building.as_ref().filter(|_| self.building_is_assumed);
+        let assumed = building.map(BuildingInput::assumed_words);
+        self.warnings.iter().cloned().chain(assumed).collect()
+    }
+
     /// What an assessment says of a national annex with two spectra: it asks both.
     pub fn two_spectra_words(&self) -> Option<String> {
         let target = self.ground.code_spectrum()?;

@@ -3,8 +3,8 @@
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{
     As1170_4, Asce7, Asce7Edition, Asce7Site, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8,
-    GroundType, NationalAnnex, Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass,
-    minimum_kpz, probability_factor, return_period_factor, site_coefficients,
+    GroundType, Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass, minimum_kpz,
+    probability_factor, return_period_factor, site_coefficients,
 };
 
 use super::Target;
@@ -351,65 +351,23 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         Some(other) if peak_velocity(&other) > peak_velocity(&code) => (other, Some(code)),
         other => (code, other),
     };
-    let shape = code.shape();
+    if annex.is_some_and(|annex| !annex.has_ground_types()) && reader.has("site") {
+        let message =
+            "the national annex has no ground types: the corner period belongs to the place";
+        reader.note(&["site"], message, "leave `site` out");
+        return None;
+    }
     let unstated = if annex.is_some() {
         "of the national annex"
     } else {
         "recommended"
     };
     let given = |is_given: bool| if is_given { "as given" } else { unstated };
-    let assumed = |key: &str| if reader.has(key) { "" } else { ", assumed" };
-    let has_ground = annex.is_none_or(NationalAnnex::has_ground_types);
-    if !has_ground && reader.has("site") {
-        let message =
-            "the national annex has no ground types: the corner period belongs to the place";
-        reader.note(&["site"], message, "leave `site` out");
-        return None;
-    }
-    let ground = ground.filter(|_| has_ground);
-    let ground_words = ground.map_or_else(
-        || "not given".to_owned(),
-        |ground| format!("{}: {}", ground.name(), ground.description()),
+    let facts = eurocode8_facts(
+        &code,
+        |key| reader.has(key),
+        [given(soil_factor.is_some()), given(corners.is_some())],
     );
-    let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
-    let facts = vec![
-        fact(
-            "Type of spectrum",
-            format!(
-                "{}{}",
-                code.spectrum_type().number(),
-                assumed("spectrum_type")
-            ),
-        ),
-        fact(
-            "Ground type",
-            if ground.is_some() {
-                ground_words + assumed("site")
-            } else {
-                ground_words
-            },
-        ),
-        fact(
-            "Reference ground acceleration a_gR",
-            in_g(code.reference_acceleration_g()),
-        ),
-        fact(
-            "Importance factor γ_I",
-            number(code.importance_factor_ratio(), 4),
-        ),
-        fact(
-            "Soil factor S",
-            format!(
-                "{}, {}",
-                number(shape.soil_factor_ratio, 4),
-                given(soil_factor.is_some())
-            ),
-        ),
-        fact(
-            "TB, TC, TD",
-            format!("{tb_s} s, {tc_s} s, {td_s} s, {}", given(corners.is_some())),
-        ),
-    ];
     let mut target = at(place, target(code.into(), facts));
     target
         .facts
@@ -437,6 +395,60 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         );
     }
     Some(target)
+}
+
+/// The spectrum that EN 1998-1 recommends, every value of which is stated.
+pub(super) fn recommended_eurocode8(
+    spectrum_type: SpectrumType,
+    ground: GroundType,
+    ground_acceleration_g: f64,
+) -> Result<Target, CodeSpectrumError> {
+    let code = Eurocode8::new(spectrum_type, ground, ground_acceleration_g, 1.0)?;
+    let facts = eurocode8_facts(&code, |_| true, ["recommended"; 2]);
+    Ok(target(code.into(), facts))
+}
+
+/// What reports state about a spectrum: whether a key was stated, and where the soil factor and the corner
+/// periods come from.
+fn eurocode8_facts(
+    code: &Eurocode8,
+    is_stated: impl Fn(&str) -> bool,
+    [soil_from, corners_from]: [&str; 2],
+) -> Vec<(String, String)> {
+    let assumed = |key: &str| if is_stated(key) { "" } else { ", assumed" };
+    let shape = code.shape();
+    let ground = code.ground().map_or_else(
+        || "not given".to_owned(),
+        |ground| {
+            let (name, description) = (ground.name(), ground.description());
+            format!("{name}: {description}{}", assumed("site"))
+        },
+    );
+    let kind = code.spectrum_type().number();
+    let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
+    vec![
+        fact(
+            "Type of spectrum",
+            format!("{kind}{}", assumed("spectrum_type")),
+        ),
+        fact("Ground type", ground),
+        fact(
+            "Reference ground acceleration a_gR",
+            in_g(code.reference_acceleration_g()),
+        ),
+        fact(
+            "Importance factor γ_I",
+            number(code.importance_factor_ratio(), 4),
+        ),
+        fact(
+            "Soil factor S",
+            format!("{}, {soil_from}", number(shape.soil_factor_ratio, 4)),
+        ),
+        fact(
+            "TB, TC, TD",
+            format!("{tb_s} s, {tc_s} s, {td_s} s, {corners_from}"),
+        ),
+    ]
 }
 
 fn eurocode8_corners(reader: &mut WordReader) -> Option<[f64; 3]> {

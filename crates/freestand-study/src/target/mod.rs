@@ -11,7 +11,10 @@ mod words;
 
 use std::path::Path;
 
-use freestand::code_spectrum::{As1170_4, Asce7Edition, CodeSpectrum, SiteClass};
+use freestand::code_spectrum::{
+    As1170_4, Asce7Edition, CodeSpectrum, CodeSpectrumError, GroundType, PeriodCode, SiteClass,
+    SpectrumType,
+};
 use freestand::synthesis;
 
 pub use codes::DEFAULT_YEARS;
@@ -82,6 +85,24 @@ impl Target {
             target.warnings.append(&mut target.period_warnings);
             target
         })
+    }
+
+    /// The spectrum that Eurocode 8 recommends, with importance factor 1; `ground_acceleration_g` is a_gR,
+    /// on rock.
+    ///
+    /// # Errors
+    /// An acceleration that is not positive.
+    pub fn eurocode8(
+        spectrum_type: SpectrumType,
+        ground: GroundType,
+        ground_acceleration_g: f64,
+    ) -> Result<Self, CodeSpectrumError> {
+        codes::recommended_eurocode8(spectrum_type, ground, ground_acceleration_g)
+    }
+
+    /// The code of the periods of buildings that goes with it.
+    pub(crate) fn period_code(&self) -> Option<PeriodCode> {
+        words::period_code_named(self.code())
     }
 
     /// The name of the code in flags and studies.

@@ -250,7 +250,10 @@ pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
 
 /// The code of the periods of buildings of a study: that of its spectrum.
 pub fn period_code(words: &Words) -> Option<PeriodCode> {
-    let name = code_name(words)?;
+    period_code_named(code_name(words)?)
+}
+
+pub(super) fn period_code_named(name: &str) -> Option<PeriodCode> {
     PeriodCode::ALL.into_iter().find(|code| code.name() == name)
 }
 
