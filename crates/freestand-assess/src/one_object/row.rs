@@ -161,16 +161,24 @@ fn problem(finding: &Finding, request: &ObjectRequest, study: &Study) -> Problem
         Some(column) => column.name(),
         None => ID,
     };
-    if let (Some(Column::Floor), FloorPlace::Name(name)) = (finding.column, &request.floor.place) {
-        return no_floor(name, study);
-    }
+    let of_floor = (finding.column, &request.floor.place, finding.severity);
+    let hint = match of_floor {
+        (Some(Column::Floor), FloorPlace::Name(name), Severity::Error) => {
+            return no_floor(name, study);
+        }
+        (Some(Column::Floor), ..) => LEVEL_RATIO.to_owned(),
+        _ => finding.hint.clone(),
+    };
     let written = finding
         .examples
         .first()
         .map_or_else(String::new, |text| format!(" \"{text}\""));
     let what = finding.detail.as_deref().unwrap_or(finding.kind.words());
-    Problem::value(format!("`{key}`{written} {what}"), finding.hint.clone())
+    Problem::value(format!("`{key}`{written} {what}"), hint)
 }
+
+/// Where a name leaves the height of a floor open.
+const LEVEL_RATIO: &str = "give `level_ratio`, the height of the floor over that of the building";
 
 fn no_floor(name: &str, study: &Study) -> Problem {
     let floors = floors_of(study, None);
@@ -191,7 +199,7 @@ fn no_floor(name: &str, study: &Study) -> Problem {
                 "write 1 to {storeys} (1 is the first above the ground, {storeys} the roof), ground or roof"
             )
         }
-        None => "give `level_ratio`, the height of the floor over that of the building".to_owned(),
+        None => LEVEL_RATIO.to_owned(),
     };
     Problem::value(
         format!("`floor` \"{name}\" is not a floor of the building"),
