@@ -79,6 +79,10 @@ fn every_case_through_the_command_line() {
 }
 
 /// Every so many-th case.
+#[expect(
+    clippy::print_stdout,
+    reason = "a test says what it skips on its standard output"
+)]
 fn through_the_command_line(step: usize) {
     let cases: Value = serde_json::from_str(include_str!(
         "../../../../validation/rocking/rocking_cases.json"
