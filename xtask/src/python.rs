@@ -144,15 +144,21 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
 }
 
 /// Builds the wheel, installs it, and runs its tests and the checks of its types. All of it: with
-/// the wheel that is published, and the notebooks.
+/// the wheel that is published, the tests that are marked `long`, and the notebooks.
 pub fn test(root: &Path, all: bool) -> Result<(), Trouble> {
     install(root, &[&BUILD[..], &TEST[..]].concat())?;
     let more = install(root, &MORE);
-    let profile = if all {
-        Profile::Published
+    let (profile, marked) = if all {
+        (Profile::Published, "")
     } else {
-        println!("left out: the wheel as it is published\nleft out: the notebooks");
-        Profile::Dev
+        for part in [
+            "the wheel as it is published",
+            "its tests that are marked `long`",
+            "the notebooks",
+        ] {
+            println!("left out: {part}");
+        }
+        (Profile::Dev, "not long")
     };
     let wheel = wheel(root, &root.join("target/wheels-tested"), profile)?;
     let wheel = wheel.to_string_lossy();
@@ -170,7 +176,7 @@ pub fn test(root: &Path, all: bool) -> Result<(), Trouble> {
     let package = root.join(CRATE);
     let mut wrong = Vec::new();
     let checks: [&[&str]; 3] = [
-        &["-m", "pytest", "--quiet", "-rs"],
+        &["-m", "pytest", "--quiet", "-rs", "-m", marked],
         &["-m", "mypy", "python/freestand", "tests/typed.py"],
         &["-m", "mypy.stubtest", "freestand._freestand", "--concise"],
     ];

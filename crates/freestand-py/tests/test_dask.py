@@ -105,7 +105,10 @@ def waited(condition, seconds=30):
 
 
 # 64: more than there are objects.
-@pytest.mark.parametrize(("workers", "shards"), [(1, 1), (2, 7), (2, 64), (4, None)])
+@pytest.mark.parametrize(
+    ("workers", "shards"),
+    [(1, 1), (2, 7), pytest.param(2, 64, marks=pytest.mark.long), pytest.param(4, None, marks=pytest.mark.long)],
+)
 def test_the_files_are_those_of_one_process(city, clients, tmp_path, workers, shards):
     folder, _ = city
     out = tmp_path / "out"
@@ -132,7 +135,7 @@ def test_tables_and_dictionaries_without_a_cluster(city, tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
-@pytest.mark.parametrize("victim", ["worker", "child"])
+@pytest.mark.parametrize("victim", [pytest.param("worker", marks=pytest.mark.long), "child"])
 def test_what_is_killed_is_calculated_again(city, clients, tmp_path, victim):
     """SIGKILL at a random moment to a process that calculates a shard, or to its worker."""
     folder, _ = city

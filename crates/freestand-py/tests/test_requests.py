@@ -173,6 +173,7 @@ def test_check_object_with_a_study():
         fs.check_object(2, 0.3, study=text.replace("site =", "sitee ="))
 
 
+@pytest.mark.long
 def test_a_place_replaces_the_hazard_of_a_study(tmp_path):
     """As in the command: the answer names the place, and the built-in study supplies what a study does not state."""
     path = tmp_path / "s.toml"

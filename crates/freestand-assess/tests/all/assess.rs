@@ -114,7 +114,17 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 
 #[test]
 fn the_same_bytes_on_any_number_of_threads() {
-    let (study, rows) = (study(""), rows(24));
+    same_bytes(6);
+}
+
+#[test]
+#[ignore = "half a minute: 24 objects, three times"]
+fn many_objects_have_the_same_bytes_on_any_number_of_threads() {
+    same_bytes(24);
+}
+
+fn same_bytes(count: usize) {
+    let (study, rows) = (study(""), rows(count));
     let of = |threads: usize| {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("out");
@@ -130,7 +140,7 @@ fn the_same_bytes_on_any_number_of_threads() {
                 report.computed,
                 report.interrupted
             ),
-            (24, 0, 24, false)
+            (count, 0, count, false)
         );
         contents(&out)
     };
@@ -143,7 +153,17 @@ fn the_same_bytes_on_any_number_of_threads() {
 /// any number of threads.
 #[test]
 fn the_vertical_motion_of_a_world_changes_the_answers() {
-    let rows = rows(6);
+    vertical_motion(2);
+}
+
+#[test]
+#[ignore = "ten seconds: six objects, five times"]
+fn the_vertical_motion_of_a_world_changes_many_answers() {
+    vertical_motion(6);
+}
+
+fn vertical_motion(count: usize) {
+    let rows = rows(count);
     let of = |ground: &str, building: &str, threads: usize| {
         let text = format!(
             "[ground]\nseed = 3\nhazard_factor = 0.3\n{ground}[building]\nstoreys = 8\n{building}[worlds]\nfirst = \
@@ -174,6 +194,7 @@ fn the_vertical_motion_of_a_world_changes_the_answers() {
 /// A run is stopped while the motions are generated, then twice in the second part, then finished:
 /// it writes the bytes of an undisturbed run, and computes no part twice.
 #[test]
+#[ignore = "ten seconds: 300 objects"]
 fn a_run_that_was_stopped_goes_on() {
     let (study, rows) = (study("compliant = false\npages = 3\n"), rows(300));
     let folder = tempfile::tempdir().unwrap();
@@ -226,6 +247,7 @@ fn a_run_that_was_stopped_goes_on() {
 
 /// A killed run leaves finished parts; one that is incomplete is computed again.
 #[test]
+#[ignore = "half a minute: 520 objects"]
 fn a_run_that_was_killed_goes_on() {
     let (study, rows) = (study("compliant = false\n"), rows(520));
     let folder = tempfile::tempdir().unwrap();
@@ -265,7 +287,17 @@ fn a_run_that_was_killed_goes_on() {
 /// does, which says where it is among the others.
 #[test]
 fn the_order_of_the_rows_does_not_matter() {
-    let (study, rows) = (study(""), rows(24));
+    in_any_order(6);
+}
+
+#[test]
+#[ignore = "ten seconds: 24 objects, twice"]
+fn the_order_of_many_rows_does_not_matter() {
+    in_any_order(24);
+}
+
+fn in_any_order(count: usize) {
+    let (study, rows) = (study(""), rows(count));
     let folder = tempfile::tempdir().unwrap();
     let (out, turned, alone) = (
         folder.path().join("a"),
@@ -355,6 +387,7 @@ fn against_the_integral(worlds: u32) {
 
 /// Without any spread an assessment counts what both solvers compute motion by motion.
 #[test]
+#[ignore = "ten seconds of the scalar solvers"]
 fn without_spreads_the_shares_are_those_of_the_solvers() {
     let folder = tempfile::tempdir().unwrap();
     let records: Vec<Motion> = (0..12)

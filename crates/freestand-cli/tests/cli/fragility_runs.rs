@@ -1016,6 +1016,7 @@ fn a_signal_stops_runs_and_bootstrap_and_leaves_nothing() {
 /// After a command was killed after the first of three parts, that part is used, the others are
 /// run, and every file has the bytes of a command that was not killed.
 #[test]
+#[ignore = "ten seconds: runs of an inventory, twice"]
 fn runs_of_an_inventory_that_are_killed_go_on() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

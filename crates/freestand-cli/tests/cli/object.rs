@@ -388,6 +388,7 @@ fn the_examples_of_the_help_run() {
 /// The national annex of Portugal has two spectra: of each object the worse of both counts, and where it
 /// is that of type 2 the answer says so.
 #[test]
+#[ignore = "ten seconds: six times 40 worlds"]
 fn the_worse_of_two_spectra_counts() {
     let p_of = |kind: &str, thickness: &str| -> f64 {
         let study = format!("[ground]\nplace = \"Lisbon\"\n{kind}[building]\nstoreys = 2\n");

@@ -262,6 +262,7 @@ fn motions_above_the_hazard_curve_are_counted_and_told() {
 /// hazard adds: the rate of the fine ones is between the bounds of the few, and what is added makes these
 /// narrow around it. Without the pads, which take longest.
 #[test]
+#[ignore = "ten seconds: three sets of runs"]
 fn finer_runs_stay_between_the_bounds_of_coarse_ones() {
     let (study, list) = (
         shared().join("findings/messina.toml"),

@@ -1601,6 +1601,7 @@ fn a_signal_stops_the_fits() {
 
 /// The square prism around a round object stands where it falls: its curves and its rates say so.
 #[test]
+#[ignore = "ten seconds: runs of an inventory"]
 fn round_objects_may_fail_more_often_than_their_curves() {
     let folder = tempfile::tempdir().unwrap();
     let list = "id,level_ratio,shape,casters,height [mm],thickness [mm],replacement cost NZD\ntank,0,cylinder,,1500,400,9\n\

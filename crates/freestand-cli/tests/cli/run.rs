@@ -100,6 +100,7 @@ fn leaves_every_file_that_it_promises() {
 }
 
 #[test]
+#[ignore = "ten seconds: the whole example, twice"]
 fn the_same_study_gives_the_same_bytes_on_any_number_of_threads() {
     let folder = folder();
     let dumped = execute(folder.path(), &["run", "--dump-study"]).stdout;

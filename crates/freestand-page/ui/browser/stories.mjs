@@ -140,7 +140,7 @@ await story('a newcomer gets the sentence of the program and sees the fall', {},
   assert.match(await page.textContent('#command code'), /^freestand object --height "1.8 m"/);
 });
 
-await story('a wider base changes the sentence; what is wrong is said', {}, async (page) => {
+await story('a wider base changes the sentence; what is wrong is said', { long: true }, async (page) => {
   await answered(page);
   const first = await page.textContent('#answer');
   await page.fill('#thickness', '900 mm');
@@ -236,7 +236,7 @@ await story('changing the units never changes the object', {}, async (page) => {
   assert.deepEqual([...new Set(asked.map((one) => one.thickness))], ['15.75 in']);
 });
 
-await story('what was not typed is not given, and every default is said beside the sentence', {}, async (page) => {
+await story('what was not typed is not given, and every default is said beside the sentence', { long: true }, async (page) => {
   const asked = questions(page, 'object');
   await page.reload();
   await answered(page);
@@ -289,7 +289,7 @@ await story('sizes as people write them, and a peak ground acceleration', {}, as
   assert.doesNotMatch(everything, /(^|\s)--[a-z]/);
 });
 
-await story('two tabs do not stop each other, and an answer has its own question', {}, async (page) => {
+await story('two tabs do not stop each other, and an answer has its own question', { long: true }, async (page) => {
   await answered(page);
   const statuses = [];
   page.on('response', (response) => { if (response.url().endsWith('/run')) statuses.push(response.status()); });
@@ -527,7 +527,7 @@ await story('objects arrive one by one, with the time that is left', {}, async (
   assert.ok(counts.some((count) => count > 0 && count < 4), `${[...new Set(counts)]}`);
 });
 
-await story('a list by keyboard alone', {}, async (page) => {
+await story('a list by keyboard alone', { long: true }, async (page) => {
   await uploaded(page);
   const tabTo = async (selector, most) => {
     for (let i = 0; i < most; i += 1) {
@@ -568,7 +568,7 @@ await story('a list by keyboard alone', {}, async (page) => {
 });
 
 // As many objects as a hospital has: what is asked for is there at once, and the tables scroll smoothly.
-await story('ten thousand rows are read at once and scroll smoothly', {}, async (page) => {
+await story('ten thousand rows are read at once and scroll smoothly', { long: true }, async (page) => {
   const many = ['id,item,floor,height,thickness,mass'];
   for (let i = 0; i < 10_000; i += 1) many.push(`O-${i},cabinet,${i % 3},${i % 100 === 7 ? '60 apples' : `${1.2 + (i % 9) / 10} m`},0.4 m,${80 + (i % 50)} kg`);
   writeFileSync(join(folder, 'many.csv'), many.join('\n'));
@@ -627,7 +627,7 @@ await story('a history that cannot be had is said', {}, async (page) => {
 });
 
 // An answer that is slow to arrive belongs to the object that it was asked for.
-await story('a slow answer is not that of another object', {}, async (page) => {
+await story('a slow answer is not that of another object', { long: true }, async (page) => {
   await uploaded(page);
   await page.click('#assess');
   await assessed(page, 4);
@@ -684,7 +684,7 @@ await story('a job is cancelled and taken up again', {}, async (page) => {
   assert.equal((await page.$$('#objects tr[data-id]')).length, 4);
 });
 
-await story('a reload finds everything again', {}, async (page) => {
+await story('a reload finds everything again', { long: true }, async (page) => {
   await uploaded(page);
   await page.click('#cells [data-at="D5"]');
   await page.fill('#cells input', '600 mm');
@@ -721,7 +721,7 @@ await story('a reload finds everything again', {}, async (page) => {
   assert.equal(await page.inputValue('#pads-mass'), '0.365 kg');
 });
 
-await story('what rolls is answered, and an empty field is said', {}, async (page) => {
+await story('what rolls is answered, and an empty field is said', { long: true }, async (page) => {
   await answered(page);
   const first = await page.textContent('#answer');
   await page.click('#advanced > summary');
@@ -853,7 +853,7 @@ await story('a structural engineer reads the map of the spectra', {}, async (pag
   assert.equal(await page.textContent('#panel-spectra .half h2'), said('spectra.title.uplift', { percentile, count: 10, where: said('spectra.ground') }));
 });
 
-await story('a structural engineer drops floor motions', {}, async (page) => {
+await story('a structural engineer drops floor motions', { long: true }, async (page) => {
   await mapped(page);
   await page.setInputFiles('#drop-spectra', join(validation, 'rocking/records/synthfloor.csv'));
   await page.waitForSelector(`#panel-spectra h2:has-text("${said('spectra.peaks')}")`, PATIENT);
@@ -870,7 +870,7 @@ await story('a structural engineer drops floor motions', {}, async (page) => {
   await page.waitForSelector('#map[data-state=done]', PATIENT);
 });
 
-await story('a wall, friction and what is wrong with them', {}, async (page) => {
+await story('a wall, friction and what is wrong with them', { long: true }, async (page) => {
   await answered(page);
   const first = await page.textContent('#answer');
   await page.click('#advanced > summary');
@@ -933,7 +933,7 @@ for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], [
 
 for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844]]) {
   for (const colorScheme of ['light', 'dark']) {
-    await story(`a list, ${name}, ${colorScheme}`, { long: name === 'wide' || colorScheme === 'light', viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
+    await story(`a list, ${name}, ${colorScheme}`, { long: true, viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
       await uploaded(page);
       await page.click('#next-problem');
       await page.waitForSelector('#cells input');

@@ -1,3 +1,5 @@
+use std::sync::LazyLock;
+
 use super::*;
 use freestand::motion::Motion;
 use proptest::prelude::*;
@@ -108,10 +110,10 @@ fn a_sensitivity_without_effect_is_refused_by_every_format() {
     }
 }
 
-fn samples() -> Vec<Vec<u8>> {
+static SAMPLES: LazyLock<[Vec<u8>; 10]> = LazyLock::new(|| {
     let accel = (0..40).map(|i| (f64::from(i) * 0.3).sin()).collect();
     let motion = Motion::new(0.02, accel).unwrap();
-    vec![
+    [
         write_at2(&motion, "Somewhere, 1/1/2000, Station, 090").into_bytes(),
         write_csv(&motion).into_bytes(),
         write_csv(&motion)
@@ -126,7 +128,7 @@ fn samples() -> Vec<Vec<u8>> {
         nsmn::tests::sample(),
         sigma::tests::sample(),
     ]
-}
+});
 
 /// Whatever a file is, it is read or refused with a message of one line, and what is read is
 /// finite.
@@ -168,7 +170,7 @@ proptest! {
         damage in prop::collection::vec((0.0..1.0f64, any::<u8>()), 0..6),
         characters in prop::collection::vec((0.0..1.0f64, prop::sample::select(b"+-.eEdD0 9,;\t\n\r#\"[(NPTS=\xff\xc3".to_vec())), 0..6),
     ) {
-        let mut bytes = samples().swap_remove(which);
+        let mut bytes = SAMPLES[which].clone();
         if cut > 0.3 {
             bytes.truncate((cut * bytes.len() as f64) as usize);
         }

@@ -346,3 +346,5 @@ pub struct DropTest {
 mod pads;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod virtual_drops;

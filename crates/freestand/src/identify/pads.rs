@@ -333,6 +333,7 @@ fn campaign(states_corner: bool) {
 /// A part of the campaign below: the intervals hold the truth, and are no excuse. Of 24 drops with intervals of 95 %, 20
 /// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign.
 #[test]
+#[ignore = "half a minute: four pads on two recorders, 48 drops"]
 fn pads_that_follow_no_law_are_inside_their_intervals() {
     let wanted = ["hardening", "softening", "tangent", "table, kink up"];
     for recorder in [&RECORDERS[0], &RECORDERS[4]] {
@@ -379,6 +380,7 @@ fn a_slow_filter_is_noticed() {
 /// A pad without a formula behind a filter at 3/t_c that nobody stated: its curve could take the shape of the filter, and
 /// would be 2 to 17 % too soft. In the campaign all of 32 such drops are flagged and inside their intervals.
 #[test]
+#[ignore = "seconds: two pads behind a slow filter"]
 fn a_slow_filter_is_no_part_of_a_curve() {
     for (_, name, pad) in pads()
         .into_iter()

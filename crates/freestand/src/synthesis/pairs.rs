@@ -213,6 +213,7 @@ mod tests {
     }
 
     #[test]
+    #[ignore = "ten seconds: four magnitudes, twenty motions of each"]
     fn the_pairs_of_melbourne_are_those_of_another_computation() {
         // An independent implementation, with 20 motions each from other random numbers, gives
         // "around" 15, 30, 45, 80 km. These are rounded to 5 km, so half of that either way. It

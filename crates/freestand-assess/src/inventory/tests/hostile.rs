@@ -1,5 +1,7 @@
 //! Files that break readers: each a clear error, or read, in bounded time and memory.
 
+use std::sync::LazyLock;
+
 use proptest::prelude::*;
 
 use crate::library::Lookup;
@@ -361,6 +363,13 @@ fn check(bytes: Vec<u8>) {
     let _ = convert_bytes(bytes, Path::new("objects"), None, Target::Csv);
 }
 
+/// The last one is UTF-16 without a mark.
+static TEMPLATES: LazyLock<[Vec<u8>; 3]> = LazyLock::new(|| {
+    let text = template_csv().unwrap();
+    let wide = text.iter().flat_map(|&byte| [byte, 0]).collect();
+    [text, template_xlsx().unwrap(), wide]
+});
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
@@ -370,12 +379,7 @@ proptest! {
         kind in 0..3usize,
         cut in proptest::option::of(any::<proptest::sample::Index>()),
     ) {
-        let mut bytes = match kind {
-            0 => template_csv().unwrap(),
-            1 => template_xlsx().unwrap(),
-            // UTF-16 without a mark.
-            _ => template_csv().unwrap().iter().flat_map(|&b| [b, 0]).collect(),
-        };
+        let mut bytes = TEMPLATES[kind].clone();
         for (at, byte) in changes {
             let at = at.index(bytes.len());
             bytes[at] = byte;

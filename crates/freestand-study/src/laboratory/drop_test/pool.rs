@@ -368,22 +368,32 @@ mod tests {
 
     #[test]
     fn drops_that_are_not_repeats_are_not_pooled() {
+        not_pooled(&[("glued", "unglued", "boundary (glued, unglued)")]);
+    }
+
+    #[test]
+    #[ignore = "ten seconds: the same of every tag"]
+    fn drops_that_differ_in_any_tag_are_not_pooled() {
+        not_pooled(&[
+            ("glued", "unglued", "boundary (glued, unglued)"),
+            ("glued", "sphere", "impactor (flat, sphere)"),
+        ]);
+    }
+
+    /// Two drops that are repeats, and those that differ in a tag, which a warning names.
+    fn not_pooled(different: &[(&str, &str, &str)]) {
         let folder = tempfile::tempdir().unwrap();
         let pad = Cushion::linear(2.19e6).unwrap();
         let file = |name: &str, said: &str| write(folder.path(), name, &pad, 0.1, said);
-        let [plain, glued, unglued, sphere] = [
-            file("plain.csv", ""),
-            file("glued.csv", "# boundary: glued\n# impactor: flat\n"),
-            file("unglued.csv", "# boundary: unglued\n# impactor: Flat\n"),
-            file("sphere.csv", "# impactor: sphere\n"),
-        ];
-        let report = of(vec![plain.clone(), glued.clone()]);
+        let tagged = |name: &str| match name {
+            "glued" => file("glued.csv", "# boundary: glued\n# impactor: flat\n"),
+            "unglued" => file("unglued.csv", "# boundary: unglued\n# impactor: Flat\n"),
+            _ => file("sphere.csv", "# impactor: sphere\n"),
+        };
+        let report = of(vec![file("plain.csv", ""), tagged("glued")]);
         assert!(report.all_gave() && count(&report) == 2 && report.pooled.reason.is_none());
-        for (files, word) in [
-            ([glued.clone(), unglued], "boundary (glued, unglued)"),
-            ([glued, sphere], "impactor (flat, sphere)"),
-        ] {
-            let report = of(files.to_vec());
+        for &(one, other, word) in different {
+            let report = of(vec![tagged(one), tagged(other)]);
             assert!(report.tests.iter().all(|test| test.found().is_some()));
             assert!(
                 !report.all_gave() && report.pooled.pad.is_none(),
@@ -424,26 +434,37 @@ mod tests {
         }
     }
 
-    /// Two drops on a Hertz pad and one on a linear one: every pooled number is of the two.
+    /// Of as many drops of each law, those of the first count alone.
     #[test]
-    fn all_pooled_numbers_are_of_the_same_drops() {
+    fn drops_of_two_laws_are_not_pooled() {
         let folder = tempfile::tempdir().unwrap();
+        let [linear, curved] = linear_and_curved(folder.path());
+        let report = of(vec![linear, curved]);
+        assert_eq!((law(&report), count(&report)), (FittedLaw::Linear, 1));
+    }
+
+    fn linear_and_curved(folder: &Path) -> [PathBuf; 2] {
         let hertz = Cushion::new(ContactLaw::Power {
             coefficient_n_mn: 2e7,
             exponent: 1.5,
         })
         .unwrap();
-        let linear = write(
-            folder.path(),
-            "linear.csv",
-            &Cushion::linear(2.19e6).unwrap(),
-            0.1,
-            "",
-        );
-        let curved = write(folder.path(), "hertz.csv", &hertz, 0.1, "");
+        [
+            ("linear.csv", Cushion::linear(2.19e6).unwrap()),
+            ("hertz.csv", hertz),
+        ]
+        .map(|(name, pad)| write(folder, name, &pad, 0.1, ""))
+    }
+
+    /// Two drops on a Hertz pad and one on a linear one: every pooled number is of the two.
+    #[test]
+    #[ignore = "ten seconds: seven drops"]
+    fn all_pooled_numbers_are_of_the_same_drops() {
+        let folder = tempfile::tempdir().unwrap();
+        let [linear, curved] = linear_and_curved(folder.path());
         let (mixed, two) = (
-            of(vec![linear.clone(), curved.clone(), curved.clone()]),
-            of(vec![curved.clone(), curved.clone()]),
+            of(vec![linear, curved.clone(), curved.clone()]),
+            of(vec![curved.clone(), curved]),
         );
         assert_eq!(mixed.pooled, two.pooled);
         assert_eq!((law(&mixed), count(&mixed)), (FittedLaw::Power, 2));
@@ -455,7 +476,5 @@ mod tests {
             "{:?}",
             mixed.warnings
         );
-        // Of as many of each law, the first counts.
-        assert_eq!(law(&of(vec![linear, curved])), FittedLaw::Linear);
     }
 }

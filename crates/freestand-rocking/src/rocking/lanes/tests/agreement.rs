@@ -297,6 +297,7 @@ fn standard_accuracy_follows_the_scalar_solver() {
 }
 
 #[test]
+#[ignore = "half a minute of the scalar solver"]
 fn tight_accuracy_follows_the_scalar_solver() {
     check(200..212, TIGHT);
 }
