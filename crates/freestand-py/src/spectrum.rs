@@ -8,11 +8,12 @@ use freestand::respond::Settings;
 use freestand::rocking::{Base, Restitution, RockingModel};
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::{Facts, Value};
-use freestand_study::rock::{ACCURACIES, MODELS, problem};
+use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::spectrum::{
     Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects,
     spectrum as calculated,
 };
+use freestand_study::unsolved::rocking_problem;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -323,7 +324,8 @@ pub(crate) fn spectrum<'py>(
             horizontal: Some(&motion.horizontal),
             vertical: motion.vertical.as_ref(),
         };
-        base.check().map_err(|error| raised_all(problem(error)))?;
+        base.check()
+            .map_err(|error| raised_all(rocking_problem(error)))?;
     }
     let work = |stop: &AtomicBool| {
         let threads = rayon::current_num_threads();

@@ -39,6 +39,7 @@ pub mod suite;
 pub mod summary;
 pub mod tables;
 pub mod target;
+pub mod unsolved;
 pub mod validate;
 pub mod vary;
 pub mod walls;

@@ -8,17 +8,18 @@ use freestand::impact::{
     impact_friction_needed_ratio, stiffness_warnings,
 };
 use freestand::motion::Motion;
-use freestand::respond::{HistoryOptions, RespondError, RigidHistory, RigidPlane};
+use freestand::respond::{HistoryOptions, RigidHistory, RigidPlane};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingError, RockingImpact,
-    RockingModel, SideExtremes, Until,
+    Accuracy, Base, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingImpact, RockingModel,
+    SideExtremes, Until,
 };
 use freestand::spectra::{UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
 use crate::shape::Sizes;
-use crate::walls::{WallStiffness, wall_facts, wall_problem};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::unsolved::{self, unresolved_warning};
+use crate::walls::{WallStiffness, wall_facts};
+use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
@@ -63,15 +64,6 @@ pub fn until(duration_s: Option<f64>) -> Until {
         },
         Until::Time,
     )
-}
-
-/// What to do about a history that ended before it was certain what becomes of the object.
-pub(crate) fn unresolved_warning(outcome: Outcome) -> Option<String> {
-    (outcome == Outcome::Unresolved).then(|| {
-        "at the end of the calculation the object is neither at rest nor down: leave `duration` out, or give a longer \
-         one, to see whether it falls"
-            .to_owned()
-    })
 }
 
 /// An object under a motion.
@@ -153,7 +145,7 @@ pub fn rock(request: &RockRequest) -> Result<RockReport, Problem> {
     let history = request
         .object
         .follow(base, &request.how)
-        .map_err(follow_problem)?;
+        .map_err(unsolved::problem)?;
     Ok(report(request, history))
 }
 
@@ -297,52 +289,6 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         history,
         landings: landed,
     }
-}
-
-/// A problem of a history, with what to do about it.
-pub fn follow_problem(error: RespondError) -> Problem {
-    match error {
-        RespondError::Rocking(error) => problem(error),
-        RespondError::Sliding(error) => crate::sliding::problem(error),
-        RespondError::Compliant(error) => crate::compliant::problem(error),
-        RespondError::TooLong { .. } => Problem::value(
-            error.to_string(),
-            "give a shorter `duration`, or leave `history` and `out` out",
-        ),
-    }
-}
-
-/// A problem of the solver, with what to do about it.
-pub fn problem(error: RockingError) -> Problem {
-    let hint = match error {
-        RockingError::FreeFlight { .. } => "check the unit and the scale of the vertical motion",
-        RockingError::TooManyImpacts { .. } => {
-            "a `restitution` of 1 loses no energy: give a smaller one or a shorter `duration`"
-        }
-        RockingError::StepTooSmall { .. } => {
-            "check the unit and the scale of the motion, and the size of the object"
-        }
-        RockingError::Restitution { .. } => "give a `restitution` in (0, 1]",
-        RockingError::InitialState { .. } => {
-            "give an `initial_rotation` below 90 deg, at which the object is overturned"
-        }
-        RockingError::Wall(error) => return wall_problem(error),
-        RockingError::BeyondWall { .. } => "give a smaller `initial_rotation`, or a wider gap",
-        RockingError::LinearisedWall => "leave `model` out, or the walls",
-        RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
-        RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
-        RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",
-        RockingError::VerticalMismatch { .. } => {
-            "resample one of them so that both have the same step and length"
-        }
-    };
-    let kind = match error {
-        RockingError::FreeFlight { .. }
-        | RockingError::TooManyImpacts { .. }
-        | RockingError::StepTooSmall { .. } => ProblemKind::Computation,
-        _ => ProblemKind::Value,
-    };
-    Problem::new(kind, error.to_string()).hint(hint)
 }
 
 /// The columns of a history.

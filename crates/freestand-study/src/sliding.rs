@@ -7,11 +7,9 @@ use freestand::impact::ASSUMED_FRICTION;
 use freestand::motion::Motion;
 use freestand::respond::{Along, Glider, HistoryOptions, Plane, Planes, SlideHistory, SlidePoint};
 use freestand::rocking::{Base, RockingError};
-use freestand::sliding::{
-    Clearance, Friction, Sliding, SlidingError, SlidingOutcome, trip_speed_m_s,
-};
+use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_speed_m_s};
 
-use crate::rock::{self, follow_problem};
+use crate::unsolved::{self, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
@@ -85,7 +83,7 @@ impl Surface {
         };
         let static_ratio = ratio.unwrap_or(default);
         let friction = Friction::new(static_ratio, given.friction_kinetic.unwrap_or(static_ratio))
-            .map_err(problem)?;
+            .map_err(sliding_problem)?;
         Ok(Self {
             contact: given.contact,
             friction,
@@ -247,9 +245,11 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
         vertical: request.vertical.as_ref(),
     };
     let glider = surface.glider(*block);
-    let history = glider.follow(base, &request.how).map_err(follow_problem)?;
+    let history = glider
+        .follow(base, &request.how)
+        .map_err(unsolved::problem)?;
     if history.sliding.outcome == SlidingOutcome::FreeFlight {
-        return Err(rock::problem(RockingError::FreeFlight {
+        return Err(rocking_problem(RockingError::FreeFlight {
             time_s: history.sliding.end_time_s,
         }));
     }
@@ -269,7 +269,7 @@ pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Slidin
     let found = surface
         .glider(block)
         .follow(base, &HistoryOptions::default());
-    found.map(|found| found.sliding).map_err(follow_problem)
+    found.map(|found| found.sliding).map_err(unsolved::problem)
 }
 
 fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
@@ -370,18 +370,6 @@ fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
         );
     }
     warnings
-}
-
-/// A problem of the solver, with what to do about it.
-pub fn problem(error: SlidingError) -> Problem {
-    let hint = match error {
-        SlidingError::Base(error) => return rock::problem(error),
-        SlidingError::Friction { .. } => "give a `friction_kinetic` of at most `friction`",
-        SlidingError::Clearance { .. } => {
-            "give the distance to whatever is beside the object, at least 0 m"
-        }
-    };
-    Problem::value(error.to_string(), hint)
 }
 
 /// The columns of a history.

@@ -6,7 +6,8 @@ use freestand::respond::{HistoryOptions, Object, PadSummary, Pads, Plane, Planes
 use freestand::rocking::Outcome;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
-use freestand_study::rock::{edge_landings, follow_problem};
+use freestand_study::rock::edge_landings;
+use freestand_study::unsolved;
 use serde::Serialize;
 
 use super::Context;
@@ -233,13 +234,13 @@ fn history(
     let on_pads = |pads: Pads| {
         let Plane { along, block } = pads.planes.one;
         let base = floor.base(along);
-        let history = pads.follow(base, &how).map_err(follow_problem)?;
+        let history = pads.follow(base, &how).map_err(unsolved::problem)?;
         Ok(Some(drawn_on_pads(&block, &history, base.horizontal)))
     };
     match object.about(axis) {
         Object::Rigid(Planes { one: object, .. }) => {
             let base = floor.base(object.plane.along);
-            let history = object.follow(base, &how).map_err(follow_problem)?;
+            let history = object.follow(base, &how).map_err(unsolved::problem)?;
             let body = draw.body(subject);
             let body = body.as_ref().map(|(mass_kg, cushion)| (*mass_kg, cushion));
             let landings = edge_landings(&object.plane.block, &history.rocking, body, G0_M_S2);

@@ -635,11 +635,7 @@ fn what_contradicts_itself_is_refused_at_once() {
         "{found:?}"
     );
     // Half a storey is a floor whose height is assumed: that is said, and it is used.
-    let asked = request(
-        Object::of_size(2.0, 0.3),
-        place("Athens"),
-        six("mezzanine"),
-    );
+    let asked = request(Object::of_size(2.0, 0.3), place("Athens"), six("mezzanine"));
     let report = one_object(&asked, &|| false).unwrap();
     let said = "`floor` \"mezzanine\" is half a storey; it was taken as the one above the ground; give `level_ratio`";
     let says = |warning: &String| warning.starts_with(said);

@@ -19,7 +19,7 @@ use freestand_output::json::document;
 use freestand_records::notes::grouped;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::restitution::checked;
-use freestand_study::rock::problem;
+use freestand_study::unsolved::rocking_problem;
 
 use super::Done;
 use super::assess::{ListArgs, watched};
@@ -271,7 +271,7 @@ impl RunArgs {
                 vertical: motion.vertical.as_ref(),
             }
             .check()
-            .map_err(problem)?;
+            .map_err(rocking_problem)?;
         }
         Ok((motions, notes, files))
     }

@@ -17,10 +17,11 @@ use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::{Hazard, Values as StudyValues};
 use freestand_study::restitution::checked;
-use freestand_study::rock::{edge_landings, follow_problem, problem};
+use freestand_study::rock::edge_landings;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum,
 };
+use freestand_study::unsolved::{self, rocking_problem};
 use serde::Serialize;
 
 use super::Done;
@@ -444,7 +445,7 @@ fn followed(
             horizontal: Some(&motion.horizontal),
             vertical: motion.vertical.as_ref(),
         };
-        object.follow(base, &how).map_err(follow_problem)
+        object.follow(base, &how).map_err(unsolved::problem)
     });
     let histories = histories.collect::<Result<Vec<RigidHistory>, _>>()?;
     let farthest = |history: &RigidHistory| history.rocking.peak_rotation_rad;
@@ -519,7 +520,7 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
             vertical: motion.vertical.as_ref(),
         }
         .check()
-        .map_err(problem)?;
+        .map_err(rocking_problem)?;
     }
     Ok(reading)
 }

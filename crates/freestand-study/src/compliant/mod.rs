@@ -5,17 +5,15 @@ mod figure;
 pub use figure::trace_figure;
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{
-    CompliantBase, CompliantError, CompliantPoint, CompliantRocking, Swing, Touch,
-};
+use freestand::compliant::{CompliantBase, CompliantPoint, CompliantRocking, Swing, Touch};
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
 use freestand::rocking::{Base, Outcome, Until};
 
-use crate::rock::{follow_problem, unresolved_warning};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::unsolved::{self, unresolved_warning};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts;
 use freestand_output::facts::{Facts, Value};
@@ -123,7 +121,7 @@ pub fn rock_on_cushions(request: &CompliantRequest) -> Result<CompliantReport, P
     let history = request
         .object
         .follow(motion, &how)
-        .map_err(follow_problem)?;
+        .map_err(unsolved::problem)?;
     let is_one = !is_free && is_one_realisation(request, &how, history.rocking.outcome);
     let mut report = report(request, history);
     if is_one {
@@ -410,45 +408,6 @@ pub(crate) fn energy_warning(residual_ratio: f64) -> Option<String> {
             "the energy balance has an error of {residual_ratio:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
         )
     })
-}
-
-/// A problem of the solver, with what to do about it.
-pub fn problem(error: CompliantError) -> Problem {
-    let (kind, hint) = match error {
-        CompliantError::Value { .. } => (
-            ProblemKind::Value,
-            "check the values of the object and its cushion",
-        ),
-        CompliantError::Contacts { .. } => (
-            ProblemKind::Value,
-            "2 contact elements are the two edges alone",
-        ),
-        CompliantError::Unstable { .. } => (
-            ProblemKind::Value,
-            "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft",
-        ),
-        CompliantError::Duration { .. } => (
-            ProblemKind::Value,
-            "give `motion`, `cg_rise` or `initial_rotation`",
-        ),
-        CompliantError::BeyondWall => (
-            ProblemKind::Value,
-            "give a smaller `initial_rotation`, or a wider gap",
-        ),
-        CompliantError::VerticalMismatch => (
-            ProblemKind::Value,
-            "resample one of them so that both have the same step and length",
-        ),
-        CompliantError::StepTooSmall { .. } | CompliantError::NotFinite { .. } => (
-            ProblemKind::Computation,
-            "check the units of the motion and of the cushion, and whether the cushion bottoms",
-        ),
-        CompliantError::TooManySteps { .. } => (
-            ProblemKind::Computation,
-            "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`",
-        ),
-    };
-    Problem::new(kind, error.to_string()).hint(hint)
 }
 
 /// The columns of a history.

@@ -14,8 +14,8 @@ use freestand::signal::rotate::Pair;
 pub use copies::refuse_copies;
 pub(crate) use folder::{Folder, read_folder};
 
-use crate::rock;
 use crate::study::{RecordedMotion, SecondComponent};
+use crate::unsolved::rocking_problem;
 use freestand_input::file::load;
 use freestand_input::file::{InputFile, sha256_hex};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -439,7 +439,7 @@ impl Loaded {
             vertical: Some(&motion),
         };
         base.check()
-            .map_err(|error| in_file(rock::problem(error)))?;
+            .map_err(|error| in_file(rocking_problem(error)))?;
         let input = other.map(|other| InputFile {
             path: other.file.path.clone(),
             sha256: other.sha256.clone(),

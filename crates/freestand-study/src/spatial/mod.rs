@@ -28,7 +28,7 @@ pub use wall::walls_on_cushions;
 
 use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
-use crate::rock::{follow_problem, unresolved_warning};
+use crate::unsolved::{self, unresolved_warning};
 
 /// What a single history in space is worth.
 const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
@@ -252,7 +252,7 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
     let (object, settings) = (&request.object, &request.how.settings);
     let history = object
         .follow(motion, &request.how)
-        .map_err(follow_problem)?;
+        .map_err(unsolved::problem)?;
     let rocking = &history.rocking;
     let [size_x, size_y, height_m] = object.shape.sizes_m();
     let thresholds = object.shape.uplift_thresholds();
@@ -351,7 +351,7 @@ pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
     let history = request
         .stack
         .follow(motion, &request.how)
-        .map_err(follow_problem)?;
+        .map_err(unsolved::problem)?;
     let rocking = &history.rocking;
     let facts = stack_facts(request, rocking);
     let lower_kg = request.stack.lower.mass_kg;
