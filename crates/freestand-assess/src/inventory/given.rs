@@ -5,7 +5,7 @@ use freestand_input::quantity::Dimension;
 use super::Casters;
 use super::columns::Column;
 use super::headings::dimension;
-use super::problems::Told;
+use super::problems::RowFindings;
 use super::vocabulary::is_missing;
 
 /// A value as it is.
@@ -47,7 +47,7 @@ impl Value {
 /// The values of an object.
 pub(super) struct Given<'a> {
     pub(super) values: &'a [(Column, Value)],
-    pub(super) told: Told<'a>,
+    pub(super) told: RowFindings<'a>,
 }
 
 impl<'a> Given<'a> {

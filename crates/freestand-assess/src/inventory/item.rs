@@ -16,7 +16,7 @@ use super::columns::{COLUMNS, Column};
 use super::floors::{FloorFinder, Floors, Found};
 use super::given::{Given, Value};
 use super::plausible;
-use super::problems::{Finding, Findings, Kind, Told};
+use super::problems::{Finding, Findings, Kind, RowFindings};
 use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
@@ -45,7 +45,7 @@ pub(crate) fn item_of(
     let mut findings = Findings::default();
     let given = Given {
         values,
-        told: Told::new(&mut findings),
+        told: RowFindings::new(&mut findings),
     };
     let names: Vec<String> = given
         .get(Column::Floor)

@@ -496,13 +496,13 @@ impl Findings {
 }
 
 /// What is said of a row.
-pub(super) struct Told<'a> {
+pub(super) struct RowFindings<'a> {
     pub(super) findings: &'a mut Findings,
     /// What is doubtful about this object.
     pub(super) doubts: Vec<Kind>,
 }
 
-impl<'a> Told<'a> {
+impl<'a> RowFindings<'a> {
     /// Nothing so far.
     pub(super) fn new(findings: &'a mut Findings) -> Self {
         Self {

@@ -22,7 +22,7 @@ use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
 use super::mapping::Mapping;
-use super::problems::{Findings, Kind, Place, Told};
+use super::problems::{Findings, Kind, Place, RowFindings};
 use super::report::HeadingReport;
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
@@ -583,7 +583,7 @@ impl ReadTable<'_> {
                     rows: &sheet.rows,
                     columns,
                     merges: &sheet.merges,
-                    told: Told::new(&mut findings),
+                    told: RowFindings::new(&mut findings),
                     is_shifted: false,
                     counts: &mut counts,
                 };

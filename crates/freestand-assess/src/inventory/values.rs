@@ -13,7 +13,7 @@ use super::columns::Column;
 use super::given::Given;
 use super::headings::dimension;
 use super::numbers::Decimal;
-use super::problems::{Kind, Place, Told};
+use super::problems::{Kind, Place, RowFindings};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
@@ -41,7 +41,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    pub(super) fn told(&mut self) -> &mut Told<'a> {
+    pub(super) fn told(&mut self) -> &mut RowFindings<'a> {
         match self {
             Self::Cells(cells) => &mut cells.told,
             Self::Given(given) => &mut given.told,
@@ -355,7 +355,7 @@ pub(super) struct Cells<'a> {
     pub(super) rows: &'a [Row],
     pub(super) columns: &'a Understood,
     pub(super) merges: &'a Merges,
-    pub(super) told: Told<'a>,
+    pub(super) told: RowFindings<'a>,
     /// Its cells have shifted: no number is taken.
     pub(super) is_shifted: bool,
     /// For each column in use: cells with a value, and cells without any.

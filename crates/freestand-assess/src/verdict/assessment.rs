@@ -1,10 +1,9 @@
 //! From the worlds of one object to its assessment.
 
 use freestand::G0_M_S2;
-use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
-use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
-use freestand::respond::{Outcome, Settings, Tilt, Travelled};
-use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
+use freestand::impact::{ImpactModel, Landing};
+use freestand::respond::{HistoryOptions, Plane, Tilt, Travelled};
+use freestand::rocking::{Outcome as RockingOutcome, RockingImpact};
 use freestand::sliding::trip_speed_m_s;
 use freestand::spatial::StackPart;
 use freestand::spectra::landings;
@@ -12,21 +11,23 @@ use freestand::spectra::landings;
 use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
-    FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
-    Ranked, Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
+    FallsAnswer, FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnRigidBase, Ranked,
+    Rolled, Shock, ShockAnswer, Sliding, SlidingVerdict, Slipped, Softening, Stacked,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
-use freestand_study::statistics::{QUANTILES, ranked_quantile};
+use freestand_study::statistics::QUANTILES;
 
-use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, settled};
 use super::draw::Drawn;
 use super::object::{Body, Flat, Model, Way, hit};
+use super::on_pads::on_pads;
+use super::over_worlds::{quantile, quantiles, share};
 use super::response::{
     AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, lifts, overturned,
     pads_demand_capacity, ranked,
 };
+use super::slip::needed_ratio;
 use super::softer::beyond_pads;
 use super::trial::{Question, Trial};
 use super::words::{
@@ -34,29 +35,6 @@ use super::words::{
     stack_words, unknown_wall_shock, unstated_words,
 };
 use super::{Context, blank};
-
-/// Quantiles of values over the worlds.
-fn quantiles(values: impl Iterator<Item = f64>) -> [Ranked; 3] {
-    let mut values: Vec<f64> = values.collect();
-    QUANTILES.map(|q| ranked_quantile(&mut values, q))
-}
-
-/// One quantile; 0 without values, +∞ where it overturns.
-pub(super) fn quantile(values: impl Iterator<Item = f64>, q: f64) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    match ranked_quantile(&mut values, q) {
-        Ranked::Value(value) => value,
-        Ranked::Overturned => f64::INFINITY,
-        Ranked::NoData => 0.0,
-    }
-}
-
-fn share(values: impl Iterator<Item = bool>) -> f64 {
-    let (holds, count) = values.fold((0usize, 0usize), |(holds, count), one| {
-        (holds + usize::from(one), count + 1)
-    });
-    holds as f64 / count.max(1) as f64
-}
 
 /// What a world is ranked by on a rigid base: demand/capacity where it is known, else the shock, else
 /// the rise.
@@ -277,12 +255,6 @@ pub(super) fn assessment(
     Ok(assessed)
 }
 
-/// Whether it ends leaning on a wall, in each world whose history on a rigid base is complete.
-pub(super) fn leans(trial: &Trial) -> impl Iterator<Item = bool> {
-    let told = trial.lived.iter().filter_map(|lived| lived.on_rigid());
-    told.map(|told| told.outcome == Outcome::Leaned)
-}
-
 /// What happens at its wall; `None`: there is none, or every history failed.
 fn at_wall(trial: &Trial) -> Option<AtWall> {
     let beside = trial.subject.way.walls()?;
@@ -297,7 +269,7 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
     };
     let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
     Some(AtWall {
-        lean_share: share(leans(trial)),
+        lean_share: share(trial.leans()),
         strike_share: share(
             trial
                 .followed()
@@ -474,82 +446,6 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
             .records()
             .and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
-}
-
-/// What happens on its pads; `None` where that was not asked.
-pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
-    if !trial.asks(context, Model::Pads) {
-        return None;
-    }
-    let body = trial.subject.body.as_ref()?;
-    let worlds = || trial.followed_on_pads();
-    let most = |axes: &[PadMotion], number: fn(&PadMotion) -> f64| {
-        axes.iter().map(number).fold(0.0, f64::max)
-    };
-    let rank = |number: fn(&PadMotion) -> f64| {
-        quantiles(worlds().map(|(_, axes)| {
-            if axes.iter().any(|one| one.found.has_fallen()) {
-                f64::INFINITY
-            } else {
-                most(axes, number)
-            }
-        }))[1]
-    };
-    // A stack has other frequencies than the object alone.
-    let is_alone = !matches!(trial.subject.way, Way::Stack(_));
-    let stiffness = body.cushion.linear_stiffness_n_m().filter(|_| is_alone);
-    let blocks = || trial.subject.axes.iter().map(|axis| &axis.block);
-    let frequency = stiffness.and_then(|k| {
-        blocks()
-            .filter_map(|block| rocking_frequency_hz(block, body.mass_kg, k, G0_M_S2))
-            .reduce(f64::min)
-    });
-    let threshold = stiffness.and_then(|k| {
-        blocks()
-            .map(|block| pad_uplift_threshold_m_s2(block, body.mass_kg, k, G0_M_S2) / G0_M_S2)
-            .reduce(f64::min)
-    });
-    let ratios: Vec<f64> = worlds()
-        .filter_map(|(_, axes)| {
-            axes.iter()
-                .map(|one| one.found.pad_uplift_ratio)
-                .try_fold(0.0f64, |a, b| Some(a.max(b?)))
-        })
-        .collect();
-    Some(OnPads {
-        rocking_frequency_hz: frequency,
-        pad_uplift_threshold_g: threshold,
-        pad_uplift_ratio_p84: (!ratios.is_empty())
-            .then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
-        let_go_share: share(
-            worlds().map(|(_, axes)| axes.iter().any(|one| one.found.has_let_go())),
-        ),
-        rebound_restitution: quantile(
-            trial.lived.iter().map(|one| one.draw.rebound_restitution()),
-            0.5,
-        ),
-        edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
-        demand_capacity_median: ratios_on_pads(trial),
-        lift_m_median: rank(|one| one.found.lift_m),
-        failed: trial
-            .lived
-            .iter()
-            .filter(|one| matches!(one.pads, Some(Err(_))))
-            .count(),
-        compression_m_p95: quantile(
-            worlds().map(|(_, axes)| most(axes, |one| one.found.compression_m)),
-            0.95,
-        ),
-    })
-}
-
-/// Demand/capacity on pads of the median world; no data where that of a world is not known.
-fn ratios_on_pads(trial: &Trial) -> Ranked {
-    let ratios: Option<Vec<f64>> = trial
-        .followed_on_pads()
-        .map(|(_, axes)| pads_demand_capacity(axes))
-        .collect();
-    ratios.map_or(Ranked::NoData, |ratios| quantiles(ratios.into_iter())[1])
 }
 
 fn response(trial: &Trial) -> Option<OnRigidBase> {
@@ -785,46 +681,33 @@ fn capacity_check(
 /// known.
 fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize> {
     let peak_m_s2 = trial.subject.capacity.as_ref()?.peak_m_s2?;
-    let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(&lived.on_rigid()?.axes)?;
-    let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
-    let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
+    let (one, axis) = governed(trial, world)?;
+    let (mass_kg, cushion) = one.draw.body(one.subject)?;
+    let object = one.rigid_plane(axis)?;
+    let Plane { along, block } = object.plane;
     let landing = Landing::rocking(&block, ImpactModel::Paper);
-    let above = |impact: &RockingImpact| {
+    let above = |impact: &&RockingImpact| {
         let shock = landing.impact_at_omega(mass_kg, &cushion, impact.omega_before_rad_s, G0_M_S2);
         shock.edge_acceleration_m_s2 > peak_m_s2
     };
-    let base = at.base(lived.draw.along(axis));
-    let walls = lived.draw.walls(&trial.subject, axis);
-    let history = rock(
-        &block,
-        base,
-        &Settings::default().rocking(restitution, walls),
-    )
-    .ok()?;
-    Some(
-        history
-            .impacts
-            .iter()
-            .filter(|impact| above(impact))
-            .count(),
-    )
+    let history = object.follow(at.base(along), &HistoryOptions::default());
+    let impacts = history.ok()?.rocking.impacts;
+    Some(impacts.iter().filter(above).count())
+}
+
+/// The object in a world, and its governing axis there.
+fn governed<'a>(trial: &'a Trial, world: usize) -> Option<(Drawn<'a>, usize)> {
+    let lived = trial.lived.get(world)?;
+    let (axis, _) = governing(&lived.on_rigid()?.axes)?;
+    let (subject, draw) = (&trial.subject, &lived.draw);
+    Some((Drawn { subject, draw }, axis))
 }
 
 /// Whether it slides, by the friction that rocking and its impacts need in the hardest world;
 /// `None` where that is not known.
 fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<Sliding> {
-    let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(&lived.on_rigid()?.axes)?;
-    let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let options = Settings::default().rocking(restitution, lived.draw.walls(&trial.subject, axis));
-    let most = friction_needed_ratio(&block, at.base(lived.draw.along(axis)), &options)?;
-    let ratio = restitution.ratios(&block).ok()?[0];
-    Some(slides(
-        context,
-        trial,
-        most.max(impact_friction_needed_ratio(&block, ratio)),
-    ))
+    let (one, axis) = governed(trial, world)?;
+    Some(slides(context, trial, needed_ratio(one, at, axis, true)?))
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {

@@ -5,7 +5,6 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
-use freestand::rocking::{Base, RockingOptions, rock_observed};
 
 use crate::inventory::{Item, Rating};
 use crate::restraint::components::Component;
@@ -15,9 +14,9 @@ use freestand_input::words::number;
 use freestand_study::study::Study;
 
 use super::Context;
-use super::assessment::quantile;
 use super::decision::percent;
 use super::object::Subject;
+use super::over_worlds::quantile;
 use super::response::lifts;
 use super::trial::Trial;
 
@@ -27,19 +26,6 @@ const P58_BETA: f64 = 0.5;
 /// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all
 /// nine.
 const P58_SHARE: f64 = 0.8;
-
-/// Largest friction that the rocking needs; `None` where the history fails.
-pub(super) fn friction_needed_ratio(
-    block: &Block,
-    base: Base,
-    options: &RockingOptions,
-) -> Option<f64> {
-    let mut largest = 0.0f64;
-    let done = rock_observed(block, base, options, |segment| {
-        largest = largest.max(segment.friction_needed_ratio());
-    });
-    done.ok().map(|_| largest)
-}
 
 impl Context<'_> {
     /// Comparisons with published numbers, one sentence each.

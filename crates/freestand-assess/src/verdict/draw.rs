@@ -333,18 +333,6 @@ impl Draw {
     }
 }
 
-/// The damping ratio c/(2√(k m)) that a cushion brings with it.
-pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> {
-    match *cushion.law() {
-        ContactLaw::KelvinVoigt {
-            stiffness_n_m,
-            damping_n_s_m,
-        } => Some(damping_n_s_m / (2.0 * (stiffness_n_m * mass_kg).sqrt()))
-            .filter(|ratio| *ratio > 0.0),
-        _ => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::fmt::Write as _;

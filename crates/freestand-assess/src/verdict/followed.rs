@@ -2,7 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::CompliantAccuracy;
-use freestand::respond::{HistoryOptions, Object, PadSummary, Pads, Plane, Planes, Settings};
+use freestand::respond::{HistoryOptions, PadSummary, Pads, Plane, Settings};
 use freestand::rocking::Outcome;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
@@ -218,39 +218,27 @@ fn history(
     };
     let draw = &lived.draw;
     let one = Drawn { subject, draw };
-    let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
-    let object = match lived.answering(model) {
-        Model::Rigid => one.on_rigid_base(),
-        Model::Pads => one.on_pads(friction_ratio),
-    };
-    let Ok(object) = object else {
-        return Ok(None);
-    };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
     let how = HistoryOptions::sampled(Settings {
         on_pads: CompliantAccuracy::Standard,
         ..Settings::default()
     });
-    let on_pads = |pads: Pads| {
-        let Plane { along, block } = pads.planes.one;
+    let on_pads = || one.pads(draw.friction_ratio.filter(|_| lived.slips));
+    if let (Model::Pads, Some(pads)) = (lived.answering(model), on_pads()) {
+        let planes = pads.planes.about(axis);
+        let Plane { along, block } = planes.one;
         let base = floor.base(along);
-        let history = pads.follow(base, &how).map_err(unsolved::problem)?;
-        Ok(Some(drawn_on_pads(&block, &history, base.horizontal)))
-    };
-    match object.about(axis) {
-        Object::Rigid(Planes { one: object, .. }) => {
-            let base = floor.base(object.plane.along);
-            let history = object.follow(base, &how).map_err(unsolved::problem)?;
-            let body = draw.body(subject);
-            let body = body.as_ref().map(|(mass_kg, cushion)| (*mass_kg, cushion));
-            let landings = edge_landings(&object.plane.block, &history.rocking, body, G0_M_S2);
-            Ok(Some(drawn(&object, &history, &landings, base.horizontal)))
-        }
-        Object::Springs(springs) => match springs.pads() {
-            Ok(pads) => on_pads(pads),
-            Err(_) => Ok(None),
-        },
-        Object::Pads(pads) => on_pads(pads),
-        Object::Rolls(_) | Object::Slides(_) | Object::Spatial(..) | Object::Stack(..) => Ok(None),
+        let history = Pads { planes, ..pads }.follow(base, &how);
+        let history = history.map_err(unsolved::problem)?;
+        return Ok(Some(drawn_on_pads(&block, &history, base.horizontal)));
     }
+    let Some(object) = one.rigid_plane(axis) else {
+        return Ok(None);
+    };
+    let base = floor.base(object.plane.along);
+    let history = object.follow(base, &how).map_err(unsolved::problem)?;
+    let body = draw.body(subject);
+    let body = body.as_ref().map(|(mass_kg, cushion)| (*mass_kg, cushion));
+    let landings = edge_landings(&object.plane.block, &history.rocking, body, G0_M_S2);
+    Ok(Some(drawn(&object, &history, &landings, base.horizontal)))
 }

@@ -16,10 +16,10 @@ use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
 use super::capacity::{Capacity, Demand, Terms};
-use super::draw::{Change, Draw, Drawn, draw, key, own_damping_ratio};
-use super::object::{AxisGeometry, Body, Model, Subject, Way};
+use super::draw::{Change, Draw, Drawn, draw, key};
+use super::object::{AxisGeometry, Body, Model, Subject, Way, own_damping_ratio};
 use super::respond::responses;
-use super::response::{AxisMotion, Lived, PadMotion, Told, terms};
+use super::response::{AxisMotion, Lived, ModelResponse, PadMotion, terms};
 use super::slip::slips;
 use crate::inventory::Item;
 use crate::library::Tolerance;
@@ -362,8 +362,12 @@ impl Nominal {
         lived
     }
 
-    fn on_rigid(&self, told: &Told<AxisMotion>, rotation_ratio: Option<f64>) -> NominalRun {
-        let Told { outcome, axes } = told;
+    fn on_rigid(
+        &self,
+        told: &ModelResponse<AxisMotion>,
+        rotation_ratio: Option<f64>,
+    ) -> NominalRun {
+        let ModelResponse { outcome, axes } = told;
         let turned = self
             .subject
             .axes
@@ -393,8 +397,8 @@ impl Nominal {
         }
     }
 
-    fn on_pads(&self, told: &Told<PadMotion>, rotation_ratio: Option<f64>) -> NominalRun {
-        let Told { outcome, axes } = told;
+    fn on_pads(&self, told: &ModelResponse<PadMotion>, rotation_ratio: Option<f64>) -> NominalRun {
+        let ModelResponse { outcome, axes } = told;
         let alpha_rad = self.block.pivot().slenderness_angle_rad;
         let turned = axes
             .iter()

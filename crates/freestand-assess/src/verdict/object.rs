@@ -3,7 +3,7 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::cushion::Cushion;
+use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::ImpactModel;
 use freestand::rocking::{Restitution, RockingSummary};
 use freestand::sliding::Friction;
@@ -19,7 +19,6 @@ use crate::output::words::listed;
 use crate::result::{Axis, TooMild};
 
 use super::capacity::Capacity;
-use super::draw::own_damping_ratio;
 
 /// What the models need of an [`Item`].
 #[derive(Debug, Clone)]
@@ -528,6 +527,18 @@ impl Subject {
             friction_ratio: item.friction_ratio,
             flat: flat.filter(|_| settings.dimensions == Dimensions::Three),
         })
+    }
+}
+
+/// The damping ratio c/(2√(k m)) that a cushion brings with it.
+pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> {
+    match *cushion.law() {
+        ContactLaw::KelvinVoigt {
+            stiffness_n_m,
+            damping_n_s_m,
+        } => Some(damping_n_s_m / (2.0 * (stiffness_n_m * mass_kg).sqrt()))
+            .filter(|ratio| *ratio > 0.0),
+        _ => None,
     }
 }
 

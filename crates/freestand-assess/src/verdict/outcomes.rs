@@ -5,7 +5,9 @@ use freestand::G0_M_S2;
 use crate::output::OutcomeRow;
 
 use super::object::{Hit, Model, Way};
-use super::response::{AxisMotion, Lived, PadMotion, Told, demand_capacity, pads_demand_capacity};
+use super::response::{
+    AxisMotion, Lived, ModelResponse, PadMotion, demand_capacity, pads_demand_capacity,
+};
 use super::trial::{Question, Trial};
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
@@ -64,7 +66,7 @@ fn outcome<'a>(
 }
 
 /// Demand/capacity, lift \[m\] and shock with the error of its world \[g\], about the worse axis.
-fn of_rigid(told: &Told<AxisMotion>, model: f64) -> [Option<f64>; 3] {
+fn of_rigid(told: &ModelResponse<AxisMotion>, model: f64) -> [Option<f64>; 3] {
     let axes = &told.axes;
     let Some(lift_m) = told.outcome.uplift_m() else {
         return [demand_capacity(axes), None, None];
@@ -82,7 +84,7 @@ fn of_rigid(told: &Told<AxisMotion>, model: f64) -> [Option<f64>; 3] {
 }
 
 /// The same on pads.
-fn of_pads(told: &Told<PadMotion>) -> [Option<f64>; 3] {
+fn of_pads(told: &ModelResponse<PadMotion>) -> [Option<f64>; 3] {
     let axes = &told.axes;
     if told.outcome.has_fallen() == Some(true) {
         return [pads_demand_capacity(axes), None, None];

@@ -17,30 +17,34 @@ use crate::worlds::FloorOfWorld;
 use super::draw::{Draw, Drawn};
 use super::object::{Beside, Gliding, Upper, Way};
 use super::response::{
-    Lost, PadMotion, PadResponse, RigidResponse, Told, axis_motion, glided, pad_motion,
+    Lost, ModelResponse, PadMotion, PadResponse, RigidResponse, axis_motion, glided, pad_motion,
 };
 
 impl Drawn<'_> {
     /// On a rigid base, or rolling or sliding.
     pub(super) fn on_rigid_base(self) -> Result<Object, Lost> {
-        let Drawn { subject, draw } = self;
+        let subject = self.subject;
         let object = match &subject.way {
             Way::Rolls(gliding) => self.glider(gliding).map(Object::Rolls),
             Way::Slides(gliding) => self.glider(gliding).map(Object::Slides),
             Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
-                let plane = |axis: usize| {
-                    let (block, restitution) = draw.block(subject, axis)?;
-                    let along = draw.along(axis);
-                    Some(RigidPlane {
-                        plane: Plane { along, block },
-                        restitution,
-                        walls: draw.walls(subject, axis),
-                    })
-                };
+                let plane = |axis| self.rigid_plane(axis);
                 self.about_axes(plane).map(Object::Rigid)
             }
         };
         object.ok_or_else(Lost::missing)
+    }
+
+    /// About one axis on a rigid base.
+    pub(super) fn rigid_plane(self, axis: usize) -> Option<RigidPlane> {
+        let Drawn { subject, draw } = self;
+        let (block, restitution) = draw.block(subject, axis)?;
+        let along = draw.along(axis);
+        Some(RigidPlane {
+            plane: Plane { along, block },
+            restitution,
+            walls: draw.walls(subject, axis),
+        })
     }
 
     /// On its pads; in a plane with this friction.
@@ -72,12 +76,18 @@ impl Drawn<'_> {
                 damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
             }));
         }
-        let (mass_kg, cushion) = draw.damped_body(subject)?;
+        self.pads(friction_ratio).map(Object::Pads)
+    }
+
+    /// On its pads in a plane, for the solver of any law.
+    pub(super) fn pads(self, friction_ratio: Option<f64>) -> Option<Pads> {
+        let (mass_kg, cushion) = self.draw.damped_body(self.subject)?;
         let base = CompliantBase {
             friction_ratio,
             ..CompliantBase::new(mass_kg, cushion)
         };
-        Some(Object::Pads(Pads { planes, base }))
+        let planes = self.planes()?;
+        Some(Pads { planes, base })
     }
 
     fn planes(self) -> Option<Planes<Plane>> {
@@ -188,7 +198,7 @@ impl Drawn<'_> {
             }
             _ => return Err(Lost::no_history()),
         };
-        Ok(Told { outcome, axes })
+        Ok(ModelResponse { outcome, axes })
     }
 
     /// What a response on its pads means in this world, about every axis or of the whole body.
@@ -214,7 +224,7 @@ impl Drawn<'_> {
                 return Err(Lost::no_history());
             }
         };
-        Ok(Told { outcome, axes })
+        Ok(ModelResponse { outcome, axes })
     }
 }
 

@@ -199,7 +199,7 @@ impl From<RespondError> for Lost {
 
 /// What one model says of an object.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Told<A> {
+pub(super) struct ModelResponse<A> {
     /// How it ended.
     pub(super) outcome: Outcome,
     /// What it did about each of its axes, or as a whole.
@@ -207,10 +207,10 @@ pub(super) struct Told<A> {
 }
 
 /// The object on a rigid base, or why a history failed.
-pub(super) type RigidResponse = Result<Told<AxisMotion>, Lost>;
+pub(super) type RigidResponse = Result<ModelResponse<AxisMotion>, Lost>;
 
 /// The object on its pads, or why a history failed.
-pub(super) type PadResponse = Result<Told<PadMotion>, Lost>;
+pub(super) type PadResponse = Result<ModelResponse<PadMotion>, Lost>;
 
 /// An object in one world.
 #[derive(Debug, Clone)]
@@ -255,12 +255,12 @@ impl Lived {
     }
 
     /// On a rigid base; `None`: not asked, or a history failed.
-    pub(super) fn on_rigid(&self) -> Option<&Told<AxisMotion>> {
+    pub(super) fn on_rigid(&self) -> Option<&ModelResponse<AxisMotion>> {
         self.rigid.as_ref()?.as_ref().ok()
     }
 
     /// On its pads; `None`: not asked, or a history failed.
-    pub(super) fn on_pads(&self) -> Option<&Told<PadMotion>> {
+    pub(super) fn on_pads(&self) -> Option<&ModelResponse<PadMotion>> {
         self.pads.as_ref()?.as_ref().ok()
     }
 }

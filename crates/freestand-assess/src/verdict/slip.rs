@@ -2,14 +2,12 @@
 //! what becomes of it.
 
 use freestand::impact::impact_friction_needed_ratio;
-use freestand::respond::Settings;
+use freestand::respond::{HistoryOptions, Plane, RigidPlane};
 use freestand::rocking::Outcome;
-use freestand::wall::Walls;
 
 use crate::worlds::FloorOfWorld;
 
-use super::comparisons::friction_needed_ratio;
-use super::draw::Draw;
+use super::draw::{Draw, Drawn};
 use super::object::Subject;
 use super::response::{AxisMotion, RigidResponse};
 
@@ -33,25 +31,28 @@ pub(super) fn slips(
     let rocking = rocking.filter_map(|(axis, one)| Some((axis, one?)));
     let mut lifted = rocking.filter(|(_, one)| one.outcome != Outcome::NoUplift);
     lifted.any(|(axis, one)| {
-        let needed = needed_ratio(subject, draw, floor, axis, one.impact_count > 0);
+        let drawn = Drawn { subject, draw };
+        let needed = needed_ratio(drawn, floor, axis, one.impact_count > 0);
         needed.is_some_and(|needed| needed > friction_ratio)
     })
 }
 
-fn needed_ratio(
-    subject: &Subject,
-    draw: &Draw,
+/// The friction that rocking about an axis needs, and an impact where it lands; `None`: its history
+/// fails.
+pub(super) fn needed_ratio(
+    one: Drawn<'_>,
     floor: &FloorOfWorld,
     axis: usize,
     lands: bool,
 ) -> Option<f64> {
-    let (block, restitution) = draw.block(subject, axis)?;
-    let walls: Walls = draw.walls(subject, axis);
-    let rocking = friction_needed_ratio(
-        &block,
-        floor.base(draw.along(axis)),
-        &Settings::default().rocking(restitution, walls),
-    )?;
+    let object = one.rigid_plane(axis)?;
+    let RigidPlane {
+        plane: Plane { along, block },
+        restitution,
+        ..
+    } = object;
+    let history = object.follow(floor.base(along), &HistoryOptions::default());
+    let rocking = history.ok()?.friction_needed_ratio.unwrap_or(0.0);
     let landing = restitution.ratios(&block).ok().filter(|_| lands);
     Some(landing.map_or(rocking, |[ratio, _]| {
         rocking.max(impact_friction_needed_ratio(&block, ratio))

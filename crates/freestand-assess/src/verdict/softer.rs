@@ -10,9 +10,10 @@ use freestand_input::words::number;
 use freestand_study::result::Ranked;
 
 use super::Context;
-use super::assessment::{on_pads, quantile};
 use super::decision::percent;
 use super::object::{Subject, Way};
+use super::on_pads::on_pads;
+use super::over_worlds::quantile;
 use super::trial::{Question, Trial, live};
 
 /// Pads that are tried, each [`NEXT_PAD`] times as stiff as the one before.

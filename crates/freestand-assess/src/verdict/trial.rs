@@ -82,6 +82,12 @@ impl<'a> Trial<'a> {
         worlds.filter_map(|(i, one)| Some((i, &one.on_rigid()?.axes[..])))
     }
 
+    /// Whether it ends leaning on a wall, in each world whose history on a rigid base is complete.
+    pub(super) fn leans(&self) -> impl Iterator<Item = bool> {
+        let found = self.lived.iter().filter_map(Lived::on_rigid);
+        found.map(|found| found.outcome == Outcome::Leaned)
+    }
+
     /// The worlds whose histories on pads are complete.
     pub(super) fn followed_on_pads(&self) -> impl Iterator<Item = (&Lived, &[PadMotion])> {
         let worlds = self.lived.iter();

@@ -8,7 +8,6 @@ use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
 
 use super::Context;
-use super::assessment::leans;
 use super::decision::percent;
 use super::object::Way;
 use super::response::{Lived, Lost};
@@ -173,7 +172,7 @@ pub(super) fn band_words(trial: &Trial, slipped: &Slipped, rigid: Option<ModelAn
 pub(super) fn beside_words(context: &Context, trial: &Trial, at_wall: &AtWall) -> String {
     let mut words = String::new();
     if at_wall.lean_share > 0.0 {
-        let leaning = leans(trial).filter(|leans| *leans).count();
+        let leaning = trial.leans().filter(|leans| *leans).count();
         words.push_str(&format!(
             " It ends leaning on its wall in {leaning} of {}, which count as falls.",
             counted(trial.followed().count(), "world")

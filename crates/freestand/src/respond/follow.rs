@@ -6,7 +6,6 @@ use crate::compliant::{
     CompliantBase, CompliantPoint, CompliantRecorder, CompliantRocking, Start,
     rock_compliant_observed,
 };
-use crate::cushion::{ContactLaw, Cushion, CushionError};
 use crate::impact::{ImpactModel, Landing};
 use crate::motion::{MAX_SAMPLES, Motion};
 use crate::rocking::{
@@ -19,7 +18,7 @@ use crate::spatial::{
 };
 
 use super::error::RespondError;
-use super::object::{Glider, Pads, RigidPlane, Springs};
+use super::object::{Glider, Pads, RigidPlane};
 use super::settings::Settings;
 
 /// Samples of a history without a motion \[s\].
@@ -186,41 +185,22 @@ impl RigidPlane {
         let dt_s = base.horizontal.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
         let end_s = how.settings.duration_s(base.horizontal);
         how.check(end_s.unwrap_or(0.0), dt_s)?;
-        let mut recorder = HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
+        let recorder = || HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
+        let mut recorder = how.is_sampled.then(recorder);
         let mut friction_needed_ratio: Option<f64> = None;
         let rocking = rock_observed(&self.plane.block, base, &options, |segment| {
             let needed = segment.friction_needed_ratio();
             friction_needed_ratio =
                 Some(friction_needed_ratio.map_or(needed, |most| most.max(needed)));
-            if how.is_sampled {
+            if let Some(recorder) = &mut recorder {
                 recorder.observe(segment);
             }
         })?;
-        let samples = match how.is_sampled {
-            true => recorder.finish(&rocking),
-            false => Vec::new(),
-        };
+        let samples = recorder.map(|recorder| recorder.finish(&rocking));
         Ok(RigidHistory {
             rocking,
             friction_needed_ratio,
-            samples,
-        })
-    }
-}
-
-impl Springs {
-    /// As pads for the solver of any law.
-    ///
-    /// # Errors
-    /// A stiffness or a damping that no cushion can have.
-    pub fn pads(&self) -> Result<Pads, CushionError> {
-        let cushion = Cushion::new(ContactLaw::KelvinVoigt {
-            stiffness_n_m: self.stiffness_n_m,
-            damping_n_s_m: self.damping_n_s_m,
-        })?;
-        Ok(Pads {
-            planes: self.planes,
-            base: CompliantBase::new(self.mass_kg, cushion),
+            samples: samples.unwrap_or_default(),
         })
     }
 }
@@ -244,17 +224,18 @@ impl Pads {
         let dt_s = self.sample_s(block, motion, options.gravity_m_s2);
         how.check(HistoryOptions::end_s(options.duration_s, motion), dt_s)?;
         let (width_m, contacts) = (block.base_width_m(), self.base.contacts);
-        let mut recorder = CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
+        let recorder = || CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
+        let mut recorder = how.is_sampled.then(recorder);
         let rocking = rock_compliant_observed(block, &self.base, base, &options, |piece| {
-            if how.is_sampled {
+            if let Some(recorder) = &mut recorder {
                 recorder.observe(piece);
             }
         })?;
-        let samples = match how.is_sampled {
-            true => recorder.finish(&rocking),
-            false => Vec::new(),
-        };
-        Ok(PadHistory { rocking, samples })
+        let samples = recorder.map(|recorder| recorder.finish(&rocking));
+        Ok(PadHistory {
+            rocking,
+            samples: samples.unwrap_or_default(),
+        })
     }
 
     /// The step of the motion, or one fine enough for a landing \[s\].

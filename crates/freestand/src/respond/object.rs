@@ -20,16 +20,6 @@ pub struct Shaking<'a> {
     pub vertical: Option<&'a Motion>,
 }
 
-impl<'a> From<Base<'a>> for Shaking<'a> {
-    fn from(base: Base<'a>) -> Self {
-        Self {
-            x: base.horizontal,
-            y: None,
-            vertical: base.vertical,
-        }
-    }
-}
-
 impl<'a> Shaking<'a> {
     /// How the base of an object moves in a plane.
     pub fn base(&self, along: Along) -> Base<'a> {
@@ -91,8 +81,8 @@ impl<T> Planes<T> {
         std::iter::once(&self.one).chain(&self.other)
     }
 
-    /// The other one of its planes alone, if `axis` is 1 and there is one, or the first.
-    fn about(self, axis: usize) -> Self {
+    /// The other one alone, if `axis` is 1 and there is one, or the first.
+    pub fn about(self, axis: usize) -> Self {
         let other = self.other.filter(|_| axis == 1);
         Self::single(other.unwrap_or(self.one))
     }
@@ -142,25 +132,6 @@ pub enum Object {
     Spatial(SpatialObject, Along),
     /// It moves in a plane with another body on it, both on pads.
     Stack(Stack, Along),
-}
-
-impl Object {
-    /// The same in its first plane alone, or the other one if `axis` is 1; as it is where it does
-    /// not rock in planes.
-    pub fn about(self, axis: usize) -> Self {
-        match self {
-            Self::Rigid(planes) => Self::Rigid(planes.about(axis)),
-            Self::Springs(springs) => Self::Springs(Springs {
-                planes: springs.planes.about(axis),
-                ..springs
-            }),
-            Self::Pads(pads) => Self::Pads(Pads {
-                planes: pads.planes.about(axis),
-                ..pads
-            }),
-            Self::Rolls(_) | Self::Slides(_) | Self::Spatial(..) | Self::Stack(..) => self,
-        }
-    }
 }
 
 /// An object in one plane of motion.
