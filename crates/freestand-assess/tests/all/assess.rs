@@ -113,6 +113,7 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 #[test]
+#[ignore = "a quarter of a minute: every run several times"]
 fn the_same_bytes_on_any_number_of_threads() {
     same_bytes(6);
 }
@@ -152,6 +153,7 @@ fn same_bytes(count: usize) {
 /// A ratio of 0 gives the bytes of no vertical motion; another one changes answers and is described, on
 /// any number of threads.
 #[test]
+#[ignore = "ten seconds: a list twice"]
 fn the_vertical_motion_of_a_world_changes_the_answers() {
     vertical_motion(2);
 }
@@ -286,6 +288,7 @@ fn a_run_that_was_killed_goes_on() {
 /// The result of an object depends on its own row, not on other rows or their order; only its rank
 /// does, which says where it is among the others.
 #[test]
+#[ignore = "a quarter of a minute: every run several times"]
 fn the_order_of_the_rows_does_not_matter() {
     in_any_order(6);
 }
@@ -531,6 +534,7 @@ fn motions_and_shocks(folder: &Path) -> (String, Vec<f64>) {
 
 /// Missing data lead to no verdict on what was asked, and whether an object falls is always said.
 #[test]
+#[ignore = "ten seconds: a list of every kind of object"]
 fn missing_data_is_no_verdict() {
     let rows = [
         "no-height,box,1,,400,,150,4380,5,\n",

@@ -177,6 +177,7 @@ fn a_list_with_this_row_has_the_same_numbers() {
 /// same numbers, the same decision and the same spectrum. The larger velocity of type 1 overturns the tall object;
 /// the larger acceleration of type 2 is too much for the tolerance of the low one, which both leave standing.
 #[test]
+#[ignore = "ten seconds: a list and an object"]
 fn a_list_with_this_row_has_the_same_spectrum() {
     same_spectrum(low());
 }

@@ -226,6 +226,7 @@ fn a_run_that_was_stopped_has_the_whole_table_or_none() {
 /// The shares of the outcomes are the probabilities; a run that was stopped goes on to the same
 /// bytes, and one without outcomes is computed again.
 #[test]
+#[ignore = "ten seconds: worlds of several kinds of object"]
 fn outcomes_are_what_was_counted() {
     let folder = tempfile::tempdir().unwrap();
     let study = "[ground]\nseed = 3\n[building]\nstoreys = 4\n[worlds]\nfirst = 20\nmost = 20\nshares = false\n";

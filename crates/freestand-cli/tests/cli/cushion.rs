@@ -71,6 +71,7 @@ fn a_half_sine_gives_its_stiffness() {
 /// Four pulses of the plate with 1.5 s between them, far longer than the 0.29 s of a bounce from
 /// 100 mm: read as one drop, they would have a restitution of 5.
 #[test]
+#[ignore = "ten seconds: many fits"]
 fn several_drops_of_a_file_are_several_tests() {
     let folder = tempfile::tempdir().unwrap();
     let one = half_sine(1e9);

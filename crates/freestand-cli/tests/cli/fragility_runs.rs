@@ -83,6 +83,7 @@ fn curve<'v>(object: &'v Value, state: &str) -> &'v Value {
 }
 
 #[test]
+#[ignore = "ten seconds: runs of an inventory"]
 fn the_fit_of_runs_is_that_of_their_outcomes() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
@@ -199,6 +200,7 @@ fn the_fit_of_runs_is_that_of_their_outcomes() {
 }
 
 #[test]
+#[ignore = "ten seconds: runs at many intensities"]
 fn every_scale_is_bracketed_and_marked() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
@@ -285,6 +287,7 @@ fn every_scale_is_bracketed_and_marked() {
 /// Of the rigid base and the pads the worse counts: what overturns on the floor does so on any pads. Where
 /// a pad bottoms the rigid base answers, no run is left out, and hard landings exceed the tolerance.
 #[test]
+#[ignore = "ten seconds: runs on pads"]
 fn the_worse_of_rigid_base_and_pads_counts() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
@@ -520,6 +523,7 @@ fn a_hazard_adds_intensities_until_the_rates_are_told() {
 
 /// Runs at added intensities are kept as the first ones are, for the same hazard.
 #[test]
+#[ignore = "ten seconds: runs at many intensities"]
 fn runs_at_added_intensities_are_kept() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
@@ -621,6 +625,7 @@ fn what_cannot_be_run_is_refused() {
 }
 
 #[test]
+#[ignore = "ten seconds: runs of an inventory"]
 fn an_inventory_is_run_on_the_floors_of_its_study() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
@@ -688,6 +693,7 @@ fn an_inventory_is_run_on_the_floors_of_its_study() {
 
 /// A wider base is run as an object of its own, and pays as an option does whose curves are in a file.
 #[test]
+#[ignore = "ten seconds: runs of an inventory"]
 fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

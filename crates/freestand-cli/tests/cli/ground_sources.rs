@@ -54,6 +54,7 @@ fn run_three_times(folder: &Path, ground: &str) -> (Value, String) {
 }
 
 #[test]
+#[ignore = "ten seconds: simulated motions, twice"]
 fn a_point_source_gives_the_motions_of_motion_simulate() {
     let folder = tempfile::tempdir().unwrap();
     let ground = "point_source = { magnitude = 6, distance = \"28 km\", window = \"saragoni-hart\" }\nsite = \"Ce\"\n\
@@ -134,6 +135,7 @@ fn pairs_of_a_city_are_those_of_motion_simulate() {
 }
 
 #[test]
+#[ignore = "ten seconds: matched motions, twice"]
 fn matched_records_are_those_of_motion_match() {
     matched_records(&["wavelet"]);
 }

@@ -149,6 +149,7 @@ fn comparable(mut value: Value) -> Value {
 
 /// The same document as the command line, for each kind of command.
 #[test]
+#[ignore = "ten seconds: every command, twice"]
 fn documents_are_those_of_the_command_line() {
     let page = Page::open();
     let root = root();
@@ -472,6 +473,7 @@ fn results_of_an_earlier_server_stay() {
 /// The document of a job is that of the command line; its objects come one by one, by their rank so
 /// far.
 #[test]
+#[ignore = "ten seconds: an assessment, twice"]
 fn an_assessment_is_that_of_the_command_line() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();
