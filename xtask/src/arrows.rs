@@ -35,6 +35,17 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-study",
         ],
     ),
+    (
+        "freestand-app",
+        &[
+            "freestand",
+            "freestand-input",
+            "freestand-output",
+            "freestand-records",
+            "freestand-study",
+            "freestand-assess",
+        ],
+    ),
     // It knows no command.
     ("freestand-page", &[]),
     ("freestand-py", SHELL),
@@ -48,6 +59,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-records",
             "freestand-study",
             "freestand-assess",
+            "freestand-app",
             "freestand-page",
         ],
     ),
@@ -60,6 +72,7 @@ const SHELL: &[&str] = &[
     "freestand-records",
     "freestand-study",
     "freestand-assess",
+    "freestand-app",
 ];
 
 /// The most that one crate may hold of the lines of code.

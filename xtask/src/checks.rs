@@ -91,6 +91,18 @@ const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
     ],
 ];
 
+/// Writes what follows from the structs of the requests: their tests compare it.
+pub fn generate(root: &Path) -> Result<bool, String> {
+    let tests = ["--test", "all", "--", "requests", "schemas"];
+    let status = Command::new("cargo")
+        .args([&["test", "--quiet"], &TESTED[..], &tests].concat())
+        .env("FREESTAND_WRITE", "1")
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("cannot run cargo: {error}"))?;
+    Ok(status.success())
+}
+
 /// How much is checked, and how strictly.
 #[derive(Debug, Clone, Copy)]
 pub struct Extent {

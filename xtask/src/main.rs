@@ -4,7 +4,8 @@
 //! of these checks alone, which takes a second. `cargo xtask validate-shock`: shock response spectra compared with those of public packages, which it fetches from PyPI.
 //! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it
 //! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
-//! result is committed. `cargo xtask wheel [--out DIR]`: the Python package with the program
+//! result is committed. `cargo xtask generate`: the schemas in docs/schema and the table of bad requests, from the
+//! structs of the requests. `cargo xtask wheel [--out DIR]`: the Python package with the program
 //! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
 //! profile. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
 //! commit. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
@@ -30,7 +31,7 @@ use std::process::ExitCode;
 
 use checks::Check;
 
-const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | wheel [--out DIR] | python [--all] | \
+const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | python [--all] | \
                      validate-shock | risk-tools | same COMMIT [WORDS] | texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
@@ -63,6 +64,7 @@ fn main() -> ExitCode {
         }
         ("arrows", []) => checks::arrows(&root).map(|()| true),
         ("ui", []) => page::build(&root).map(|()| true),
+        ("generate", []) => checks::generate(&root),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
         ("risk-tools", []) => risk_tools::fetch_and_compare(&root).map(|()| true),
         ("same", [commit]) => same::compare(&root, commit, ""),

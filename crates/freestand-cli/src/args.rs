@@ -38,6 +38,20 @@ pub(crate) struct GlobalArgs {
 }
 
 impl GlobalArgs {
+    /// Those of a request of the page; `out` is the folder for its files, if it wants any.
+    #[cfg(feature = "page")]
+    pub(crate) fn of_request(out: Option<PathBuf>) -> Self {
+        Self {
+            json: true,
+            out,
+            quiet: true,
+            verbose: false,
+            threads: None,
+            seed: None,
+            force: false,
+        }
+    }
+
     /// The seed of `--seed`, or the default.
     pub(crate) fn seed(&self) -> u64 {
         self.seed.unwrap_or(DEFAULT_SEED)

@@ -29,7 +29,7 @@ pub(crate) struct Files {
 }
 
 /// How tables are written.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct TableArgs {
     /// Write each table of --out as Parquet too, with the units in its metadata
     #[arg(long)]

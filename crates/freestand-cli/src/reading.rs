@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_input::file::as_named;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -163,7 +164,7 @@ impl ReadArgs {
     /// The files and how to read them; problems are added to `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
         let mut reader = WordReader::new(&self.keys.words);
-        let files = MotionFiles::read(&mut reader, Path::new(""));
+        let files = MotionFiles::read(&mut reader, as_named);
         reader
             .problems
             .into_iter()

@@ -46,6 +46,14 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
         })
 }
 
+/// The path of a file that is read where its name says, relative to the current folder.
+///
+/// # Errors
+/// None: others who find files by their names refuse some.
+pub fn as_named(name: &str) -> Result<PathBuf, Problem> {
+    Ok(PathBuf::from(name))
+}
+
 /// The only folder from which this process reads input files, where there is one.
 static ONLY_FOLDER: OnceLock<PathBuf> = OnceLock::new();
 

@@ -5,6 +5,8 @@
 //! `` `beyond = "hold"` ``. The shell that shows the message writes the keys as its user does, with
 //! [`KeyStyle::shown`]. Backticks in messages are for keys only.
 
+use crate::written::Written;
+
 /// How a person writes a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum KeyStyle {
@@ -251,6 +253,10 @@ pub struct Words {
 struct Word {
     key: &'static str,
     text: String,
+    /// The numbers of a program, which are in SI; of a person they are a text with a unit.
+    numbers: Vec<f64>,
+    /// Whether a program gave a list.
+    is_list: bool,
     line: Option<usize>,
 }
 
@@ -266,7 +272,36 @@ impl Words {
         self.entries.push(Word {
             key,
             text: text.into(),
+            numbers: Vec::new(),
+            is_list: false,
             line,
+        });
+    }
+
+    /// Adds a value of a request. A flag that is not set and an empty list are none.
+    pub fn write(&mut self, key: &'static str, written: &Written) {
+        let numbers = match written {
+            Written::Flag(false) => return,
+            Written::List(all) if all.is_empty() => return,
+            Written::Number(number) => vec![*number],
+            Written::List(all) => {
+                let number = |one: &Written| match one {
+                    Written::Number(number) => Some(*number),
+                    _ => None,
+                };
+                all.iter()
+                    .map(number)
+                    .collect::<Option<_>>()
+                    .unwrap_or_default()
+            }
+            Written::Flag(true) | Written::Text(_) | Written::Table(_) => Vec::new(),
+        };
+        self.entries.push(Word {
+            key,
+            text: written.text(),
+            numbers,
+            is_list: matches!(written, Written::List(_)),
+            line: None,
         });
     }
 
@@ -292,6 +327,18 @@ impl Words {
             .map(|(_, text)| text)
     }
 
+    /// Whether a program gave a list as the first value of a key.
+    pub fn is_list(&self, key: &str) -> bool {
+        let first = self.entries.iter().find(|word| word.key == key);
+        first.is_some_and(|word| word.is_list)
+    }
+
+    /// The numbers in SI that a program gave as the first value of a key; none if it is a text.
+    pub fn numbers(&self, key: &str) -> &[f64] {
+        let first = self.entries.iter().find(|word| word.key == key);
+        first.map_or(&[], |word| &word.numbers)
+    }
+
     /// Keys and values, in the order of writing.
     pub fn entries(&self) -> impl Iterator<Item = (&'static str, &str)> {
         self.entries
@@ -305,9 +352,9 @@ impl Words {
     }
 
     /// The last line on which one of these keys was written.
-    pub fn line_of(&self, keys: &[&str]) -> Option<usize> {
+    pub fn line_of(&self, keys: &[impl AsRef<str>]) -> Option<usize> {
         self.lines()
-            .filter(|(key, _)| keys.contains(key))
+            .filter(|(key, _)| keys.iter().any(|one| one.as_ref() == *key))
             .filter_map(|(_, line)| line)
             .max()
     }
@@ -318,6 +365,8 @@ impl<T: Into<String>> FromIterator<(&'static str, T)> for Words {
         let word = |(key, text): (&'static str, T)| Word {
             key,
             text: text.into(),
+            numbers: Vec::new(),
+            is_list: false,
             line: None,
         };
         Self {

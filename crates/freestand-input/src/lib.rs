@@ -10,5 +10,6 @@ pub mod quantity;
 pub mod toml_reader;
 pub mod word_reader;
 pub mod words;
+pub mod written;
 
 pub use problem::{Problem, ProblemKind, Problems};

@@ -1,5 +1,6 @@
 //! Problems with an input: the file, the line, what is wrong, and a remedy.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +34,7 @@ pub struct Problem {
     pub line: Option<usize>,
     /// The keys that it is about. If there are several, the line is that of the last one in the
     /// file.
-    pub keys: Vec<&'static str>,
+    pub keys: Vec<Cow<'static, str>>,
     /// What is wrong; [`keys`](crate::keys) are in backticks.
     pub message: String,
     /// The remedy; keys are written as in the message.
@@ -71,7 +72,16 @@ impl Problem {
     #[must_use]
     pub fn of(mut self, keys: &[&'static str]) -> Self {
         if self.keys.is_empty() {
-            self.keys = keys.to_vec();
+            self.keys = keys.iter().map(|&key| Cow::Borrowed(key)).collect();
+        }
+        self
+    }
+
+    /// As [`Problem::of`], of a key that is not known.
+    #[must_use]
+    pub fn of_key(mut self, key: String) -> Self {
+        if self.keys.is_empty() {
+            self.keys.push(Cow::Owned(key));
         }
         self
     }
@@ -82,6 +92,16 @@ impl Problem {
     pub fn named(mut self, key: &'static str) -> Self {
         self.message = format!("`{key}`: {}", self.message);
         self.of(&[key])
+    }
+
+    /// Whether it is about this key.
+    pub fn is_about(&self, key: &str) -> bool {
+        self.keys.iter().any(|one| one == key)
+    }
+
+    /// The first of the keys that it is about.
+    pub fn key(&self) -> Option<&str> {
+        self.keys.first().map(Cow::as_ref)
     }
 
     /// Writes the keys in a style, for good: a problem in a file then always shows the keys of that

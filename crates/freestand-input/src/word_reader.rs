@@ -4,7 +4,7 @@
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Dimension, parse, parse_grid, shorten};
-use crate::words::nearest;
+use crate::words::{Choices, nearest};
 
 /// Words, and their problems so far. A method returns `None` if the key is missing or its value is
 /// wrong.
@@ -14,6 +14,8 @@ pub struct WordReader<'w> {
     pub words: &'w Words,
     /// The problems so far.
     pub problems: Problems,
+    /// Keys whose values were asked for.
+    asked: Vec<&'static str>,
 }
 
 impl<'w> WordReader<'w> {
@@ -22,7 +24,24 @@ impl<'w> WordReader<'w> {
         Self {
             words,
             problems: Problems::default(),
+            asked: Vec::new(),
         }
+    }
+
+    /// These keys are read elsewhere.
+    pub fn pass(&mut self, keys: &[&'static str]) {
+        self.asked.extend(keys);
+    }
+
+    /// Keys that were written and that nobody has asked for.
+    pub fn unread(&self) -> Vec<&'static str> {
+        let mut unread: Vec<&'static str> = Vec::new();
+        for (key, _) in self.words.entries() {
+            if !self.asked.contains(&key) && !unread.contains(&key) {
+                unread.push(key);
+            }
+        }
+        unread
     }
 
     /// Whether a key was written.
@@ -65,7 +84,68 @@ impl<'w> WordReader<'w> {
         key: &'static str,
         read: impl FnOnce(&str) -> Result<T, Problem>,
     ) -> Option<T> {
-        self.keep(key, read(self.words.get(key)?))
+        let text = self.text(key)?;
+        self.keep(key, read(text))
+    }
+
+    /// A text.
+    pub fn text(&mut self, key: &'static str) -> Option<&'w str> {
+        self.asked.push(key);
+        self.words.get(key)
+    }
+
+    /// A text that is not a list.
+    fn one(&mut self, key: &'static str) -> Option<&'w str> {
+        let text = self.text(key)?;
+        if self.words.is_list(key) {
+            let message = format!("`{key}` must be one value, not the list {}", shorten(text));
+            self.note(&[key], message, "give one");
+            return None;
+        }
+        Some(text)
+    }
+
+    /// Whether a flag is set.
+    pub fn flag(&mut self, key: &'static str) -> bool {
+        match self.one(key) {
+            None => false,
+            Some("true") => true,
+            Some(text) => {
+                let message = format!("`{key}` is yes or no, not \"{}\"", shorten(text));
+                self.note(&[key], message, "give true or false");
+                false
+            }
+        }
+    }
+
+    /// A finite quantity: a text with its unit, or a bare number in SI of a program.
+    pub fn quantity(&mut self, key: &'static str, dimension: Dimension) -> Option<f64> {
+        let text = self.one(key)?;
+        match *self.words.numbers(key) {
+            [number] if number.is_finite() => Some(number),
+            [number] => {
+                let message = format!("`{key}` must be a finite number, not {number}");
+                self.note(&[key], message, "give one");
+                None
+            }
+            _ => self.keep(key, parse(text, dimension)),
+        }
+    }
+
+    /// Two quantities, `"0.3 m, 1.2 m"`; `what` they are, for the message.
+    pub fn two(
+        &mut self,
+        key: &'static str,
+        dimension: Dimension,
+        [two, hint]: [&str; 2],
+    ) -> Option<(f64, f64)> {
+        match self.grid(key, dimension)?[..] {
+            [first, second] => Some((first, second)),
+            _ => {
+                self.note(&[key], format!("`{key}`: {two} are expected"), hint);
+                None
+            }
+        }
     }
 
     /// Adds a problem if both keys were written.
@@ -85,7 +165,7 @@ impl<'w> WordReader<'w> {
         accept: impl Fn(f64) -> bool,
         expected: [&str; 2],
     ) -> Option<f64> {
-        let value = self.read(key, |text| parse(text, dimension))?;
+        let value = self.quantity(key, dimension)?;
         if accept(value) {
             return Some(value);
         }
@@ -127,12 +207,17 @@ impl<'w> WordReader<'w> {
 
     /// A grid or a list of quantities.
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
-        self.read(key, |text| parse_grid(text, dimension))
+        let numbers = self.words.numbers(key);
+        if numbers.is_empty() || numbers.iter().any(|number| !number.is_finite()) {
+            return self.read(key, |text| parse_grid(text, dimension));
+        }
+        self.pass(&[key]);
+        Some(numbers.to_vec())
     }
 
     /// A whole number; one that is too large for `u32` becomes its largest value.
     pub fn whole(&mut self, key: &'static str) -> Option<u32> {
-        let text = self.words.get(key)?.trim();
+        let text = self.one(key)?.trim();
         if text.is_empty() || !text.chars().all(|c| c.is_ascii_digit()) {
             let message = format!("`{key}` must be a whole number, not \"{}\"", shorten(text));
             self.note(
@@ -145,9 +230,18 @@ impl<'w> WordReader<'w> {
         Some(text.parse().unwrap_or(u32::MAX))
     }
 
+    /// One of these values, by its name.
+    pub fn choice<T: Copy>(&mut self, key: &'static str, choices: Choices<T>) -> Option<T> {
+        let known: Vec<(&str, T)> = choices
+            .iter()
+            .map(|&(value, name, _)| (name, value))
+            .collect();
+        self.one_of(key, &known)
+    }
+
     /// One of the known words; capitals are ignored.
     pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
-        let text = self.words.get(key)?;
+        let text = self.one(key)?;
         let plain = text.trim().to_lowercase().replace(['_', ' '], "-");
         let found = known
             .iter()
@@ -198,7 +292,7 @@ mod tests {
             .problems
             .problems
             .iter()
-            .map(|one| (one.keys[0], one.message.as_str()))
+            .map(|one| (one.keys[0].as_ref(), one.message.as_str()))
             .collect();
         assert_eq!(
             found,

@@ -1,6 +1,7 @@
 //! Outputs that appear complete or not at all: staged folders, streamed files, facts, tables, JSON,
 //! HTML and figures. Nothing in this crate is about earthquakes.
 
+pub mod answer;
 pub mod facts;
 pub mod figure;
 pub mod folder;

@@ -12,6 +12,7 @@ use freestand_study::cushion::{self, EdgeCushion, read_cushion_file, with_file};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use serde::Serialize;
+use serde_json::{Map, Number, Value as Json};
 
 use crate::errors::{raised, raised_all};
 
@@ -305,6 +306,36 @@ impl<'a, 'py> Given<'a, 'py> {
     /// Fails if there was any problem.
     pub(crate) fn finish(self) -> PyResult<()> {
         self.problems.finish(Some(())).map_err(raised_all)
+    }
+}
+
+/// Values by key, for a request.
+pub(crate) fn entries(values: &Bound<'_, PyDict>) -> PyResult<Map<String, Json>> {
+    let entry =
+        |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
+    values.iter().map(entry).collect()
+}
+
+/// A value as a request reads it; what is no value of a request is shown as Python writes it.
+fn written(value: &Bound<'_, PyAny>) -> Json {
+    if value.is_none() {
+        return Json::Null;
+    }
+    if let Ok(flag) = value.cast::<PyBool>() {
+        return flag.is_true().into();
+    }
+    if let Ok(text) = value.cast::<PyString>() {
+        return text.to_string_lossy().into_owned().into();
+    }
+    if let Ok(whole) = value.extract::<i64>() {
+        return whole.into();
+    }
+    if let Ok(number) = value.extract::<f64>() {
+        return Number::from_f64(number).map_or_else(|| number.to_string().into(), Json::Number);
+    }
+    match value.try_iter() {
+        Ok(all) => all.flatten().map(|one| written(&one)).collect(),
+        Err(_) => words_of(value).into(),
     }
 }
 

@@ -4,7 +4,6 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
-use freestand_study::cushion::EdgeCushion;
 use freestand_study::shape::Shape;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,9 +15,8 @@ use crate::arguments::Given;
 pub(crate) struct Body {
     pub(crate) block: Block,
     pub(crate) mass_kg: Option<f64>,
-    /// As it was described, and what that means.
+    /// As it was described.
     pub(crate) cushion: Words,
-    pub(crate) edge: Option<EdgeCushion>,
 }
 
 #[pymethods]
@@ -51,7 +49,7 @@ impl Body {
             .map(|(height, thickness)| shape.block(height, thickness).map_err(impossible));
         let block = block.and_then(|block| given.keep(block));
         let cushion = given.cushion_words();
-        let edge = given.edge(&cushion, mass_kg);
+        given.edge(&cushion, mass_kg);
         given.finish()?;
         let Some(block) = block else {
             let hint = "give height_m and thickness_m";
@@ -64,7 +62,6 @@ impl Body {
             block,
             mass_kg,
             cushion,
-            edge,
         })
     }
 

@@ -11,8 +11,14 @@ import_exception!(freestand._errors, ReadError);
 import_exception!(freestand._errors, SolveError);
 import_exception!(freestand._errors, StudyError);
 
-/// What an exception is made of: message, path, line, hint.
-type Parts = (String, Option<String>, Option<usize>, Option<String>);
+/// What an exception is made of: message, path, line, hint, arguments.
+type Parts = (
+    String,
+    Option<String>,
+    Option<usize>,
+    Option<String>,
+    Vec<String>,
+);
 
 /// Keys as arguments of Python, except in a problem with a file, which shows those of the file.
 fn parts(problem: &Problem) -> Parts {
@@ -31,6 +37,7 @@ fn parts(problem: &Problem) -> Parts {
         path,
         problem.line,
         problem.hint.as_ref().map(shown),
+        problem.keys.iter().map(|key| style.name(key)).collect(),
     )
 }
 

@@ -1,10 +1,10 @@
 //! Motions: samples from Python and from record files.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use freestand::motion::Motion;
 use freestand::synthesis::DAMPING_RATIO;
-use freestand_input::file::sha256_hex;
+use freestand_input::file::{as_named, sha256_hex};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::word_reader::WordReader;
@@ -165,7 +165,7 @@ impl Record {
         let mut given = Given::new(values);
         let words = given.words("words");
         let mut reader = WordReader::new(&words);
-        let processing = Processing::read(&mut reader, Path::new(""));
+        let processing = Processing::read(&mut reader, as_named);
         reader
             .problems
             .into_iter()
@@ -234,7 +234,7 @@ pub(crate) fn read_motions(
     let files = MotionFiles {
         paths,
         vertical: Upward::Itself("component"),
-        ..MotionFiles::read(&mut reader, Path::new(""))
+        ..MotionFiles::read(&mut reader, as_named)
     };
     reader
         .problems

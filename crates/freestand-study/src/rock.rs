@@ -18,13 +18,10 @@ use freestand::spectra::{UpliftCell, landings};
 use crate::cushion::EdgeCushion;
 use crate::shape::Sizes;
 use crate::unsolved::{self, unresolved_warning};
-use crate::walls::{WallStiffness, wall_facts};
+use crate::walls::{WallAnswer, WallStiffness, wall_answer};
 use freestand_input::problem::Problem;
-use freestand_input::words::{Choices, name_of};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
-use freestand_output::rows::table_of_numbers;
-use freestand_output::table::Table;
+use freestand_input::words::{Choices, counted, name_of};
+use freestand_output::answer;
 
 /// The equations of motion by name.
 pub const MODELS: Choices<RockingModel> = &[
@@ -85,11 +82,84 @@ pub struct RockRequest {
     pub friction: Option<f64>,
 }
 
+answer! {
+    /// What an object on a rigid base did.
+    pub struct RockAnswer {
+        outcome: &'static str = "outcome",
+        stopped: &'static str = "reason for the end",
+        end_time_s: f64 = "end",
+        peak_rotation_rad: f64 = "largest rotation",
+        /// The largest rotation divided by the angle α at which the object balances on that edge.
+        peak_rotation_ratio: f64 = "  divided by α",
+        peak_rotation_time_s: Option<f64> = "  at",
+        /// Largest uplift of an edge.
+        uplift_m: f64 = "uplift",
+        cg_rise_m: f64 = "rise of the centre of gravity",
+        first_uplift_time_s: Option<f64> = "first uplift",
+        /// How often the object left its base.
+        uplift_count: usize,
+        impact_count: usize = "impacts",
+        /// All impacts on the floor.
+        impacts: Vec<RockImpact>,
+        walls: WallAnswer = flat,
+        passed_alpha_time_s: Option<f64> = "passes the balance point",
+        overturn_time_s: Option<f64> = "overturns",
+        rest_time_s: Option<f64> = "comes to rest",
+        /// Whether it is at rest at the end.
+        at_rest: bool,
+        friction_needed_ratio: Option<f64> = "friction needed while rocking",
+        impact_friction_needed_ratio: f64 = "friction needed in an impact",
+        restitution_ratio: f64 = "restitution",
+        /// Rotation at the end.
+        final_rotation_rad: f64,
+        /// Angular velocity at the end.
+        final_omega_rad_s: f64,
+        /// R: from the left edge to the centre of gravity.
+        half_diagonal_m: f64,
+        /// α of the left edge.
+        slenderness_angle_rad: f64,
+        frequency_parameter_rad_s: f64 = "frequency parameter p",
+        uplift_threshold_g: f64 = "uplift threshold",
+        /// The equation of motion.
+        model: &'static str,
+        /// What the object stands on.
+        base: &'static str,
+        /// The accuracy of the solver.
+        accuracy: String,
+        edge_acceleration_g: Option<f64> = "shock, from the uplift",
+        edge_acceleration_impact_velocity_g: Option<f64> = "shock, from the impact velocity",
+        ceiling_g: Option<f64> = "ceiling of the shock",
+        /// Steps of the solver.
+        steps: usize,
+        /// Evaluations of the equation of motion.
+        evaluations: usize,
+        notes: Vec<String> = "note",
+    }
+}
+
+answer! {
+    /// An impact on the floor.
+    pub struct RockImpact {
+        /// When it happened.
+        time_s: f64,
+        /// Angular velocity before the impact, signed.
+        omega_before_rad_s: f64,
+        /// Angular velocity after the impact.
+        omega_after_rad_s: f64,
+        /// Shock of the edge that lands, from the speed of the impact.
+        edge_acceleration_impact_velocity_g: Option<f64>,
+    }
+}
+
+/// What the shock of an object on pads leaves out where its base is rigid.
+const PADS_GIVE_THE_SHOCK_ALONE: &str =
+    "the base is rigid: on its pads, which give the shock alone, the object may lift more";
+
 /// The response of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RockReport {
-    /// The document of `freestand rock`.
-    pub facts: Facts<'static>,
+    /// What it did.
+    pub answer: RockAnswer,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// Its history.
@@ -240,55 +310,72 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
     let share = |(landing, side): (&Landing, SideExtremes)| {
         side.peak_rotation_rad / landing.pivot.slenderness_angle_rad
     };
-    let impact = |(i, landed): (&RockingImpact, &EdgeLanding)| {
-        facts!(i; time_s, omega_before_rad_s, omega_after_rad_s).key(
-            "edge_acceleration_impact_velocity_g",
-            landed.edge_acceleration_g,
-        )
+    let impact = |(i, landed): (&RockingImpact, &EdgeLanding)| RockImpact {
+        time_s: i.time_s,
+        omega_before_rad_s: i.omega_before_rad_s,
+        omega_after_rad_s: i.omega_after_rad_s,
+        edge_acceleration_impact_velocity_g: landed.edge_acceleration_g,
     };
-    let impacts = rocking.impacts.iter().zip(&landed);
     let is_up = rocking.outcome != Outcome::NoUplift;
-    let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
-    let threshold_g = settings.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
-    let facts = Facts::default()
-        .fact("outcome", "outcome", rocking.outcome.name())
-        .fact("stopped", "reason for the end", rocking.stop.name())
-        .and(facts!(rocking; end_time_s "end", peak_rotation_rad "largest rotation"))
-        .fact(
-            "peak_rotation_ratio",
-            "  divided by α",
-            landings.iter().zip(rocking.sides).map(share).fold(0.0, f64::max),
-        )
-        .fact("peak_rotation_time_s", "  at", rocking.peak_rotation_time_s.filter(|_| is_up))
-        .and(facts!(rocking; uplift_m "uplift", cg_rise_m "rise of the centre of gravity",
-            first_uplift_time_s "first uplift", uplift_count))
-        .fact("impact_count", "impacts", rocking.impacts.len())
-        .key("impacts", impacts.map(impact).collect::<Vec<_>>())
-        .and(wall_facts(block, rocking, request.wall))
-        .and(facts!(rocking; passed_alpha_time_s "passes the balance point", overturn_time_s "overturns",
-            rest_time_s "comes to rest", at_rest))
-        .fact("friction_needed_ratio", "friction needed while rocking", friction.filter(|ratio| ratio.is_finite()))
-        .fact("impact_friction_needed_ratio", "friction needed in an impact", impact_friction)
-        .and(facts!(rocking; restitution_ratio "restitution", final_rotation_rad, final_omega_rad_s))
-        .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
-        .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
-        .fact("uplift_threshold_g", "uplift threshold", threshold_g)
-        .key("model", name_of(MODELS, settings.model))
-        .line(
-            "base",
-            shock.map(|_| "rigid; on its pads, which give the shock alone, the object may lift more".to_owned()),
-        )
-        .key("accuracy", crate::summary::accuracy_words(settings.accuracy))
-        .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
-        .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
-        .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
-        .and(facts!(rocking.effort; steps, evaluations));
+    let answer = RockAnswer {
+        outcome: rocking.outcome.name(),
+        stopped: rocking.stop.name(),
+        end_time_s: rocking.end_time_s,
+        peak_rotation_rad: rocking.peak_rotation_rad,
+        peak_rotation_ratio: landings
+            .iter()
+            .zip(rocking.sides)
+            .map(share)
+            .fold(0.0, f64::max),
+        peak_rotation_time_s: rocking.peak_rotation_time_s.filter(|_| is_up),
+        uplift_m: rocking.uplift_m,
+        cg_rise_m: rocking.cg_rise_m,
+        first_uplift_time_s: rocking.first_uplift_time_s,
+        uplift_count: rocking.uplift_count,
+        impact_count: rocking.impacts.len(),
+        impacts: rocking.impacts.iter().zip(&landed).map(impact).collect(),
+        walls: wall_answer(block, rocking, request.wall),
+        passed_alpha_time_s: rocking.passed_alpha_time_s,
+        overturn_time_s: rocking.overturn_time_s,
+        rest_time_s: rocking.rest_time_s,
+        at_rest: rocking.at_rest,
+        friction_needed_ratio: friction.filter(|ratio| ratio.is_finite()),
+        impact_friction_needed_ratio: impact_friction,
+        restitution_ratio: rocking.restitution_ratio,
+        final_rotation_rad: rocking.final_rotation_rad,
+        final_omega_rad_s: rocking.final_omega_rad_s,
+        half_diagonal_m: pivot.half_diagonal_m,
+        slenderness_angle_rad: pivot.slenderness_angle_rad,
+        frequency_parameter_rad_s: pivot.frequency_parameter_rad_s(gravity),
+        uplift_threshold_g: settings.model.uplift_threshold_ratio(block) * gravity / G0_M_S2,
+        model: name_of(MODELS, settings.model),
+        base: "rigid",
+        accuracy: crate::summary::accuracy_words(settings.accuracy),
+        edge_acceleration_g: shock.and_then(|shock| shock.edge_acceleration_g),
+        edge_acceleration_impact_velocity_g: shock
+            .and_then(|shock| shock.edge_acceleration_impact_velocity_g),
+        ceiling_g: shock.map(|shock| shock.ceiling_g),
+        steps: rocking.effort.steps,
+        evaluations: rocking.effort.evaluations,
+        notes: notes(rocking, shock.is_some()),
+    };
     RockReport {
-        facts,
+        answer,
         warnings,
         history,
         landings: landed,
     }
+}
+
+fn notes(rocking: &Rocking, has_shock: bool) -> Vec<String> {
+    let strikes = rocking.wall_impacts.len();
+    let times = |count| counted(count, "time");
+    let struck = (strikes > 0).then(|| format!("it strikes a wall {}", times(strikes)));
+    let leaning = rocking
+        .leaning
+        .then(|| "it leans on a wall at the end".to_owned());
+    let on_pads = has_shock.then(|| PADS_GIVE_THE_SHOCK_ALONE.to_owned());
+    struck.into_iter().chain(leaning).chain(on_pads).collect()
 }
 
 /// The columns of a history.
@@ -304,12 +391,4 @@ pub fn history_row(block: &Block, point: &HistoryPoint) -> [f64; 5] {
         uplift_m,
         point.base_accel_m_s2,
     ]
-}
-
-/// A history as CSV. Its rows are at the steps of the motion and just before and after every impact.
-pub fn history_table(block: &Block, history: &[HistoryPoint]) -> Table {
-    table_of_numbers(
-        HISTORY,
-        history.iter().map(|point| history_row(block, point)),
-    )
 }

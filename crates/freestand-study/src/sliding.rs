@@ -12,10 +12,7 @@ use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_spee
 use crate::unsolved::{self, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
-use freestand_output::facts;
-use freestand_output::facts::Facts;
-use freestand_output::rows::table_of_numbers;
-use freestand_output::table::Table;
+use freestand_output::answer;
 
 /// Rolling resistance of casters on a usual floor: 0.01 on a hard floor, 0.05 on carpet. From
 /// memory; it decreases with the diameter of the wheel and depends on the floor covering (Gille and
@@ -220,11 +217,46 @@ impl StopShock {
     }
 }
 
+answer! {
+    /// The slide of an object.
+    pub struct SlideAnswer {
+        outcome: &'static str = "outcome",
+        model: &'static str = "model",
+        end_time_s: f64 = "end",
+        slide_peak_m: f64 = "largest slide",
+        slide_peak_time_s: Option<f64> = "  at",
+        slide_final_m: f64 = "slide at the end",
+        slide_path_m: f64 = "length of the path",
+        slide_speed_max_m_s: f64 = "largest speed",
+        slide_count: usize = "slides from rest",
+        first_slide_time_s: Option<f64> = "  first at",
+        clearance_left_m: Option<f64> = "clearance to the left",
+        clearance_right_m: Option<f64> = "clearance to the right",
+        clearance_time_s: Option<f64> = "clearance reached at",
+        clearance_speed_m_s: Option<f64> = "  with the velocity",
+        stop_acceleration_g: Option<f64> = "  shock of the stop there",
+        trip_speed_m_s: f64 = "speed at which a stop trips it",
+        friction_ratio: f64 = "friction or rolling resistance",
+        friction_kinetic_ratio: f64 = "  while it moves",
+        slide_threshold_g: f64 = "slides above",
+        /// It does not rock.
+        peak_rotation_rad: f64,
+        /// It does not rock.
+        uplift_m: f64,
+        /// It does not rock.
+        cg_rise_m: f64,
+        /// It does not rock.
+        impact_count: usize,
+        /// It does not rock.
+        impacts: Vec<f64>,
+    }
+}
+
 /// The slide of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SlideReport {
-    /// The document of `freestand rock`.
-    pub facts: Facts<'static>,
+    /// What it did.
+    pub answer: SlideAnswer,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// Its history.
@@ -254,7 +286,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
         }));
     }
     Ok(SlideReport {
-        facts: facts(request, &history.sliding),
+        answer: answer(request, &history.sliding),
         warnings: warnings(request, &history.sliding),
         history,
     })
@@ -272,74 +304,38 @@ pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Slidin
     found.map(|found| found.sliding).map_err(unsolved::problem)
 }
 
-fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
+fn answer(request: &SlideRequest, sliding: &Sliding) -> SlideAnswer {
     let (friction, clearance) = (request.surface.friction, request.surface.clearance);
-    let (coefficient, kinetic) = match request.surface.contact {
-        Contact::Base | Contact::BrakedCasters => ("friction", "  while sliding"),
-        Contact::Casters => ("rolling resistance", ""),
-    };
-    let none = Vec::<Facts<'static>>::new();
     let struck = request.stop.zip(sliding.contact);
-    let stop_g =
-        struck.map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2);
-    Facts::default()
-        .fact("outcome", "outcome", sliding.outcome.name())
-        .fact("model", "model", request.surface.contact.model())
-        .and(facts!(sliding; end_time_s "end"))
-        .fact("slide_peak_m", "largest slide", sliding.peak_m)
-        .fact("slide_peak_time_s", "  at", sliding.peak_time_s)
-        .fact("slide_final_m", "slide at the end", sliding.final_m)
-        .fact("slide_path_m", "length of the path", sliding.path_m)
-        .fact(
-            "slide_speed_max_m_s",
-            "largest speed",
-            sliding.speed_max_m_s,
-        )
-        .fact("slide_count", "slides from rest", sliding.slide_count)
-        .fact(
-            "first_slide_time_s",
-            "  first at",
-            sliding.first_slide_time_s,
-        )
-        .fact(
-            "clearance_left_m",
-            "clearance to the left",
-            clearance.left_m,
-        )
-        .fact(
-            "clearance_right_m",
-            "clearance to the right",
-            clearance.right_m,
-        )
-        .fact(
-            "clearance_time_s",
-            "clearance reached at",
-            sliding.contact.map(|(time_s, _)| time_s),
-        )
-        .fact(
-            "clearance_speed_m_s",
-            "  with the velocity",
-            sliding.contact.map(|(_, velocity_m_s)| velocity_m_s),
-        )
-        .fact("stop_acceleration_g", "  shock of the stop there", stop_g)
-        .fact(
-            "trip_speed_m_s",
-            "speed at which a stop trips it",
-            trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2),
-        )
-        .fact("friction_ratio", coefficient, friction.static_ratio())
-        .fact("friction_kinetic_ratio", kinetic, friction.kinetic_ratio())
-        .fact(
-            "slide_threshold_g",
-            "slides above",
-            friction.static_ratio() * request.how.settings.gravity_m_s2 / G0_M_S2,
-        )
+    let gravity = request.how.settings.gravity_m_s2;
+    SlideAnswer {
+        outcome: sliding.outcome.name(),
+        model: request.surface.contact.model(),
+        end_time_s: sliding.end_time_s,
+        slide_peak_m: sliding.peak_m,
+        slide_peak_time_s: sliding.peak_time_s,
+        slide_final_m: sliding.final_m,
+        slide_path_m: sliding.path_m,
+        slide_speed_max_m_s: sliding.speed_max_m_s,
+        slide_count: sliding.slide_count,
+        first_slide_time_s: sliding.first_slide_time_s,
+        clearance_left_m: clearance.left_m,
+        clearance_right_m: clearance.right_m,
+        clearance_time_s: sliding.contact.map(|(time_s, _)| time_s),
+        clearance_speed_m_s: sliding.contact.map(|(_, velocity_m_s)| velocity_m_s),
+        stop_acceleration_g: struck
+            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2),
+        trip_speed_m_s: trip_speed_m_s(&request.block, gravity),
+        friction_ratio: friction.static_ratio(),
+        friction_kinetic_ratio: friction.kinetic_ratio(),
+        slide_threshold_g: friction.static_ratio() * gravity / G0_M_S2,
         // It does not rock: zeros, not missing values.
-        .key("peak_rotation_rad", 0.0)
-        .key("uplift_m", 0.0)
-        .key("cg_rise_m", 0.0)
-        .key("impact_count", 0usize)
-        .key("impacts", none)
+        peak_rotation_rad: 0.0,
+        uplift_m: 0.0,
+        cg_rise_m: 0.0,
+        impact_count: 0,
+        impacts: Vec::new(),
+    }
 }
 
 fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
@@ -383,10 +379,4 @@ pub fn history_row(point: &SlidePoint) -> [f64; 4] {
         point.velocity_m_s,
         point.base_accel_m_s2,
     ]
-}
-
-/// A history as CSV: time, slide, velocity, base acceleration. Its rows are at the samples of the
-/// motion and at every onset and stop.
-pub fn history_table(history: &[SlidePoint]) -> Table {
-    table_of_numbers(HISTORY, history.iter().map(history_row))
 }

@@ -7,8 +7,7 @@ use freestand::wall::{Contact, DEFAULT_WALL_RESTITUTION_RATIO, Wall, WallError, 
 use freestand::wall_shock::{WallShock, largest};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 
 /// The walls beside an object, in SI, as far as they were given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -95,74 +94,75 @@ impl WallStiffness {
     }
 }
 
+answer! {
+    /// What a history says about walls.
+    pub struct WallAnswer {
+        wall_angle_left_rad: Option<f64> = "touches the left wall at",
+        wall_angle_right_rad: Option<f64> = "touches the right wall at",
+        /// How often the object struck a wall.
+        wall_impact_count: usize,
+        /// All impacts on walls.
+        wall_impacts: Vec<WallStrike>,
+        wall_speed_max_m_s: Option<f64> = "largest speed at a wall",
+        wall_acceleration_g: Option<f64> = "  shock at the point of contact",
+        wall_impulse_max_n_s: Option<f64> = "  largest impulse",
+        /// Whether it leans on a wall at the end.
+        leaning: bool,
+    }
+}
+
+answer! {
+    /// An impact on a wall.
+    pub struct WallStrike {
+        /// When it happened.
+        time_s: f64,
+        /// `left` or `right`.
+        side: &'static str,
+        /// Angular velocity before the impact, signed.
+        omega_before_rad_s: f64,
+        /// Angular velocity after the impact.
+        omega_after_rad_s: f64,
+        /// Speed of the point of contact.
+        speed_m_s: Option<f64>,
+        /// Shock at the point of contact, with the mass of the object and the stiffness of the wall.
+        acceleration_g: Option<f64>,
+    }
+}
+
 /// What a history says about walls.
-pub(crate) fn wall_facts(
+pub(crate) fn wall_answer(
     block: &Block,
     rocking: &Rocking,
     stiffness: WallStiffness,
-) -> Facts<'static> {
+) -> WallAnswer {
     let [right, left] = rocking.contacts;
     let shocks = WallShock::of_sides(block, rocking.contacts);
-    let impact = |impact: &WallImpact| {
+    let strike = |impact: &WallImpact| {
         let shock = shocks[impact.side.index()].as_ref();
         let omega = impact.omega_before_rad_s;
-        facts!(impact; time_s)
-            .key("side", impact.side.name())
-            .and(facts!(impact; omega_before_rad_s, omega_after_rad_s))
-            .key("speed_m_s", shock.map(|shock| shock.speed_m_s(omega)))
-            .key(
-                "acceleration_g",
-                shock.and_then(|shock| stiffness.acceleration_g(shock, omega)),
-            )
+        WallStrike {
+            time_s: impact.time_s,
+            side: impact.side.name(),
+            omega_before_rad_s: impact.omega_before_rad_s,
+            omega_after_rad_s: impact.omega_after_rad_s,
+            speed_m_s: shock.map(|shock| shock.speed_m_s(omega)),
+            acceleration_g: shock.and_then(|shock| stiffness.acceleration_g(shock, omega)),
+        }
     };
     let impulse = |mass_kg: f64| {
         let of = |shock: &WallShock, omega: f64| shock.impulse_n_s(omega, mass_kg);
         largest(shocks, rocking.sides, of)
     };
-    // Without a wall these are for programs only.
-    let count_label = if right.or(left).is_some() {
-        "impacts on walls"
-    } else {
-        ""
-    };
-    let leans = if rocking.leaning {
-        "leans on a wall"
-    } else {
-        ""
-    };
-    let angle = |contact: Option<Contact>| contact.map(|contact| contact.angle_rad);
-    Facts::default()
-        .fact(
-            "wall_angle_left_rad",
-            "touches the left wall at",
-            angle(left),
-        )
-        .fact(
-            "wall_angle_right_rad",
-            "touches the right wall at",
-            angle(right),
-        )
-        .fact("wall_impact_count", count_label, rocking.wall_impacts.len())
-        .key(
-            "wall_impacts",
-            rocking.wall_impacts.iter().map(impact).collect::<Vec<_>>(),
-        )
-        .fact(
-            "wall_speed_max_m_s",
-            "  largest speed",
-            speed_m_s(block, rocking.contacts, rocking.sides),
-        )
-        .fact(
-            "wall_acceleration_g",
-            "  shock at the point of contact",
-            acceleration_g(block, rocking.contacts, rocking.sides, stiffness),
-        )
-        .fact(
-            "wall_impulse_max_n_s",
-            "  largest impulse",
-            stiffness.mass_kg.and_then(impulse),
-        )
-        .fact("leaning", leans, rocking.leaning)
+    WallAnswer {
+        wall_angle_left_rad: left.map(|contact| contact.angle_rad),
+        wall_angle_right_rad: right.map(|contact| contact.angle_rad),
+        wall_impact_count: rocking.wall_impacts.len(),
+        wall_impacts: rocking.wall_impacts.iter().map(strike).collect(),
+        wall_speed_max_m_s: speed_m_s(block, rocking.contacts, rocking.sides),
+        wall_acceleration_g: acceleration_g(block, rocking.contacts, rocking.sides, stiffness),
+        wall_impulse_max_n_s: stiffness.mass_kg.and_then(impulse),
+        leaning: rocking.leaning,
+    }
 }
 
 /// What is said of walls that hold nothing: beyond the reach of the object, or past its balance

@@ -1,5 +1,7 @@
 //! Makes an object from the values of a row.
 
+use std::borrow::Cow;
+
 use freestand::block::{Block, BlockError};
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
@@ -591,10 +593,10 @@ fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
 
 /// The column of a key of a cushion; keys of a library entry belong to the column with its name.
 fn column_of(problem: &Problem) -> Column {
-    let column = |key: &&str| {
+    let column = |key: &Cow<'_, str>| {
         COLUMNS
             .iter()
-            .find(|spec| spec.name == *key)
+            .find(|spec| spec.name == key.as_ref())
             .map(|spec| spec.column)
     };
     problem

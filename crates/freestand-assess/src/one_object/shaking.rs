@@ -174,12 +174,12 @@ fn check_hazard(hazard: &Words) -> Result<(), Problems> {
         "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();
     let told = |problem: Problem| {
-        if problem.keys.contains(&"return_period_years")
+        if problem.is_about("return_period_years")
             && Place::find(name).is_some_and(|place| !place.hazard.takes_return_period())
         {
             return problem.hint("leave it out: this code has one intensity for each place");
         }
-        if problem.keys.contains(&"place") && near(name).is_empty() {
+        if problem.is_about("place") && near(name).is_empty() {
             problem.hint(elsewhere)
         } else {
             problem

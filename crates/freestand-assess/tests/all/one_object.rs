@@ -50,7 +50,7 @@ fn motions(names: &[&str], scale: &str) -> Vec<ReadMotion> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/rocking/records");
     let words = Words::from_iter([("scale", scale.to_owned())]);
     let mut reader = freestand_input::word_reader::WordReader::new(&words);
-    let files = MotionFiles::read(&mut reader, Path::new(""));
+    let files = MotionFiles::read(&mut reader, freestand_input::file::as_named);
     let paths: Vec<PathBuf> = names.iter().map(|name| folder.join(name)).collect();
     read_all(&MotionFiles { paths, ..files }).unwrap()
 }

@@ -30,6 +30,8 @@ mod processing;
 mod program;
 mod rates;
 mod records;
+#[cfg(feature = "page")]
+mod requests;
 mod restrain;
 mod risk;
 mod rocking_cases;

@@ -270,8 +270,8 @@ fn what_does_not_slide_is_refused() {
         ),
         (
             &["--sliding", "--friction", "0.2", "--clearance-left=-1 mm"],
-            "must not be negative",
-            "--help",
+            "must be 0 or more",
+            "give a length of 0 or more",
         ),
         (
             &["--clearance-left", "1 mm"],
@@ -328,7 +328,7 @@ fn what_does_not_slide_is_refused() {
                 "0.1",
             ],
             "--rolling-resistance applies only to an object on casters",
-            "in place of --sliding",
+            "add --casters, or leave it out",
         ),
         (
             &["--sliding", "--friction", "0.1", "--brakes"],
@@ -366,7 +366,11 @@ fn what_does_not_slide_is_refused() {
             "applies only to objects that slide or roll",
             "add --sliding",
         ),
-        (&["--sliding", "--casters"], "cannot be used with", "usage"),
+        (
+            &["--sliding", "--casters"],
+            "exclude each other",
+            "keep one of them",
+        ),
     ] {
         let output = strongly("rock", &[&size[..], args].concat());
         let error = String::from_utf8_lossy(&output.stderr);

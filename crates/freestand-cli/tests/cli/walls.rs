@@ -116,7 +116,7 @@ fn walls_that_make_no_sense_are_refused_with_a_hint() {
         );
         words
     };
-    assert!(refused(&["--wall-gap=-1mm"]).contains("must not be negative"));
+    assert!(refused(&["--wall-gap=-1mm"]).contains("must be 0 or more"));
     assert!(refused(&["--wall-gap=1m", "--wall-restitution=1"]).contains("less than 1"));
     assert!(refused(&["--wall-gap=1m", "--model=linear"]).contains("linearised"));
     assert!(refused(&["--wall-height=1m"]).contains("distance"));

@@ -156,6 +156,13 @@ class Block:
         values = given(**{name: getattr(self, name) for name in _SIZES}) | cushion_given(self.cushion, self.stiffness_n_m, None)
         object.__setattr__(self, "_body", _freestand.Body(values))
 
+    def _asked(self) -> tuple[Given, tuple[str | None, str | None]]:
+        """The values of a request, and the path and the text of the file of the pad."""
+        found = cushion_given(self.cushion, self.stiffness_n_m, None)
+        values = dict(found.get("cushion", {}))
+        file = (values.pop("cushion", None), found.get("pad_toml"))
+        return given(**{name: getattr(self, name) for name in _SIZES if name != "width_m"}) | values, file
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Block, tuple(getattr(self, one.name) for one in fields(self) if one.init)
 
@@ -253,6 +260,10 @@ class Walls:
     restitution: float | None = None
     #: At the point of contact; with the mass it gives the shock there.
     stiffness_n_m: float | None = None
+
+    def _asked(self) -> Given:
+        keys = {"left_m": "wall_gap_left_m", "right_m": "wall_gap_right_m"}
+        return {keys.get(name, name): value for name, value in self._given().items()}
 
     def _given(self) -> Given:
         return given(

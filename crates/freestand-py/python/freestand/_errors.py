@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
 
 
 class FreestandWarning(UserWarning):
@@ -17,6 +17,8 @@ class Problem(NamedTuple):
     path: str | None = None
     line: int | None = None
     hint: str | None = None
+    #: The arguments that it is about.
+    arguments: Sequence[str] = ()
 
     def __str__(self) -> str:
         if self.path is None:
@@ -31,9 +33,9 @@ class FreestandError(Exception):
 
     problems: tuple[Problem, ...]
 
-    def __init__(self, problems: str | Iterable[tuple[str, str | None, int | None, str | None]]) -> None:
+    def __init__(self, problems: str | Iterable[tuple[Any, ...]]) -> None:
         if isinstance(problems, str):
-            problems = [(problems, None, None, None)]
+            problems = [(problems,)]
         self.problems = tuple(Problem(*problem) for problem in problems)
         super().__init__(tuple(tuple(problem) for problem in self.problems))
 

@@ -5,7 +5,6 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias, final
 
 _Path: TypeAlias = str | os.PathLike[str]
-_Answer: TypeAlias = tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]
 
 __all__ = [
     "Body",
@@ -98,8 +97,12 @@ def restrain(values: dict[str, Any]) -> tuple[str, str]: ...
 def restrain_list(list: str, values: dict[str, Any]) -> str: ...
 def risk(values: dict[str, Any], threads: int | None) -> str: ...
 def rock(
-    body: Body, motion: Record | None, vertical: Record | None, values: dict[str, Any], history: bool
-) -> _Answer | None: ...
+    request: dict[str, Any],
+    motion: Record | None,
+    vertical: Record | None,
+    cushion: tuple[_Path | None, str | None],
+    history: bool,
+) -> tuple[str, tuple[str, bytes] | None]: ...
 def run(
     out: _Path,
     values: dict[str, Any],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     import xarray
 
     from ._motion import Motion
-
-#: Facts, warnings, impacts, impacts on walls, names and columns of the history.
-Answer: TypeAlias = "tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]"
 
 _IMPACT = np.dtype(
     [(name, "f8") for name in ("time_s", "omega_before_rad_s", "omega_after_rad_s", "edge_acceleration_impact_velocity_g")]
@@ -83,33 +80,22 @@ class RockResult(Result):
     frequency_parameter_rad_s: float
     uplift_threshold_g: float
     model: str
+    base: str
     accuracy: str
     edge_acceleration_g: float | None
     edge_acceleration_impact_velocity_g: float | None
     ceiling_g: float | None
     steps: int
     evaluations: int
+    notes: list[str]
 
     #: time_s, theta_rad, omega_rad_s, uplift_m, base_accel_m_s2 (arrays of one length); None if not recorded.
     history: Columns | None
-    _impacts: bytes
-    _wall_impacts: bytes
     _motion: Motion | None
 
-    def __init__(
-        self,
-        facts: dict[str, Any],
-        warnings: list[str],
-        impacts: bytes,
-        wall_impacts: bytes,
-        history: tuple[str, bytes] | None,
-        motion: Motion | None = None,
-    ) -> None:
-        self.__dict__ = facts
-        self._facts = facts.copy()
-        self.warnings = warnings
-        self._impacts = impacts
-        self._wall_impacts = wall_impacts
+    def __init__(self, document: dict[str, Any], history: tuple[str, bytes] | None, motion: Motion | None = None) -> None:
+        self._document = document
+        self.__dict__.update({key: value for key, value in document.items() if key not in ("impacts", "wall_impacts")})
         self.history = None if history is None else Columns(*history)
         self._motion = motion
 
@@ -117,27 +103,15 @@ class RockResult(Result):
     def impacts(self) -> npt.NDArray[Any]:
         """A structured array, one row for each impact: time_s, omega_before_rad_s, omega_after_rad_s,
         edge_acceleration_impact_velocity_g (NaN without a cushion)."""
-        known = self._facts.get("impacts")
-        return np.frombuffer(self._impacts, _IMPACT) if known is None else _structured(known)
+        rows = self._document["impacts"]
+        return _structured(rows) if rows else np.zeros(0, _IMPACT)
 
     @property
     def wall_impacts(self) -> npt.NDArray[Any]:
         """A structured array, one row for each impact on a wall; side is 1 (right) or −1 (left)."""
-        return np.frombuffer(self._wall_impacts, _WALL_IMPACT)
-
-    def to_dict(self) -> dict[str, Any]:
-        """The document of the command, without `schema` and `processing`."""
-        found: dict[str, Any] = {}
-        for key, value in self._facts.items():
-            if key == "wall_impact_count":
-                found[key] = value
-                found["wall_impacts"] = [_wall_row(row) for row in self.wall_impacts.tolist()]
-                continue
-            found[key] = value
-            if key == "impact_count" and "impacts" not in self._facts:
-                names = _IMPACT.names or ()
-                found["impacts"] = [dict(zip(names, map(_known, row))) for row in self.impacts.tolist()]
-        return {**found, "warnings": self.warnings}
+        sides = {"right": 1.0, "left": -1.0}
+        rows = [{**row, "side": sides[row["side"]]} for row in self._document.get("wall_impacts", ())]
+        return _structured([{name: row[name] for name in _WALL_IMPACT.names} for row in rows]) if rows else np.zeros(0, _WALL_IMPACT)
 
     def to_xarray(self) -> xarray.Dataset:
         """The history as an xarray Dataset over time_s, with the single values in `attrs`."""
@@ -147,7 +121,7 @@ class RockResult(Result):
             raise bad("the history was not recorded", "call rock with history=True")
         time = ("time_s", self.history["time_s"], {"units": "s"})
         variables = {name: ("time_s", values) for name, values in self.history.items() if name != "time_s"}
-        attrs = {key: value for key, value in self._facts.items() if isinstance(value, int | float | str)}
+        attrs = {key: value for key, value in self._document.items() if isinstance(value, int | float | str)}
         return xarray.Dataset(variables, {"time_s": time}, attrs)
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
@@ -155,22 +129,6 @@ class RockResult(Result):
         from . import plot
 
         return plot.rock(self, ax=ax)
-
-
-def _known(value: float) -> float | None:
-    return None if np.isnan(value) else value
-
-
-def _wall_row(row: tuple[float, ...]) -> dict[str, Any]:
-    side, time_s, before, after, speed, acceleration = row
-    return {
-        "time_s": time_s,
-        "side": "right" if side > 0 else "left",
-        "omega_before_rad_s": before,
-        "omega_after_rad_s": after,
-        "speed_m_s": _known(speed),
-        "acceleration_g": _known(acceleration),
-    }
 
 
 def _write(path: PathLike, text: str) -> None:

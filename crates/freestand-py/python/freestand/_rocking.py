@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -95,34 +96,21 @@ def rock(
     history = bool(history)
     horizontal = None if motion is None else record("motion", motion)
     upward = None if vertical is None else record("vertical", vertical)
-    values = given(
+    asked, file = block._asked()
+    asked |= given(
         restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy, base=base,
         initial_rotation_rad=initial_rotation_rad, initial_velocity_rad_s=initial_velocity_rad_s, duration_s=duration_s,
         friction=friction, gravity_m_s2=gravity_m_s2, cg_rise_m=cg_rise_m, contacts=contacts, at_m=at_m,
         tangential_stiffness_n_m=tangential_stiffness_n_m, tangential_ratio=tangential_ratio,
     )  # fmt: skip
-    if base != "compliant":
-        for name in _COMPLIANT:
-            if name in values:
-                raise bad(f"{name} applies only to a compliant base", 'add base="compliant", or leave it out')
     if walls is not None:
-        values |= walls._given()
-    found = None if sliding is None else _freestand.rock(block._body, horizontal, upward, values | _slid(sliding, walls), history)
-    if found is None:
-        # An object that does not slide, or stands on braked casters that hold.
-        found = _freestand.rock(block._body, horizontal, upward, values, history)
-    else:
-        for name in _OF_ROCKING:
-            if name in values:
-                raise bad(f"{name} applies only to an object that rocks, and this one slides or rolls", "leave it out")
-    assert found is not None
-    result = RockResult(*found, motion)
+        asked |= walls._asked()
+    if sliding is not None:
+        asked |= sliding._given() | {"sliding": not sliding.casters}
+    text, columns = _freestand.rock(asked, horizontal, upward, file, history)
+    result = RockResult(json.loads(text), columns, motion)
     warn(result.warnings)
     return result
-
-
-_COMPLIANT = ("cg_rise_m", "contacts", "at_m", "tangential_stiffness_n_m", "tangential_ratio")
-_OF_ROCKING = ("restitution", "restitution_factor", "model", "base", "initial_rotation_rad", "initial_velocity_rad_s")
 
 
 def check_block(block: Block) -> None:

@@ -31,7 +31,9 @@ pub use short_period::short_period_warning;
 pub use short_period::{few_steps, samples_needed};
 pub use standstill::standstill_note;
 pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
-pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_step, parse_target_source};
+pub use written::{
+    azimuth_deg, parse_baseline, parse_sa_target, parse_step, parse_target_source, read_step,
+};
 
 /// What the user requests for the samples of a record, in the order of the steps. The default only
 /// removes the mean of raw formats.

@@ -545,7 +545,7 @@ fn what_no_record_allows_is_known_before_one_is_read() {
     let found = |entries: &[(&'static str, &str)]| {
         let words = entries.iter().copied().collect();
         let mut reader = WordReader::new(&words);
-        let processing = Processing::read(&mut reader, "".as_ref());
+        let processing = Processing::read(&mut reader, freestand_input::file::as_named);
         let problems = reader.problems.problems;
         let is_told =
             |problem: &Problem| problem.hint.is_some() || problem.message.contains("must");

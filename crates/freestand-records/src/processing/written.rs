@@ -1,6 +1,6 @@
 //! Reads options of processing as people write them.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use freestand::oscillator::DAMPING_RATIO;
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
@@ -16,7 +16,7 @@ use freestand_input::word_reader::WordReader;
 const SCALES: [&str; 4] = ["scale", "scale_to", "scale_to_sa", "scale_to_spectrum"];
 
 impl Processing {
-    /// Processing as a person wrote it; the path of a target is relative to `base_dir`. What no
+    /// Processing as a person wrote it; `find` gives the path of a file that is named. What no
     /// record allows is added to the problems of the reader.
     ///
     /// # Example
@@ -25,11 +25,14 @@ impl Processing {
     /// use freestand_records::processing::Processing;
     /// let words = [("low_cut", "0.1 Hz"), ("taper", "60 %")].into_iter().collect();
     /// let mut reader = WordReader::new(&words);
-    /// let processing = Processing::read(&mut reader, "".as_ref());
+    /// let processing = Processing::read(&mut reader, freestand_input::file::as_named);
     /// assert_eq!(processing.low_cut_hz, Some(0.1));
     /// assert_eq!(reader.problems.problems[0].keys, ["taper"]);
     /// ```
-    pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
+    pub fn read(
+        reader: &mut WordReader<'_>,
+        find: impl Fn(&str) -> Result<PathBuf, Problem>,
+    ) -> Self {
         reader.exclusive("component", "azimuth");
         for (i, first) in SCALES.iter().enumerate() {
             SCALES
@@ -42,9 +45,9 @@ impl Processing {
             "above 0 and up to 50 %; 5 % is usual",
         ];
         let processing = Self {
-            keep_mean: reader.words.get("keep_mean") == Some("true"),
+            keep_mean: reader.flag("keep_mean"),
             azimuth_deg: reader
-                .read("azimuth", |text| parse(text, Dimension::Angle))
+                .quantity("azimuth", Dimension::Angle)
                 .map(azimuth_deg),
             baseline: reader.read("baseline", parse_baseline),
             taper_ratio: reader.accepted(
@@ -56,8 +59,8 @@ impl Processing {
             low_cut_hz: reader.positive("low_cut", Dimension::Frequency),
             high_cut_hz: reader.positive("high_cut", Dimension::Frequency),
             filter_order: filter_order(reader),
-            resample_dt_s: reader.read("resample", parse_step),
-            scale: scale(reader, base_dir),
+            resample_dt_s: read_step(reader, "resample"),
+            scale: scale(reader, find),
         };
         if let (Some(low), Some(high)) = (processing.low_cut_hz, processing.high_cut_hz)
             && low >= high
@@ -92,7 +95,7 @@ fn filter_order(reader: &mut WordReader<'_>) -> u32 {
 /// Beyond this a factor is a slip: even a pulse of unit height in cm/s² becomes 10 g.
 const MAX_FACTOR: f64 = 1e4;
 
-fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
+fn scale(reader: &mut WordReader<'_>, find: impl Fn(&str) -> Result<PathBuf, Problem>) -> Scale {
     let factor = [
         "a number other than 0, up to 10000 either way",
         "other than 0 and of at most 10000, or leave it out to use the record as it is",
@@ -104,10 +107,8 @@ fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
     let spectrum = reader
         .read("scale_to_spectrum", parse_target_source)
         .and_then(|source| {
-            let read = read_target(&TargetSource {
-                path: base_dir.join(&source.path),
-                ..source
-            });
+            let path = find(&source.path.to_string_lossy());
+            let read = path.and_then(|path| read_target(&TargetSource { path, ..source }));
             reader
                 .problems
                 .keep(read.map_err(|problem| problem.of(&["scale_to_spectrum"])))
@@ -118,7 +119,13 @@ fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
         .unwrap_or(Scale::Factor(factor.unwrap_or(1.0)))
 }
 
-/// A time step that a record may have \[s\].
+/// A time step that a record may have \[s\]; a wrong one is added to the problems of the reader.
+pub fn read_step(reader: &mut WordReader<'_>, key: &'static str) -> Option<f64> {
+    let dt_s = reader.quantity(key, Dimension::Time)?;
+    reader.keep(key, check_step(dt_s, ProblemKind::Value).map(|()| dt_s))
+}
+
+/// As [`read_step`], of a text.
 ///
 /// # Errors
 /// A text that is not a time; a step that no record has.

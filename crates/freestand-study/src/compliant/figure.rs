@@ -40,7 +40,7 @@ fn trace_page(report: &CompliantReport) -> Page {
                 (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_time_s),
             )
         });
-    let paper_g = report.facts.number("edge_acceleration_paper_g");
+    let paper_g = report.answer.edge_acceleration_paper_g;
     let within = |p: &&CompliantPoint| (from..=to).contains(&p.time_s);
     let curve = |value: &dyn Fn(&CompliantPoint) -> f64| {
         thin(

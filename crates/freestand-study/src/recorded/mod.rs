@@ -28,8 +28,8 @@ use freestand_records::formats::{
 };
 use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process,
-    process_file, process_pair, standstill_note,
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, process, process_file,
+    process_pair, read_step, standstill_note,
 };
 
 /// Files whose motions are used.
@@ -50,18 +50,15 @@ pub struct MotionFiles {
 }
 
 impl MotionFiles {
-    /// How a person wrote that files are read and processed; paths are relative to `base_dir`. What no
+    /// How a person wrote that files are read and processed; `find` gives the path of a file that is named. What no
     /// file allows is added to the problems of the reader. The files themselves are not yet named.
-    pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
-        let (unit, dt_s) = (
-            reader.read("unit", parse_unit),
-            reader.read("dt", parse_step),
-        );
-        let station_xml = reader
-            .words
-            .get("station_xml")
-            .map(|file| base_dir.join(file));
-        let processing = Processing::read(reader, base_dir);
+    pub fn read(
+        reader: &mut WordReader<'_>,
+        find: impl Fn(&str) -> Result<PathBuf, Problem>,
+    ) -> Self {
+        let (unit, dt_s) = (reader.read("unit", parse_unit), read_step(reader, "dt"));
+        let station_xml = reader.read("station_xml", &find);
+        let processing = Processing::read(reader, find);
         let uneven_dt_s = processing.resample_dt_s;
         Self {
             paths: Vec::new(),
@@ -72,7 +69,7 @@ impl MotionFiles {
                 station_xml,
                 ..ReadOptions::default()
             },
-            component: reader.words.get("component").map(str::to_owned),
+            component: reader.text("component").map(str::to_owned),
             second: Second::None,
             vertical: Upward::None,
             processing,
@@ -549,7 +546,10 @@ mod tests {
         .unwrap();
         let read = |component: Option<&str>, vertical| {
             let words = freestand_input::keys::Words::default();
-            let files = MotionFiles::read(&mut WordReader::new(&words), Path::new(""));
+            let files = MotionFiles::read(
+                &mut WordReader::new(&words),
+                freestand_input::file::as_named,
+            );
             let component = component.map(str::to_owned);
             read_all(&MotionFiles {
                 paths: vec![path.clone()],

@@ -78,10 +78,13 @@ impl Resolver<'_> {
             Err(problems) => {
                 for mut problem in problems {
                     let line = words.line_of(&problem.keys);
-                    let key = problem.keys.first().copied().unwrap_or_default();
+                    let key = problem
+                        .key()
+                        .unwrap_or_default()
+                        .replace("across_", "across ");
                     problem.message = in_its_table(&problem.message);
                     problem.hint = problem.hint.as_deref().map(in_its_table);
-                    self.fault(line, &key.replace("across_", "across "), problem);
+                    self.fault(line, &key, problem);
                 }
                 None
             }

@@ -329,7 +329,7 @@ impl Resolver<'_> {
                     }
                     // What a flag put in place of the study's is on no line of it.
                     let is_flag = |(key, line): (&'static str, Option<usize>)| {
-                        line.is_none() && problem.keys.contains(&key)
+                        line.is_none() && problem.is_about(key)
                     };
                     if written.target.lines().any(is_flag) {
                         let hint = problem

@@ -53,10 +53,10 @@ impl Resolver<'_> {
     pub(super) fn reading(&mut self, written: &GroundOptions) -> Option<MotionFiles> {
         let before = self.problems.len();
         let mut reader = WordReader::new(&written.reading);
-        let files = MotionFiles::read(&mut reader, self.base_dir);
+        let files = MotionFiles::read(&mut reader, |name| Ok(self.base_dir.join(name)));
         for problem in reader.problems {
-            let key = problem.keys.first().copied().unwrap_or_default();
-            self.fault(written.reading.line_of(&problem.keys), key, problem);
+            let key = problem.key().unwrap_or_default().to_owned();
+            self.fault(written.reading.line_of(&problem.keys), &key, problem);
         }
         (self.problems.len() == before).then_some(files)
     }

@@ -88,7 +88,7 @@ impl Resolver<'_> {
             .map_err(|problem| {
                 // Only a number that is too large is the fault of its own line.
                 let count_line = written.suite_count.as_ref().map(|count| count.line);
-                let line = if problem.keys.contains(&"suite_count") {
+                let line = if problem.is_about("suite_count") {
                     count_line
                 } else {
                     None

@@ -16,15 +16,12 @@ use freestand::spatial::{
     BodyMotion, Shape, SpatialMotion, SpatialObject, Stack, StackRocking, Support,
 };
 use freestand_input::problem::Problem;
-use freestand_input::words::{Choices, significant};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
-use freestand_output::rows::table_of_numbers;
-use freestand_output::table::Table;
+use freestand_input::words::Choices;
+use freestand_output::answer;
 use freestand_records::horizontal::HorizontalMotion;
 
 pub use figure::{spatial_figure, stack_figure};
-pub use wall::walls_on_cushions;
+pub use wall::{CushionWallAnswer, walls_on_cushions};
 
 use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
@@ -115,11 +112,157 @@ pub struct SpatialRequest {
     pub how: HistoryOptions,
 }
 
+answer! {
+    /// What an object in space did.
+    pub struct SpatialAnswer {
+        /// What the object stands on.
+        base: &'static str,
+        /// How it is followed.
+        model: &'static str,
+        shape: &'static str = "shape",
+        outcome: &'static str = "outcome",
+        end_time_s: f64 = "end",
+        peak_tilt_rad: f64 = "largest tilt",
+        peak_tilt_time_s: f64 = "  at",
+        peak_tilt_x_rad: f64 = "  to the right",
+        peak_tilt_y_rad: f64 = "  to the back",
+        uplift_m: f64 = "uplift of a point of the base",
+        first_uplift_time_s: Option<f64> = "first uplift",
+        overturn_time_s: Option<f64> = "overturns",
+        final_tilt_x_rad: f64 = "tilt at the end, to the right",
+        final_tilt_y_rad: f64 = "tilt at the end, to the back",
+        yaw_rad: f64 = "yaw at the end",
+        base_slide_peak_m: f64 = "largest displacement of the base",
+        base_slide_final_m: f64 = "displacement of the base at the end",
+        impact_count: usize = "contacts with the floor",
+        walls: Option<CushionWallAnswer> = flat,
+        threshold_x_g: f64 = "uplift threshold, thickness",
+        threshold_y_g: Option<f64> = "uplift threshold, width",
+        static_compression_m: f64 = "compression at rest",
+        energy_error_ratio: f64 = "error of the energy balance",
+        /// Dissipated in the cushions.
+        cushion_dissipation_j: f64,
+        /// Dissipated by friction.
+        friction_j: f64,
+        /// Left in the cushions where an edge leaves them.
+        lost_at_separation_j: f64,
+        /// Work of the floor.
+        base_work_j: f64,
+        /// Energy that was exchanged in all.
+        turnover_j: f64,
+        /// Height of the object.
+        height_m: f64,
+        /// Size along the first motion, where the object is not turned.
+        thickness_m: f64,
+        /// Size across the thickness.
+        width_m: Option<f64>,
+        /// How far the object is turned from the first motion, anticlockwise from above.
+        orientation_rad: f64,
+        support: SupportAnswer = flat,
+        notes: Vec<String> = "note",
+    }
+}
+
+answer! {
+    /// What an object in space or a stack rests on, and how it was followed.
+    pub struct SupportAnswer {
+        /// Mass of the object.
+        mass_kg: f64,
+        /// The law of the cushions.
+        law: &'static str,
+        /// Tangential over normal stiffness of a cushion.
+        tangential_stiffness_ratio: f64,
+        /// Coefficient of friction; none: no slip.
+        friction_ratio: Option<f64>,
+        /// Relative tolerance of the solver.
+        tolerance: f64,
+        /// Steps of the solver.
+        steps: usize,
+        /// Evaluations of the equations of motion.
+        evaluations: usize,
+    }
+}
+
+answer! {
+    /// What a stack did.
+    pub struct StackAnswer {
+        /// What the lower body stands on.
+        base: &'static str,
+        /// How it is followed.
+        model: &'static str,
+        outcome: &'static str = "outcome",
+        overturned_body: Option<&'static str> = "body that falls",
+        end_time_s: f64 = "end",
+        /// The lower body.
+        lower: LowerBody,
+        /// The upper body.
+        upper: UpperBody,
+        threshold_upper_g: f64 = "uplift threshold, upper body alone",
+        threshold_together_g: f64 = "uplift threshold, both together",
+        /// Shares of the time.
+        patterns: StackPatterns,
+        energy_error_ratio: f64 = "error of the energy balance",
+        support: SupportAnswer = flat,
+        /// Mass of the upper body.
+        upper_mass_kg: f64,
+        /// Coefficient of friction between the bodies; none: no slip.
+        interface_friction_ratio: Option<f64>,
+        notes: Vec<String> = "note",
+    }
+}
+
+answer! {
+    /// What a body of a stack did.
+    pub struct StackBodyAnswer {
+        /// How it ended.
+        outcome: &'static str,
+        /// When the rotation was largest.
+        peak_rotation_time_s: f64,
+        /// Rotation at the end.
+        final_rotation_rad: f64,
+        /// Largest uplift of an edge.
+        uplift_m: f64,
+        /// When an edge first lifted.
+        first_uplift_time_s: Option<f64>,
+        /// When it overturned.
+        overturn_time_s: Option<f64>,
+    }
+}
+
+answer! {
+    /// What the lower body of a stack did.
+    pub struct LowerBody {
+        peak_rotation_rad: f64 = "largest rotation, lower body",
+        body: StackBodyAnswer = flat,
+    }
+}
+
+answer! {
+    /// What the upper body of a stack did.
+    pub struct UpperBody {
+        peak_rotation_rad: f64 = "largest rotation, upper body",
+        peak_relative_rotation_rad: f64 = "  relative to the lower one",
+        body: StackBodyAnswer = flat,
+    }
+}
+
+answer! {
+    /// Shares of the time in which a stack moves in a pattern.
+    pub struct StackPatterns {
+        /// Neither body has an edge off its support.
+        rest_ratio: f64,
+        same_ratio: f64 = "share of the time: both rock, same sense",
+        opposite_ratio: f64 = "  both rock, opposite sense",
+        together_ratio: f64 = "  together as one body",
+        upper_alone_ratio: f64 = "  the upper body alone",
+    }
+}
+
 /// What an object in space did.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpatialReport {
-    /// The document of `freestand rock` in three dimensions.
-    pub facts: Facts<'static>,
+    /// What it did.
+    pub answer: SpatialAnswer,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// The shape.
@@ -146,8 +289,8 @@ pub struct StackRequest {
 /// What a stack did.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StackReport {
-    /// The document of `freestand rock` for a stack.
-    pub facts: Facts<'static>,
+    /// What it did.
+    pub answer: StackAnswer,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// The stack.
@@ -264,26 +407,43 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
     // In the plane there is no width.
     let in_space = |value: f64| (!matches!(object.shape, Shape::Plane { .. })).then_some(value);
     let body = &rocking.body;
-    let facts = Facts::default()
-        .key("base", "compliant")
-        .key("model", model)
-        .fact("shape", "shape", name)
-        .fact("outcome", "outcome", body.outcome.name())
-        .fact("end_time_s", "end", rocking.end_time_s)
-        .and(tilt_facts(body))
-        .fact("impact_count", "contacts with the floor", rocking.base_contact_count)
-        .and(wall::facts(object, rocking))
-        .fact("threshold_x_g", "uplift threshold, thickness", thresholds[0])
-        .fact("threshold_y_g", "uplift threshold, width", in_space(thresholds[1]))
-        .fact("static_compression_m", "compression at rest", rocking.static_compression_m)
-        .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
-        .and(facts!(rocking.energy; cushion_dissipation_j, friction_j, lost_at_separation_j, base_work_j, turnover_j))
-        .key("height_m", height_m)
-        .key("thickness_m", size_x)
-        .key("width_m", in_space(size_y))
-        .key("orientation_rad", request.orientation_rad)
-        .and(support_facts(object.mass_kg, &object.support, settings, rocking.effort))
-        .fact("notes", "note", notes(&request.edge));
+    let energy = &rocking.energy;
+    let answer = SpatialAnswer {
+        base: "compliant",
+        model,
+        shape: name,
+        outcome: body.outcome.name(),
+        end_time_s: rocking.end_time_s,
+        peak_tilt_rad: body.peak_tilt_rad,
+        peak_tilt_time_s: body.peak_tilt_time_s,
+        peak_tilt_x_rad: body.peak_tilt_x_rad,
+        peak_tilt_y_rad: body.peak_tilt_y_rad,
+        uplift_m: body.uplift_m,
+        first_uplift_time_s: body.first_uplift_time_s,
+        overturn_time_s: body.overturn_time_s,
+        final_tilt_x_rad: body.final_tilt_x_rad,
+        final_tilt_y_rad: body.final_tilt_y_rad,
+        yaw_rad: body.yaw_rad,
+        base_slide_peak_m: body.base_slide_peak_m,
+        base_slide_final_m: body.base_slide_final_m,
+        impact_count: rocking.base_contact_count,
+        walls: wall::answer(object, rocking),
+        threshold_x_g: thresholds[0],
+        threshold_y_g: in_space(thresholds[1]),
+        static_compression_m: rocking.static_compression_m,
+        energy_error_ratio: energy.residual_ratio,
+        cushion_dissipation_j: energy.cushion_dissipation_j,
+        friction_j: energy.friction_j,
+        lost_at_separation_j: energy.lost_at_separation_j,
+        base_work_j: energy.base_work_j,
+        turnover_j: energy.turnover_j,
+        height_m,
+        thickness_m: size_x,
+        width_m: in_space(size_y),
+        orientation_rad: request.orientation_rad,
+        support: support(object.mass_kg, &object.support, settings, rocking.effort),
+        notes: notes(&request.edge),
+    };
     let is_shaken = given.is_some();
     let mut warnings = warnings(
         object.mass_kg,
@@ -294,34 +454,28 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
     warnings.extend(unresolved_warning(body.outcome));
     warnings.extend(wall::feet_warning(object));
     Ok(SpatialReport {
-        facts,
+        answer,
         warnings,
         shape: object.shape,
         history,
     })
 }
 
-/// What one body did, as of the document in three dimensions.
-fn tilt_facts(body: &BodyMotion) -> Facts<'static> {
-    facts!(body; peak_tilt_rad "largest tilt", peak_tilt_time_s "  at", peak_tilt_x_rad "  to the right",
-        peak_tilt_y_rad "  to the back", uplift_m "uplift of a point of the base",
-        first_uplift_time_s "first uplift", overturn_time_s "overturns", final_tilt_x_rad "tilt at the end, to the right",
-        final_tilt_y_rad "tilt at the end, to the back", yaw_rad "yaw at the end",
-        base_slide_peak_m "largest displacement of the base", base_slide_final_m "displacement of the base at the end")
-}
-
-fn support_facts(
+fn support(
     mass_kg: f64,
     support: &Support,
     settings: &Settings,
     effort: CompliantEffort,
-) -> Facts<'static> {
-    Facts::default()
-        .key("mass_kg", mass_kg)
-        .key("law", support.cushion.law().name())
-        .and(facts!(support; tangential_stiffness_ratio, friction_ratio))
-        .key("tolerance", settings.on_pads.tolerance())
-        .and(facts!(effort; steps, evaluations))
+) -> SupportAnswer {
+    SupportAnswer {
+        mass_kg,
+        law: support.cushion.law().name(),
+        tangential_stiffness_ratio: support.tangential_stiffness_ratio,
+        friction_ratio: support.friction_ratio,
+        tolerance: settings.on_pads.tolerance(),
+        steps: effort.steps,
+        evaluations: effort.evaluations,
+    }
 }
 
 fn notes(edge: &EdgeCushion) -> Vec<String> {
@@ -353,7 +507,7 @@ pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
         .follow(motion, &request.how)
         .map_err(unsolved::problem)?;
     let rocking = &history.rocking;
-    let facts = stack_facts(request, rocking);
+    let answer = stack_answer(request, rocking);
     let lower_kg = request.stack.lower.mass_kg;
     let mut warnings = warnings(
         lower_kg,
@@ -363,75 +517,86 @@ pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
     );
     warnings.extend(unresolved_warning(rocking.outcome));
     Ok(StackReport {
-        facts,
+        answer,
         warnings,
         stack: request.stack.clone(),
         history,
     })
 }
 
-fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static> {
+fn stack_answer(request: &StackRequest, rocking: &StackRocking) -> StackAnswer {
     let stack = &request.stack;
-    let body = |body: &BodyMotion| {
-        Facts::default()
-            .key("outcome", body.outcome.name())
-            .key("peak_rotation_rad", body.peak_tilt_rad)
-            .key("peak_rotation_time_s", body.peak_tilt_time_s)
-            .key("final_rotation_rad", body.final_tilt_x_rad)
-            .key("uplift_m", body.uplift_m)
-            .key("first_uplift_time_s", body.first_uplift_time_s)
-            .key("overturn_time_s", body.overturn_time_s)
+    let body = |body: &BodyMotion| StackBodyAnswer {
+        outcome: body.outcome.name(),
+        peak_rotation_time_s: body.peak_tilt_time_s,
+        final_rotation_rad: body.final_tilt_x_rad,
+        uplift_m: body.uplift_m,
+        first_uplift_time_s: body.first_uplift_time_s,
+        overturn_time_s: body.overturn_time_s,
     };
-    let upper = body(&rocking.upper).key(
-        "peak_relative_rotation_rad",
-        rocking.peak_relative_rotation_rad,
-    );
-    let radians = |value: f64| Some(format!("{} rad", significant(value, 4)));
-    let percent = |share: f64| Some(format!("{} % of the time", significant(100.0 * share, 3)));
     let patterns = &rocking.patterns;
-    Facts::default()
-        .key("base", "compliant")
-        .key("model", "stack")
-        .fact("outcome", "outcome", rocking.outcome.name())
-        .fact("overturned_body", "body that falls", rocking.overturned_body.map(<&str>::from))
-        .fact("end_time_s", "end", rocking.end_time_s)
-        .key("lower", body(&rocking.lower))
-        .line("largest rotation, lower body", radians(rocking.lower.peak_tilt_rad))
-        .line("largest rotation, upper body", radians(rocking.upper.peak_tilt_rad))
-        .line("  relative to the lower one", radians(rocking.peak_relative_rotation_rad))
-        .key("upper", upper)
-        .fact("threshold_upper_g", "uplift threshold, upper body alone", stack.threshold_upper())
-        .fact("threshold_together_g", "uplift threshold, both together", stack.threshold_together())
-        .key("patterns", facts!(patterns; rest_ratio, same_ratio, opposite_ratio, together_ratio, upper_alone_ratio))
-        .line("both rock, same sense", percent(patterns.same_ratio))
-        .line("both rock, opposite sense", percent(patterns.opposite_ratio))
-        .line("together as one body", percent(patterns.together_ratio))
-        .line("the upper body alone", percent(patterns.upper_alone_ratio))
-        .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
-        .and(support_facts(stack.lower.mass_kg, &stack.support, &request.how.settings, rocking.effort))
-        .key("upper_mass_kg", stack.upper.mass_kg)
-        .key("interface_friction_ratio", stack.interface.friction_ratio)
-        .fact("notes", "note", notes(&request.edge))
+    StackAnswer {
+        base: "compliant",
+        model: "stack",
+        outcome: rocking.outcome.name(),
+        overturned_body: rocking.overturned_body.map(Into::into),
+        end_time_s: rocking.end_time_s,
+        lower: LowerBody {
+            peak_rotation_rad: rocking.lower.peak_tilt_rad,
+            body: body(&rocking.lower),
+        },
+        upper: UpperBody {
+            peak_rotation_rad: rocking.upper.peak_tilt_rad,
+            peak_relative_rotation_rad: rocking.peak_relative_rotation_rad,
+            body: body(&rocking.upper),
+        },
+        threshold_upper_g: stack.threshold_upper(),
+        threshold_together_g: stack.threshold_together(),
+        patterns: StackPatterns {
+            rest_ratio: patterns.rest_ratio,
+            same_ratio: patterns.same_ratio,
+            opposite_ratio: patterns.opposite_ratio,
+            together_ratio: patterns.together_ratio,
+            upper_alone_ratio: patterns.upper_alone_ratio,
+        },
+        energy_error_ratio: rocking.energy.residual_ratio,
+        support: support(
+            stack.lower.mass_kg,
+            &stack.support,
+            &request.how.settings,
+            rocking.effort,
+        ),
+        upper_mass_kg: stack.upper.mass_kg,
+        interface_friction_ratio: stack.interface.friction_ratio,
+        notes: notes(&request.edge),
+    }
 }
 
-/// A history in space as CSV.
-pub fn spatial_table(history: &[SpatialPoint]) -> Table {
-    let head = "time_s,tilt_x_rad,tilt_y_rad,tilt_rad,yaw_rad,base_x_m,base_y_m,base_z_m";
-    let row = |p: &SpatialPoint| {
-        let ([x, y, tilt], [base_x, base_y, base_z]) = (p.tilts_rad, p.base_m);
-        vec![p.time_s, x, y, tilt, p.yaw_rad, base_x, base_y, base_z]
-    };
-    table_of_numbers(head, history.iter().map(row))
+/// The columns of a history in space.
+pub const SPATIAL_HISTORY: &str =
+    "time_s,tilt_x_rad,tilt_y_rad,tilt_rad,yaw_rad,base_x_m,base_y_m,base_z_m";
+
+/// A row of a history in space.
+pub fn spatial_row(point: &SpatialPoint) -> [f64; 8] {
+    let ([x, y, tilt], [base_x, base_y, base_z]) = (point.tilts_rad, point.base_m);
+    [
+        point.time_s,
+        x,
+        y,
+        tilt,
+        point.yaw_rad,
+        base_x,
+        base_y,
+        base_z,
+    ]
 }
 
-/// The history of a stack as CSV.
-pub fn stack_table(history: &[StackPoint]) -> Table {
-    let row =
-        |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
-    table_of_numbers(
-        "time_s,lower_rotation_rad,upper_rotation_rad",
-        history.iter().map(row),
-    )
+/// The columns of the history of a stack.
+pub const STACK_HISTORY: &str = "time_s,lower_rotation_rad,upper_rotation_rad";
+
+/// A row of the history of a stack.
+pub fn stack_row(point: &StackPoint) -> [f64; 3] {
+    [point.time_s, point.rotations_rad[0], point.rotations_rad[1]]
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use freestand::cushion::Cushion;
 use freestand::spatial::{Shape, SpatialObject, SpatialRocking, Wall};
 use freestand::wall::{self, Contact, Walls};
 use freestand_input::problem::Problem;
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 
 use super::with_stiffness;
 
@@ -90,10 +90,26 @@ fn contact(object: &SpatialObject, wall: &Wall) -> Option<Contact> {
     given.contact(&block, block.pivot()).ok()?
 }
 
+answer! {
+    /// What a history on cushions says about walls.
+    pub struct CushionWallAnswer {
+        wall_angle_left_rad: Option<f64> = "touches the left wall at",
+        wall_angle_right_rad: Option<f64> = "touches the right wall at",
+        wall_impact_count: usize = "contacts with walls",
+        wall_speed_max_m_s: Option<f64> = "  largest speed",
+        wall_acceleration_g: Option<f64> = "  shock at the point of contact",
+        /// The largest force on a wall.
+        wall_force_max_n: Option<f64>,
+    }
+}
+
 /// What a history says about walls; nothing without one.
-pub(super) fn facts(object: &SpatialObject, rocking: &SpatialRocking) -> Facts<'static> {
+pub(super) fn answer(
+    object: &SpatialObject,
+    rocking: &SpatialRocking,
+) -> Option<CushionWallAnswer> {
     if object.walls.is_empty() {
-        return Facts::default();
+        return None;
     }
     let of = |side: EdgeSide| object.walls.iter().find(|wall| wall.side == side);
     let angle = |side| {
@@ -116,34 +132,12 @@ pub(super) fn facts(object: &SpatialObject, rocking: &SpatialRocking) -> Facts<'
         .zip(forces_n)
         .filter_map(shock_g)
         .reduce(f64::max);
-    Facts::default()
-        .fact(
-            "wall_angle_left_rad",
-            "touches the left wall at",
-            angle(EdgeSide::Left),
-        )
-        .fact(
-            "wall_angle_right_rad",
-            "touches the right wall at",
-            angle(EdgeSide::Right),
-        )
-        .fact(
-            "wall_impact_count",
-            "contacts with walls",
-            rocking.wall_contact_count,
-        )
-        .fact(
-            "wall_speed_max_m_s",
-            "  largest speed",
-            has_struck.then_some(rocking.wall_speed_max_m_s),
-        )
-        .fact(
-            "wall_acceleration_g",
-            "  shock at the point of contact",
-            shock_g.filter(|_| has_struck),
-        )
-        .key(
-            "wall_force_max_n",
-            has_struck.then_some(forces_n[0].max(forces_n[1])),
-        )
+    Some(CushionWallAnswer {
+        wall_angle_left_rad: angle(EdgeSide::Left),
+        wall_angle_right_rad: angle(EdgeSide::Right),
+        wall_impact_count: rocking.wall_contact_count,
+        wall_speed_max_m_s: has_struck.then_some(rocking.wall_speed_max_m_s),
+        wall_acceleration_g: shock_g.filter(|_| has_struck),
+        wall_force_max_n: has_struck.then_some(forces_n[0].max(forces_n[1])),
+    })
 }

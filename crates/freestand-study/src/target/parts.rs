@@ -85,9 +85,9 @@ impl Target {
             }),
             Err(mut problems) => {
                 // The value that stands in is wrong where the value that it repeats is.
-                problems.problems.retain(|problem| {
-                    !problem.keys.first().is_some_and(|key| filled.contains(key))
-                });
+                problems
+                    .problems
+                    .retain(|problem| !problem.key().is_some_and(|key| filled.contains(&key)));
                 Err(problems)
             }
         }

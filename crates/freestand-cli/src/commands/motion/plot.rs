@@ -12,7 +12,7 @@ use crate::files::Files;
 use crate::reading::path_text;
 
 /// Whether and where to draw.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct PlotArgs {
     /// Draw a figure as FILE.svg or FILE.png; without a name, as both in the folder of --out
     #[arg(long, value_name = "FILE", num_args = 0..=1)]
@@ -29,11 +29,6 @@ pub(crate) enum Target {
 }
 
 impl PlotArgs {
-    /// Whether a figure is wanted.
-    pub(crate) fn is_given(&self) -> bool {
-        self.plot.is_some()
-    }
-
     /// Where the figures are written; `None`: nothing is drawn.
     pub(crate) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
         let Some(name) = &self.plot else {

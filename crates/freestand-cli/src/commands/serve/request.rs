@@ -8,9 +8,13 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app::files::{Content, Files, Sent};
+use freestand_app::request::from_entries;
+use freestand_app::rock::{Meant, Rock, resolve};
 use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
+use freestand_input::file::as_named;
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
@@ -24,7 +28,8 @@ use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
-use crate::commands::Cli;
+use crate::args::GlobalArgs;
+use crate::commands::{Cli, rock};
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
@@ -189,7 +194,7 @@ fn kind(path: &Path) -> Kind {
     let files = MotionFiles {
         paths: vec![path.to_path_buf()],
         vertical: Upward::Itself("component"),
-        ..MotionFiles::read(&mut WordReader::new(&words), Path::new(""))
+        ..MotionFiles::read(&mut WordReader::new(&words), as_named)
     };
     if read_all(&files).is_ok() {
         Kind::Record
@@ -203,6 +208,9 @@ fn kind(path: &Path) -> Kind {
 fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
     let read = || -> Result<(), Wrong> {
+        if request.command == "rock" {
+            return meant(request).map(drop);
+        }
         parsed(request)?;
         let studies = request
             .files
@@ -220,8 +228,7 @@ fn check(request: &Request) -> Result<(), Refusal> {
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
     let run = || -> Result<Reply, Wrong> {
-        let mut cli = parsed(request)?;
-        let scratch = scratch(request, &mut cli)?;
+        let asked = asked(request)?;
         let follow = match &request.history {
             History::Of { motion } => Some(Follow::Named(motion.clone())),
             other => other.is_wanted().then_some(Follow::Telling),
@@ -247,10 +254,19 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
             Shape::Events => RowsWanted::Told,
         };
         let session = Arc::new(session.with_rows(rows));
-        let done = cli
-            .command
-            .run(&cli.global, &Printer::keeping(Arc::clone(&session)));
-        drop(scratch);
+        let printer = Printer::keeping(Arc::clone(&session));
+        let done = match asked {
+            Asked::Rock(meant) => {
+                let global = GlobalArgs::of_request(request.folder.clone());
+                rock::tell(&meant, &rock::Output::default(), &global, &printer)
+            }
+            Asked::Typed(mut cli) => {
+                let scratch = scratch(request, &mut cli)?;
+                let done = cli.command.run(&cli.global, &printer);
+                drop(scratch);
+                done
+            }
+        };
         let kept = session.take();
         match done {
             Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(written(request, kept, &seen)?),
@@ -258,6 +274,53 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         }
     };
     run().map_err(|wrong| seen.refusal(&wrong))
+}
+
+/// What a request asks.
+enum Asked {
+    /// `rock`.
+    Rock(Box<Meant>),
+    /// A command whose request is the line that a person would type.
+    Typed(Box<Cli>),
+}
+
+fn asked(request: &Request) -> Result<Asked, Wrong> {
+    if request.command == "rock" {
+        return Ok(Asked::Rock(Box::new(meant(request)?)));
+    }
+    Ok(Asked::Typed(Box::new(parsed(request)?)))
+}
+
+/// What a request for one object means. It names files by what was sent with it alone.
+fn meant(request: &Request) -> Result<Meant, Wrong> {
+    let mut entries = request.options.clone();
+    let mut sent = Vec::new();
+    for (key, paths) in &request.files {
+        let named = |path: &PathBuf| path.to_string_lossy().into_owned();
+        if entries
+            .insert(key.clone(), paths.iter().map(named).collect())
+            .is_some()
+        {
+            let message = format!("{key} is given as a value and as a file");
+            return Err(Wrong::option(
+                key,
+                Failure::usage(message, "keep one of them"),
+            ));
+        }
+        sent.extend(paths.iter().map(|path| Sent {
+            name: named(path),
+            content: Content::At(path.clone()),
+        }));
+    }
+    if let Some(edit) = request.edits.first() {
+        let failure = Failure::usage(
+            format!("{} is no cell of a list", edit.cell),
+            "leave it out",
+        );
+        return Err(Wrong::option("edits", failure));
+    }
+    let rock: Rock = from_entries(&entries)?;
+    Ok(resolve(&rock, &Files::Sent(sent))?)
 }
 
 /// A folder for the files of a live request that writes some, which nobody will read: without it they

@@ -1,0 +1,138 @@
+//! The cushion under one edge of an object.
+
+use std::path::{Path, PathBuf};
+
+use clap::{ArgAction, Args};
+use freestand_input::keys::Words;
+use freestand_input::problem::Problems;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::cushion::{self, EdgeCushion, pad_words, read_cushion_file, with_file};
+use serde::Deserialize;
+
+use crate::files::{Content, Files};
+use crate::request::{Request, one_or_many, request};
+
+/// The cushion under one edge of an object.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct CushionUnder {
+    /// Stiffness of the whole cushion under one edge; for a power law, such as "2e7 N/m^1.5"
+    #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
+    pub stiffness: Option<Written>,
+    /// Stiffness (and law) of one pad; needs --pads-per-edge
+    #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
+    pub pad_stiffness: Option<Written>,
+    /// One pad, from a file written by freestand cushion drop; needs --pads-per-edge
+    #[arg(long, value_name = "FILE.toml", help_heading = "The cushion")]
+    pub cushion: Option<Written>,
+    /// Number of pads under one edge
+    #[arg(long, value_name = "N", help_heading = "The cushion")]
+    pub pads_per_edge: Option<Written>,
+    /// A layer in series with the cushion: legs, floor covering (repeatable)
+    #[arg(long, value_name = "STIFFNESS", action = ArgAction::Append, help_heading = "The cushion")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub series_stiffness: Vec<Written>,
+    /// Thickness of the pad, used in warnings only [default: 20 mm]
+    #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
+    pub pad_thickness: Option<Written>,
+    /// Contact law: linear, power (hertz), kelvin-voigt, hunt-crossley, tangent [default: linear]
+    #[arg(long, value_name = "LAW", help_heading = "The cushion")]
+    pub law: Option<Written>,
+    /// Exponent of a power or hunt-crossley law [default: 1.5]
+    #[arg(long, value_name = "N", help_heading = "The cushion")]
+    pub exponent: Option<Written>,
+    /// Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as "300 N s/m"
+    #[arg(long, value_name = "DAMPING", help_heading = "The cushion")]
+    pub damping: Option<Written>,
+    /// Dissipation of hunt-crossley, such as "0.3 s/m"
+    #[arg(long, value_name = "DISSIPATION", help_heading = "The cushion")]
+    pub dissipation: Option<Written>,
+    /// Compression at which a tangent law bottoms
+    #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
+    pub bottoming: Option<Written>,
+}
+
+request!(CushionUnder {
+    stiffness,
+    pad_stiffness,
+    cushion,
+    pads_per_edge,
+    series_stiffness,
+    pad_thickness,
+    law,
+    exponent,
+    damping,
+    dissipation,
+    bottoming
+});
+
+impl CushionUnder {
+    /// The cushion under one edge of an object of `mass_kg`; `None` if nothing describes it, or something is wrong.
+    pub(crate) fn resolve(
+        &self,
+        read: &mut WordReader<'_>,
+        mass_kg: Option<f64>,
+        files: &Files,
+    ) -> Option<EdgeCushion> {
+        let words = self.with_units();
+        let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
+        read.pass(&keys);
+        if words.is_empty() {
+            return None;
+        }
+        let words = read.problems.keep(with_its_file(words, files))?;
+        let resolved = cushion::resolve(&words, mass_kg);
+        let path = words.get("cushion").map(Path::new);
+        let in_file = |problems: Problems| -> Problems {
+            // A wrong value from the file is reported with the name of the file.
+            let named = problems.into_iter().map(|problem| match path {
+                Some(path) => problem.in_file(path),
+                None => problem,
+            });
+            named.collect()
+        };
+        read.problems.keep(resolved.map_err(in_file))
+    }
+
+    /// The file that it names.
+    pub(crate) fn input(&self) -> Option<PathBuf> {
+        self.cushion.as_ref().map(|name| PathBuf::from(name.text()))
+    }
+
+    /// As it was written, every bare number with its unit.
+    fn with_units(&self) -> Words {
+        let of = |written: &Option<Written>, unit| written.as_ref().map(|one| one.in_unit(unit));
+        let written = Self {
+            stiffness: of(&self.stiffness, "N/m"),
+            pad_stiffness: of(&self.pad_stiffness, "N/m"),
+            series_stiffness: self
+                .series_stiffness
+                .iter()
+                .map(|one| one.in_unit("N/m"))
+                .collect(),
+            pad_thickness: of(&self.pad_thickness, "m"),
+            dissipation: of(&self.dissipation, "s/m"),
+            bottoming: of(&self.bottoming, "m"),
+            ..self.clone()
+        };
+        written.words()
+    }
+}
+
+/// The words of a cushion, with those of the file that they name.
+fn with_its_file(words: Words, files: &Files) -> Result<Words, Problems> {
+    let Some(name) = words.get("cushion") else {
+        return Ok(words);
+    };
+    let file = match files
+        .find(name)
+        .map_err(|problem| problem.named("cushion"))?
+    {
+        Content::At(path) => read_cushion_file(&path)?.0,
+        Content::Text(text) => pad_words(&text, Path::new(name))?,
+        Content::Motion(_) => return Ok(words),
+    };
+    Ok(with_file(&words, file)?)
+}

@@ -1,0 +1,71 @@
+//! Where the files that a request names come from.
+
+use std::path::PathBuf;
+
+use freestand::motion::Motion;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
+/// Where the files that a request names come from.
+#[derive(Debug, Clone, Default)]
+pub enum Files {
+    /// The disk: a name is a path.
+    #[default]
+    Disk,
+    /// What came with the request, by name.
+    Sent(Vec<Sent>),
+}
+
+/// A file that came with a request.
+#[derive(Debug, Clone)]
+pub struct Sent {
+    /// What the request calls it.
+    pub name: String,
+    /// What it is.
+    pub content: Content,
+}
+
+/// What came with a request.
+#[derive(Debug, Clone)]
+pub enum Content {
+    /// A file that was put here.
+    At(PathBuf),
+    /// A motion in memory.
+    Motion(Motion),
+    /// The text of a file in memory.
+    Text(String),
+}
+
+impl Files {
+    /// What a request calls by this name.
+    ///
+    /// # Errors
+    /// A name that did not come with the request, where only such files are read.
+    pub fn find(&self, name: &str) -> Result<Content, Problem> {
+        match self {
+            Self::Disk => Ok(Content::At(PathBuf::from(name))),
+            Self::Sent(all) => all
+                .iter()
+                .find(|sent| sent.name == name)
+                .map(|sent| sent.content.clone())
+                .ok_or_else(|| not_sent(name)),
+        }
+    }
+
+    /// The path of a file that a request calls by this name.
+    ///
+    /// # Errors
+    /// As [`Files::find`]; what is no file.
+    pub fn path(&self, name: &str) -> Result<PathBuf, Problem> {
+        match self.find(name)? {
+            Content::At(path) => Ok(path),
+            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
+        }
+    }
+}
+
+pub(crate) fn not_sent(name: &str) -> Problem {
+    let message = format!("\"{}\" is not a file of this request", shorten(name));
+    Problem::new(ProblemKind::Io, message)
+        .hint("send the file with the request, and name it as it was sent")
+}

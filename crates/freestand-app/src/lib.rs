@@ -1,0 +1,20 @@
+//! Questions as people and programs ask them: one struct each, which the command line, the page and Python fill
+//! in the same way. `resolve` alone knows defaults, units, choices and what may be combined, and tells
+//! all problems at once; what it returns is in SI and asks the models.
+
+pub mod files;
+pub mod request;
+pub mod rock;
+pub mod schema;
+
+mod block;
+mod cushion;
+mod records;
+mod sliding;
+mod walls;
+
+pub use block::{GeneralBlock, Rocking};
+pub use cushion::CushionUnder;
+pub use records::{Records, VerticalRecord};
+pub use sliding::Sliding;
+pub use walls::Walls;

@@ -1,0 +1,416 @@
+//! Records of motions: how they are read and processed.
+
+use std::fmt::Display;
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand::motion::Motion;
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_records::processing::parse_target_source;
+use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
+use freestand_study::study::RecordedMotion;
+use serde::Deserialize;
+
+use crate::files::{Content, Files, not_sent};
+use crate::request::{Request, request};
+
+/// How records are read and processed; the processing is in the order of its options.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Records {
+    /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
+    #[arg(long, value_name = "UNIT", help_heading = "Reading records")]
+    pub unit: Option<Written>,
+    /// Time step of a file without a column of times
+    #[arg(long, value_name = "TIME", help_heading = "Reading records")]
+    pub dt: Option<Written>,
+    /// Component to read from a file with several, by name or by number (from 1)
+    #[arg(long, value_name = "NAME|NUMBER", help_heading = "Reading records")]
+    pub component: Option<Written>,
+    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]
+    #[arg(long, value_name = "FILE", help_heading = "Reading records")]
+    pub station_xml: Option<Written>,
+    /// Do not remove the mean of raw records (counts, miniSEED, SAC)
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "Reading records")]
+    pub keep_mean: Option<Written>,
+    /// Factor that multiplies the samples [default: 1]
+    #[arg(long, value_name = "RATIO", help_heading = "Reading records")]
+    pub scale: Option<Written>,
+    /// Rotate the two horizontal components of a file to this azimuth, clockwise from north
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub azimuth: Option<Written>,
+    /// Baseline to remove: mean, pre-event:5s, linear, quadratic, cubic, poly:N, graizer, graizer:N:5s, boore:T1:T2
+    ///
+    /// mean and pre-event remove a constant: the mean of the record or of its first seconds. linear, quadratic,
+    /// cubic and poly:N remove a polynomial fitted to the acceleration. graizer removes the derivative of a
+    /// polynomial fitted to the velocity, of degree 2 or N, from 0 s or from the time given (Graizer 1979). boore
+    /// removes two offsets, one from T1 to T2 and one after T2, so that the velocity ends near zero (Iwan 1985,
+    /// Boore 2001).
+    #[arg(
+        long,
+        value_name = "BASELINE",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub baseline: Option<Written>,
+    /// Length of the cosine taper at each end, as a share of the record
+    #[arg(
+        long,
+        value_name = "RATIO",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub taper: Option<Written>,
+    /// Corner frequency of a high-pass filter
+    ///
+    /// A Butterworth filter is run forwards and backwards: it shifts nothing in time and halves the amplitude at the
+    /// corner. Zeros are added before and after the record for a time of 1.5 × order / corner, and are kept, so that
+    /// the record starts earlier (Boore 2005).
+    #[arg(
+        long,
+        value_name = "FREQUENCY",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub low_cut: Option<Written>,
+    /// Corner frequency of a low-pass filter of the same kind
+    #[arg(
+        long,
+        value_name = "FREQUENCY",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub high_cut: Option<Written>,
+    /// Order of the filters, from 1 to 10 [default: 4]
+    #[arg(
+        long,
+        value_name = "N",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub filter_order: Option<Written>,
+    /// New time step, by band-limited interpolation (by straight lines if samples are unevenly spaced)
+    #[arg(
+        long,
+        value_name = "TIME",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub resample: Option<Written>,
+    /// Scale to this peak acceleration, such as "0.3 g"
+    #[arg(
+        long,
+        value_name = "ACCELERATION",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub scale_to: Option<Written>,
+    /// Scale to a pseudo-acceleration, such as "0.4 g at 1.2 s", or "0.4 g at 1.2 s, 2 %" for a damping other than 5 %
+    #[arg(
+        long,
+        value_name = "ACCELERATION at PERIOD",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub scale_to_sa: Option<Written>,
+    /// Scale to the spectrum of a file, such as target.csv; "target.csv, 0.1 s to 2 s, 2 %" uses a part of it and a
+    /// damping of 2 %
+    ///
+    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as "period [s];
+    /// PSA [g]", or is the spectrum.csv of `freestand motion spectrum --out`. The factor minimises the squared error of
+    /// ln PSA, in which every period of the file has the same weight. The damping is that of the file if it states
+    /// exactly one, and otherwise 5 %.
+    #[arg(
+        long,
+        value_name = "FILE[, PERIODS][, DAMPING]",
+        hide_short_help = true,
+        help_heading = "Processing records, in this order"
+    )]
+    pub scale_to_spectrum: Option<Written>,
+}
+
+request!(Records {
+    unit,
+    dt,
+    component,
+    station_xml,
+    keep_mean,
+    scale,
+    azimuth,
+    baseline,
+    taper,
+    low_cut,
+    high_cut,
+    filter_order,
+    resample,
+    scale_to,
+    scale_to_sa,
+    scale_to_spectrum
+});
+
+/// The vertical record of a motion.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct VerticalRecord {
+    /// Record of the vertical acceleration of the floor, positive upward, with the same step and
+    /// length
+    #[arg(long, value_name = "FILE")]
+    pub vertical: Option<Written>,
+    /// Factor that multiplies the vertical samples [default: 1]
+    #[arg(long, value_name = "RATIO")]
+    pub vertical_scale: Option<Written>,
+    /// Component to read from the vertical record, if it has several
+    #[arg(long, value_name = "NAME|NUMBER")]
+    pub vertical_component: Option<Written>,
+}
+
+request!(VerticalRecord {
+    vertical,
+    vertical_scale,
+    vertical_component
+});
+
+/// The records of a request, checked but for what is in them.
+pub(crate) struct Named<'f> {
+    files: &'f Files,
+    how: MotionFiles,
+    upward: MotionFiles,
+    horizontal: Vec<String>,
+    vertical: Option<String>,
+}
+
+/// Motions, and what their reader concluded.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadMotions {
+    /// The horizontal motions, each with its name.
+    pub horizontal: Vec<(String, Motion)>,
+    /// The second horizontal component of the last of them.
+    pub across: Option<Motion>,
+    /// The vertical motion.
+    pub vertical: Option<Motion>,
+    /// Notes of the reader.
+    pub warnings: Vec<String>,
+    /// What was done to the samples.
+    pub processing: Vec<String>,
+    /// The files that were read.
+    pub inputs: Vec<PathBuf>,
+}
+
+impl Records {
+    /// How the records that a request names are read; what no file allows is a problem.
+    pub(crate) fn named<'f>(
+        &self,
+        read: &mut WordReader<'_>,
+        motion: &[Written],
+        vertical: &VerticalRecord,
+        files: &'f Files,
+    ) -> Named<'f> {
+        let words = self.words();
+        let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
+        read.pass(&["motion", "vertical"]);
+        read.pass(&keys);
+        if motion.is_empty() && vertical.vertical.is_none() && !keys.is_empty() {
+            let named = keys
+                .iter()
+                .map(|key| format!("`{key}`"))
+                .collect::<Vec<_>>()
+                .join(", ");
+            read.note(
+                &keys,
+                format!("{named} without a record"),
+                "name the record with `motion`",
+            );
+        }
+        let own = vertical_words(&words, vertical, read);
+        let how = |words: &Words| {
+            let mut reader = WordReader::new(words);
+            let how = MotionFiles::read(&mut reader, |name| files.path(name));
+            (how, reader.problems)
+        };
+        let (horizontally, problems) = how(&words);
+        problems
+            .into_iter()
+            .for_each(|problem| read.problems.push(problem));
+        // What is wrong for both has been said.
+        let (upward, _) = how(&own);
+        Named {
+            files,
+            how: horizontally,
+            upward: MotionFiles {
+                vertical: Upward::Itself("vertical_component"),
+                ..upward
+            },
+            horizontal: motion.iter().map(Written::text).collect(),
+            vertical: vertical.vertical.as_ref().map(Written::text),
+        }
+    }
+
+    /// The files that these options name: StationXML, and the target that records are scaled to.
+    fn inputs(&self) -> Vec<PathBuf> {
+        let target = self
+            .scale_to_spectrum
+            .as_ref()
+            .and_then(|text| parse_target_source(&text.text()).ok())
+            .map(|target| target.path);
+        let station_xml = self
+            .station_xml
+            .as_ref()
+            .map(|name| PathBuf::from(name.text()));
+        station_xml.into_iter().chain(target).collect()
+    }
+}
+
+/// How the vertical record is read: unit, step, baseline and filters are those of the horizontal one; its scale and
+/// its component are its own, and it is not rotated.
+fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReader<'_>) -> Words {
+    let mut own = words.clone();
+    for key in [
+        "component",
+        "scale",
+        "azimuth",
+        "scale_to",
+        "scale_to_sa",
+        "scale_to_spectrum",
+    ] {
+        own.remove(key);
+    }
+    let scale = read.quantity("vertical_scale", Dimension::Ratio);
+    read.text("vertical_component");
+    for key in ["vertical_scale", "vertical_component"] {
+        if read.has(key) && vertical.vertical.is_none() {
+            read.note(
+                &[key],
+                format!("`{key}` needs `vertical`"),
+                "name the vertical record, or leave it out",
+            );
+        }
+    }
+    if let Some(component) = &vertical.vertical_component {
+        own.write("component", component);
+    }
+    if let Some(ratio) = scale {
+        own.write("scale", &Written::Number(ratio));
+    }
+    own
+}
+
+impl Named<'_> {
+    /// Whether there is neither a horizontal nor a vertical record.
+    pub(crate) fn is_none(&self) -> bool {
+        self.horizontal.is_empty() && self.vertical.is_none()
+    }
+
+    /// The number of horizontal records.
+    pub(crate) fn count(&self) -> usize {
+        self.horizontal.len()
+    }
+
+    /// The motions. `second` says where the second horizontal component is; `across` names the record of it.
+    pub(crate) fn read(
+        &self,
+        second: Second,
+        across: Option<&str>,
+        records: &Records,
+    ) -> Result<ReadMotions, Problems> {
+        let mut found = ReadMotions::default();
+        let how = MotionFiles {
+            second,
+            ..self.how.clone()
+        };
+        for name in &self.horizontal {
+            let (name, motion, second) = self.motion("motion", name, &how, &mut found)?;
+            found.horizontal.push((name, motion));
+            found.across = second;
+        }
+        if let Some(name) = across {
+            found.across = Some(self.motion("motion_y", name, &self.how, &mut found)?.1);
+        }
+        if let Some(name) = &self.vertical {
+            found.vertical = Some(self.motion("vertical", name, &self.upward, &mut found)?.1);
+        }
+        found.inputs.extend(records.inputs());
+        Ok(found)
+    }
+
+    /// The motion that a request calls by this name, its own name, and the second component of its file.
+    fn motion(
+        &self,
+        key: &'static str,
+        name: &str,
+        how: &MotionFiles,
+        found: &mut ReadMotions,
+    ) -> Result<(String, Motion, Option<Motion>), Problems> {
+        let path = match self
+            .files
+            .find(name)
+            .map_err(|problem| problem.named(key))?
+        {
+            Content::Motion(motion) => return Ok((name.to_owned(), motion, None)),
+            Content::At(path) => path,
+            Content::Text(_) => return Err(not_sent(name).named(key).into()),
+        };
+        let how = MotionFiles {
+            paths: vec![path.clone()],
+            ..how.clone()
+        };
+        let read = read_all(&how)?.pop().ok_or_else(|| {
+            let message = "the file was read but contains no motion";
+            Problem::new(ProblemKind::Computation, message).in_file(&path)
+        })?;
+        found.enter(&read);
+        let across = read.motion.across.map(|across| across.motion);
+        Ok((read.motion.name, read.motion.motion, across))
+    }
+}
+
+impl ReadMotions {
+    /// Adds the notes and the processing of a motion.
+    fn enter(&mut self, read: &ReadMotion) {
+        let RecordedMotion {
+            name,
+            path,
+            processing,
+            ..
+        } = &read.motion;
+        let named = |text: &dyn Display| format!("{name}: {text}");
+        self.inputs.push(path.clone());
+        self.warnings
+            .extend(read.notes.iter().map(|note| named(note)));
+        self.processing
+            .extend(processing.iter().map(|step| named(step)));
+    }
+}
+
+/// Two components of one file: `both`, or two by name or number.
+pub(crate) fn components(text: &str) -> Result<Second, Problem> {
+    if text.trim().eq_ignore_ascii_case("both") {
+        return Ok(Second::SameFile(None));
+    }
+    match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+        [first, second] if !first.is_empty() && !second.is_empty() => Ok(Second::SameFile(Some((
+            first.to_owned(),
+            second.to_owned(),
+        )))),
+        _ => {
+            let message = format!(
+                "two names or numbers are expected, not \"{}\"",
+                shorten(text)
+            );
+            Err(Problem::value(
+                message,
+                "write both, or \"1, 2\", or \"N-S, E-W\"",
+            ))
+        }
+    }
+}

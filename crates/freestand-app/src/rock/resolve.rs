@@ -1,0 +1,717 @@
+//! What a request means: the object with the solver that follows it, in SI, and its motions.
+
+use std::ops::RangeInclusive;
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::compliant::CompliantBase;
+use freestand::motion::Motion;
+use freestand::respond::{
+    Along, HistoryOptions, Pads, Plane, Planes, Release, RigidPlane, Settings,
+};
+use freestand::rocking::RockingModel;
+use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support};
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::number;
+use freestand_input::written::Written;
+use freestand_study::compliant::{CompliantRequest, Turned, start, with_tangential_stiffness};
+use freestand_study::cushion::EdgeCushion;
+use freestand_study::recorded::Second;
+use freestand_study::rock::{RockRequest, until};
+use freestand_study::sliding::{Contact, SlideRequest, StopShock};
+use freestand_study::spatial::{
+    SHAPES, SpatialRequest, StackRequest, interface, shape, walls_on_cushions,
+};
+
+use super::Rock;
+use crate::files::Files;
+use crate::records::{ReadMotions, components};
+use crate::request::{Request, unknown};
+use crate::{block, sliding, walls};
+
+/// What is asked, in SI.
+#[derive(Debug, Clone)]
+pub struct Meant {
+    /// The object, without its motions.
+    pub asked: Asked,
+    /// Its motions.
+    pub motions: ReadMotions,
+}
+
+/// An object, by the solver that follows it.
+#[derive(Debug, Clone)]
+pub enum Asked {
+    /// On a rigid base.
+    Rigid(RockRequest),
+    /// Sliding or rolling.
+    Slides(SlideRequest),
+    /// On its cushions, in a plane.
+    OnPads(CompliantRequest),
+    /// On its cushions, in three dimensions or at a wall.
+    InSpace(SpatialRequest),
+    /// A stack of two.
+    Stack(StackRequest),
+}
+
+/// What a request is about: its words choose it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Rigid,
+    Slides,
+    OnPads,
+    InSpace,
+    AtWallOnPads,
+    Stack,
+}
+
+impl Kind {
+    /// What it is, for a value that does not apply to it.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Rigid => "an object on a rigid base",
+            Self::Slides => "an object that slides or rolls",
+            Self::OnPads => "an object on cushions",
+            Self::InSpace => "an object in three dimensions",
+            Self::AtWallOnPads => "an object on cushions at a wall",
+            Self::Stack => "a stack",
+        }
+    }
+
+    /// A value that does not apply to it, and what to do about it.
+    fn refusal(self, key: &str) -> (String, &'static str) {
+        let on_cushions = matches!(
+            self,
+            Self::OnPads | Self::InSpace | Self::AtWallOnPads | Self::Stack
+        );
+        let only = |home: &str| format!("`{key}` applies only to {home}");
+        let not = || format!("`{key}` does not apply to {}", self.words());
+        let is_of_cushions =
+            OF_CUSHIONS.contains(&key) || OF_SPACE.contains(&key) || OF_STACK.contains(&key);
+        match key {
+            _ if is_of_cushions && !on_cushions => (
+                only("a compliant base"),
+                "add `base = \"compliant\"`, or leave it out",
+            ),
+            "wall_restitution" if on_cushions => (
+                only("a rigid base"),
+                "leave it out: on cushions, what an impact at a wall returns follows from its cushion, which \
+                 `wall_stiffness` describes",
+            ),
+            "restitution" | "restitution_factor" | "model" if on_cushions => (
+                only("a rigid base"),
+                "leave it out: on cushions, the equations of motion determine the energy lost in a landing",
+            ),
+            _ if OF_SLIDING.contains(&key) && on_cushions => (
+                only("a rigid base"),
+                "leave it out: on cushions, `friction` decides whether the object slides",
+            ),
+            _ if OF_SLIDING.contains(&key) => (
+                only("objects that slide or roll"),
+                "add `sliding`, or `casters`",
+            ),
+            _ if self == Self::Slides && key.starts_with("wall") => (
+                only("an object that rocks"),
+                "leave it out: the room beside it is `clearance_left` and `clearance_right`, what it strikes there \
+                 `stop_stiffness`",
+            ),
+            _ if self == Self::Slides => (
+                only("an object that rocks"),
+                "leave it out, or leave `sliding` or `casters` out",
+            ),
+            "initial_rotation" | "initial_velocity" => {
+                (not(), "leave it out: a stack starts from rest")
+            }
+            "base_width" | "cg_height" | "cg_offset" | "inertia" => (
+                not(),
+                "leave it out: the object is uniform, on the edges of its base",
+            ),
+            _ if self == Self::Stack => (
+                not(),
+                "leave it out: a stack stands freely and moves in the plane of the thickness",
+            ),
+            _ => (not(), "leave it out"),
+        }
+    }
+}
+
+const OF_CUSHIONS: [&str; 6] = [
+    "tangential_stiffness",
+    "tangential_ratio",
+    "no_slip",
+    "contacts",
+    "cg_rise",
+    "at",
+];
+const OF_SLIDING: [&str; 7] = [
+    "sliding",
+    "casters",
+    "brakes",
+    "friction_kinetic",
+    "clearance_left",
+    "clearance_right",
+    "stop_stiffness",
+];
+const OF_SPACE: [&str; 5] = ["width", "shape", "motion_y", "components", "orientation"];
+const OF_STACK: [&str; 5] = [
+    "upper_height",
+    "upper_thickness",
+    "upper_mass",
+    "interface_stiffness",
+    "interface_friction",
+];
+
+/// Reads a request.
+struct Reader<'r, 'w> {
+    request: &'r Rock,
+    files: &'r Files,
+    read: WordReader<'w>,
+}
+
+/// What every object has; `None` where it is missing or wrong.
+struct Object {
+    size: Option<(f64, f64)>,
+    mass_kg: Option<f64>,
+    edge: Option<EdgeCushion>,
+    settings: Settings,
+}
+
+/// What a request means.
+///
+/// # Errors
+/// All its problems, each under its key.
+pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
+    let words = request.words();
+    let mut reader = Reader {
+        request,
+        files,
+        read: WordReader::new(&words),
+    };
+    unknown::<Rock>(&request.unknown).for_each(|problem| reader.read.problems.push(problem));
+    let (kind, contact) = reader.kind();
+    let named = request
+        .records
+        .named(&mut reader.read, &request.motion, &request.upward, files);
+    let object = reader.object();
+    let is_still = named.is_none();
+    let (kind, asked) = match (kind, contact) {
+        (Kind::Slides, Some(contact)) => reader.slides(&object, contact, is_still),
+        (Kind::OnPads, _) => (kind, reader.on_pads(&object, is_still)),
+        (Kind::InSpace | Kind::AtWallOnPads, _) => (kind, reader.in_space(kind, &object, is_still)),
+        (Kind::Stack, _) => (kind, reader.stack(&object, is_still)),
+        _ => (kind, reader.rigid(&object, is_still)),
+    };
+    let second = reader.second(kind);
+    if named.count() > 1 {
+        reader.of_several(kind);
+    }
+    let Reader { mut read, .. } = reader;
+    for key in read.unread() {
+        let (message, hint) = kind.refusal(key);
+        read.note(&[key], message, hint);
+    }
+    let asked = read.problems.finish(asked)?;
+    let across = request.space.motion_y.as_ref().map(Written::text);
+    let mut motions = named.read(second, across.as_deref(), &request.records)?;
+    motions.inputs.extend(request.pad.input());
+    Ok(Meant { asked, motions })
+}
+
+impl Reader<'_, '_> {
+    /// What the request is about.
+    fn kind(&mut self) -> (Kind, Option<Contact>) {
+        let bases = [("rigid", false), ("compliant", true)];
+        let is_compliant = self.read.one_of("base", &bases).unwrap_or(false);
+        let has_any = |keys: &[&str]| keys.iter().any(|key| self.read.has(key));
+        let (in_space, stack) = (has_any(&OF_SPACE), has_any(&OF_STACK));
+        let at_wall = has_any(&[
+            "wall_gap_left",
+            "wall_gap_right",
+            "wall_height",
+            "wall_stiffness",
+        ]);
+        if is_compliant {
+            let kind = match (stack, in_space, at_wall) {
+                (true, ..) => Kind::Stack,
+                (_, true, _) => Kind::InSpace,
+                (.., true) => Kind::AtWallOnPads,
+                _ => Kind::OnPads,
+            };
+            return (kind, None);
+        }
+        if has_any(&["sliding", "casters"]) {
+            let contact = sliding::contact(&mut self.read);
+            return (Kind::Slides, contact);
+        }
+        (Kind::Rigid, None)
+    }
+
+    fn object(&mut self) -> Object {
+        let read = &mut self.read;
+        for key in ["height", "thickness"] {
+            if !read.has(key) {
+                let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
+                read.missing(&[key], format!("`{key}` is missing"), hint);
+            }
+        }
+        let height = read.positive("height", Dimension::Length);
+        let thickness = read.positive("thickness", Dimension::Length);
+        let mass_kg = read.positive("mass", Dimension::Mass);
+        let edge = self.request.pad.resolve(read, mass_kg, self.files);
+        let accuracy = block::accuracy(read);
+        let settings = Settings {
+            accuracy,
+            on_pads: accuracy.into(),
+            gravity_m_s2: gravity(read),
+            until: until(read.positive("duration", Dimension::Time)),
+            ..Settings::default()
+        };
+        Object {
+            size: height.zip(thickness),
+            mass_kg,
+            edge,
+            settings,
+        }
+    }
+
+    fn block(&mut self, object: &Object) -> Option<Block> {
+        block::block(&mut self.read, object.size, object.mass_kg)
+    }
+
+    /// The state from which the object is released.
+    fn release(&mut self) -> Release {
+        Release {
+            rotation_rad: self
+                .read
+                .quantity("initial_rotation", Dimension::Angle)
+                .unwrap_or(0.0),
+            omega_rad_s: self
+                .read
+                .quantity("initial_velocity", Dimension::AngularVelocity)
+                .unwrap_or(0.0),
+        }
+    }
+
+    fn nothing_moves(&mut self, hint: &str) {
+        self.read
+            .missing(&["motion"], "nothing moves the object", hint);
+    }
+
+    fn rigid(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
+        let pad = self.request.pad.words();
+        if !pad.is_empty() && !self.read.has("mass") {
+            let message =
+                "the cushion is used for the shock, which also needs the mass of the object";
+            self.read
+                .missing(&["mass"], message, "add `mass`, or leave the cushion out");
+        }
+        let block = self.block(object);
+        let model = block::model(&mut self.read);
+        let friction = self.read.positive("friction", Dimension::Ratio);
+        let start = self.release();
+        let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, model);
+        let restitution = block::restitution(&mut self.read, block.as_slice());
+        if is_still && start.is_at_rest() {
+            self.nothing_moves("give `motion`, or `initial_rotation` or `initial_velocity`");
+        }
+        let settings = Settings {
+            model,
+            ..object.settings
+        };
+        Some(Asked::Rigid(RockRequest {
+            object: RigidPlane::along_x(block?, restitution, walls),
+            horizontal: None,
+            vertical: None,
+            how: HistoryOptions {
+                settings,
+                start,
+                ..HistoryOptions::default()
+            },
+            cushion: object.mass_kg.zip(object.edge.clone()),
+            wall,
+            friction,
+        }))
+    }
+
+    /// An object that slides or rolls; on braked casters that hold, it rocks on a rigid base.
+    fn slides(
+        &mut self,
+        object: &Object,
+        contact: Contact,
+        is_still: bool,
+    ) -> (Kind, Option<Asked>) {
+        let block = self.block(object);
+        let surface = sliding::surface(&mut self.read, contact);
+        let stiffness_n_m = self.read.positive("stop_stiffness", Dimension::Stiffness);
+        let stop = surface.and_then(|surface| {
+            let stop = StopShock::new(stiffness_n_m, object.mass_kg, &surface.clearance);
+            self.read
+                .problems
+                .keep(stop.map_err(|problem| problem.of(&["stop_stiffness"])))
+        });
+        let slides = block.zip(surface).and_then(|(block, surface)| {
+            let carries = surface
+                .carries(&block)
+                .map_err(|problem| problem.of(&["friction"]));
+            self.read.problems.keep(carries)
+        });
+        if slides == Some(false) {
+            return (Kind::Rigid, self.rigid(object, is_still));
+        }
+        if is_still {
+            self.nothing_moves("give `motion`");
+        }
+        // These have been read for all objects, and say nothing of one that does not rock.
+        let of_rocking = self.request.pad.words();
+        let first = of_rocking.entries().next();
+        if let Some((key, _)) = first {
+            let (message, hint) = Kind::Slides.refusal(key);
+            self.read.note(&[key], message, hint);
+        }
+        let asked = |block, surface, stop| {
+            Asked::Slides(SlideRequest {
+                block,
+                surface,
+                horizontal: None,
+                vertical: None,
+                stop,
+                how: HistoryOptions {
+                    settings: object.settings,
+                    ..HistoryOptions::default()
+                },
+            })
+        };
+        let whole = block.zip(surface).zip(stop);
+        (
+            Kind::Slides,
+            whole.map(|((block, surface), stop)| asked(block, surface, stop)),
+        )
+    }
+
+    /// The mass and the cushion that a compliant base needs.
+    fn cushioned(&mut self, object: &Object) -> Option<(f64, EdgeCushion)> {
+        let pad = self.request.pad.words();
+        if !self.read.has("mass") || pad.is_empty() {
+            let message = "a compliant base needs a mass and a stiffness";
+            let hint = "give `mass` and the `stiffness` of the whole cushion under one edge, or `base = \"rigid\"`";
+            let key = if self.read.has("mass") {
+                "stiffness"
+            } else {
+                "mass"
+            };
+            self.read.missing(&[key], message, hint);
+        }
+        object.mass_kg.zip(object.edge.clone())
+    }
+
+    /// The friction and the tangential stiffness of the cushions.
+    fn base(&mut self, (mass_kg, edge): &(f64, EdgeCushion), gravity_m_s2: f64) -> CompliantBase {
+        let read = &mut self.read;
+        read.exclusive("tangential_stiffness", "tangential_ratio");
+        if read.flag("no_slip") {
+            read.exclusive("no_slip", "friction");
+        }
+        let friction_ratio = read.non_negative("friction", Dimension::Ratio);
+        let tangential = read.positive("tangential_stiffness", Dimension::Stiffness);
+        let ratio = read.positive("tangential_ratio", Dimension::Ratio);
+        let mut base = CompliantBase {
+            friction_ratio,
+            ..CompliantBase::new(*mass_kg, edge.cushion.clone())
+        };
+        base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
+        match tangential {
+            Some(stiffness_n_m) => with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2),
+            None => base,
+        }
+    }
+
+    fn on_pads(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
+        let gravity_m_s2 = object.settings.gravity_m_s2;
+        let block = self.block(object);
+        let cushioned = self.cushioned(object);
+        let base = cushioned
+            .as_ref()
+            .map(|cushioned| self.base(cushioned, gravity_m_s2));
+        self.pass_base();
+        self.read.exclusive("cg_rise", "initial_rotation");
+        let contacts = self.read.whole("contacts");
+        let rise = self
+            .read
+            .positive("cg_rise", Dimension::Length)
+            .map(Turned::CgRise);
+        let rotation = self.read.quantity("initial_rotation", Dimension::Angle);
+        let turned = rise.or(rotation.map(Turned::Rotation));
+        let omega = self
+            .read
+            .quantity("initial_velocity", Dimension::AngularVelocity);
+        let hint =
+            "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"";
+        let at = self
+            .read
+            .two("at", Dimension::Length, ["two lengths, x and z,", hint]);
+        let start = block.and_then(|block| {
+            let start = start(&block, turned, omega.unwrap_or(0.0));
+            self.read
+                .problems
+                .keep(start.map_err(|problem| problem.of(&["cg_rise"])))
+        });
+        if is_still && start.is_some_and(|start| start.is_at_rest()) {
+            self.nothing_moves(
+                "give `motion`, or `cg_rise`, `initial_rotation` or `initial_velocity`",
+            );
+        }
+        let ((_, edge), mut base) = cushioned.zip(base)?;
+        base.contacts = contacts.map_or(base.contacts, |contacts| contacts as usize);
+        let along = Along::X;
+        Some(Asked::OnPads(CompliantRequest {
+            object: Pads {
+                planes: Planes::single(Plane {
+                    along,
+                    block: block?,
+                }),
+                base,
+            },
+            pad_thickness_m: edge.pad_thickness_m,
+            notes: edge.notes,
+            horizontal: None,
+            vertical: None,
+            how: HistoryOptions {
+                settings: object.settings,
+                start: start?,
+                points_m: at.into_iter().collect(),
+                is_sampled: false,
+            },
+        }))
+    }
+
+    /// What an object in space or a stack stands on; `None` if it is missing or wrong.
+    fn support(&mut self, object: &Object) -> Option<(f64, EdgeCushion, Support)> {
+        let cushioned = self.cushioned(object);
+        self.pass_base();
+        let (mass_kg, edge) = cushioned?;
+        let cushioned = (mass_kg, edge);
+        let base = self.base(&cushioned, object.settings.gravity_m_s2);
+        let support = Support {
+            cushion: base.cushion,
+            tangential_stiffness_ratio: base.tangential_stiffness_ratio,
+            friction_ratio: base.friction_ratio,
+        };
+        Some((mass_kg, cushioned.1, support))
+    }
+
+    /// The keys of the base are read where its cushion is whole; a missing one has been said.
+    fn pass_base(&mut self) {
+        self.read.pass(&[
+            "friction",
+            "tangential_stiffness",
+            "tangential_ratio",
+            "no_slip",
+        ]);
+    }
+
+    fn in_space(&mut self, kind: Kind, object: &Object, is_still: bool) -> Option<Asked> {
+        let start = self.release();
+        let width = self.read.positive("width", Dimension::Length);
+        let named = self.read.choice("shape", SHAPES).unwrap_or_default();
+        let orientation = self.read.quantity("orientation", Dimension::Angle);
+        if is_still && !self.read.has("duration") {
+            self.nothing_moves("give `motion`, or `initial_rotation` with `duration`");
+        }
+        let support = self.support(object);
+        let shape = object.size.and_then(|(height_m, thickness_m)| match kind {
+            Kind::AtWallOnPads => Some(Shape::Plane {
+                thickness_m,
+                height_m,
+            }),
+            _ => {
+                let shape = shape(named, height_m, thickness_m, width);
+                self.read
+                    .problems
+                    .keep(shape.map_err(|problem| problem.of(&["width"])))
+            }
+        });
+        let block = object
+            .size
+            .and_then(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok());
+        let has_restitution = self.read.has("wall_restitution");
+        let model = RockingModel::Rigid;
+        let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, model);
+        if has_restitution {
+            let (message, hint) = kind.refusal("wall_restitution");
+            self.read.note(&["wall_restitution"], message, hint);
+        }
+        let (mass_kg, edge, support) = support?;
+        let walls = walls_on_cushions(&walls, wall.stiffness_n_m, &support.cushion, mass_kg);
+        let walls = self
+            .read
+            .problems
+            .keep(walls.map_err(|problem| problem.of(&["wall_stiffness"])));
+        Some(Asked::InSpace(SpatialRequest {
+            object: SpatialObject {
+                shape: shape?,
+                mass_kg,
+                support,
+                walls: walls?,
+            },
+            edge,
+            motions: [None, None],
+            vertical: None,
+            orientation_rad: orientation.unwrap_or(0.0),
+            how: HistoryOptions {
+                settings: object.settings,
+                start,
+                ..HistoryOptions::default()
+            },
+        }))
+    }
+
+    fn stack(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
+        let read = &mut self.read;
+        for key in ["upper_height", "upper_thickness", "upper_mass"] {
+            if !read.has(key) {
+                let message =
+                    format!("the upper object of the stack is incomplete: `{key}` is missing");
+                let hint = "give `upper_height`, `upper_thickness` and `upper_mass`, all three";
+                read.missing(&[key], message, hint);
+            }
+        }
+        let height = read.positive("upper_height", Dimension::Length);
+        let thickness = read.positive("upper_thickness", Dimension::Length);
+        let mass = read.positive("upper_mass", Dimension::Mass);
+        let stiffness = read.positive("interface_stiffness", Dimension::Stiffness);
+        let friction_ratio = read.non_negative("interface_friction", Dimension::Ratio);
+        if is_still && !read.has("duration") {
+            self.nothing_moves("give `motion`");
+        }
+        let support = self.support(object);
+        let (lower_kg, edge, support) = support?;
+        let cushion = interface(&edge.cushion, stiffness, lower_kg, mass?);
+        let cushion = cushion.map_err(|problem| problem.of(&["interface_stiffness"]));
+        let cushion = self.read.problems.keep(cushion);
+        let body = |(height_m, thickness_m), mass_kg| StackBody {
+            height_m,
+            thickness_m,
+            mass_kg,
+        };
+        Some(Asked::Stack(StackRequest {
+            stack: Stack {
+                lower: body(object.size?, lower_kg),
+                upper: body(height.zip(thickness)?, mass?),
+                interface: Support {
+                    cushion: cushion?,
+                    friction_ratio,
+                    ..support.clone()
+                },
+                support,
+            },
+            edge,
+            horizontal: None,
+            vertical: None,
+            how: HistoryOptions {
+                settings: object.settings,
+                ..HistoryOptions::default()
+            },
+        }))
+    }
+
+    /// Where the second horizontal component is.
+    fn second(&mut self, kind: Kind) -> Second {
+        if kind != Kind::InSpace {
+            return Second::None;
+        }
+        self.read.pass(&["motion_y"]);
+        self.read.exclusive("components", "component");
+        self.read.exclusive("components", "motion_y");
+        let second = self.read.read("components", components);
+        let is_across = self.read.has("components") || self.read.has("motion_y");
+        if is_across && self.request.motion.is_empty() {
+            let message = "the motion along the width has no motion along the thickness";
+            self.read.missing(
+                &["motion"],
+                message,
+                "name the motion along the thickness with `motion`",
+            );
+        }
+        second.unwrap_or_default()
+    }
+
+    /// What several motions exclude.
+    fn of_several(&mut self, kind: Kind) {
+        if !matches!(kind, Kind::Rigid | Kind::Slides) {
+            let message = format!("several motions do not apply to {}", kind.words());
+            self.read.note(&["motion"], message, "name one motion");
+        } else if self.read.has("vertical") {
+            let message = "`vertical` belongs to one motion, but several are given";
+            self.read.note(
+                &["vertical"],
+                message,
+                "give one `motion` with its `vertical` at a time",
+            );
+        }
+    }
+}
+
+/// Gravity, as small as on a minor planet and as large as where anything stands: 9.81 g is a slip.
+fn gravity(read: &mut WordReader<'_>) -> f64 {
+    const BELIEVED_M_S2: RangeInclusive<f64> = 0.1..=30.0;
+    let Some(value_m_s2) = read.positive("gravity", Dimension::Acceleration) else {
+        return G0_M_S2;
+    };
+    if !BELIEVED_M_S2.contains(&value_m_s2) {
+        let message = format!("`gravity`: {} m/s2 is no gravity", number(value_m_s2, 4));
+        read.note(&["gravity"], message, "write \"9.81 m/s2\" or \"1 g\"");
+    }
+    value_m_s2
+}
+
+impl Asked {
+    /// The object under one of the motions; `across` is along its width.
+    #[must_use]
+    pub fn under(
+        &self,
+        motion: Option<Motion>,
+        across: Option<Motion>,
+        upward: Option<Motion>,
+        is_sampled: bool,
+    ) -> Self {
+        let mut asked = self.clone();
+        match &mut asked {
+            Self::Rigid(RockRequest {
+                horizontal,
+                vertical,
+                how,
+                ..
+            })
+            | Self::Slides(SlideRequest {
+                horizontal,
+                vertical,
+                how,
+                ..
+            })
+            | Self::OnPads(CompliantRequest {
+                horizontal,
+                vertical,
+                how,
+                ..
+            })
+            | Self::Stack(StackRequest {
+                horizontal,
+                vertical,
+                how,
+                ..
+            }) => {
+                (*horizontal, *vertical, how.is_sampled) = (motion, upward, is_sampled);
+            }
+            Self::InSpace(SpatialRequest {
+                motions,
+                vertical,
+                how,
+                ..
+            }) => {
+                (*motions, *vertical, how.is_sampled) = ([motion, across], upward, is_sampled);
+            }
+        }
+        asked
+    }
+}

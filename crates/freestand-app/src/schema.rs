@@ -1,0 +1,82 @@
+//! JSON schemas (draft 2020-12) of requests and responses, from the structs that they describe.
+
+use clap::{Arg, ArgAction, Command};
+use serde_json::{Map, Value, json};
+
+use crate::request::Request;
+
+const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
+
+/// The schema of a request of `command`.
+pub fn of_request<R: Request>(command: &str) -> Value {
+    let flags = R::augment_args(Command::new("request"));
+    let properties: Map<String, Value> = flags
+        .get_arguments()
+        .map(|arg| (arg.get_id().to_string(), of_value(arg)))
+        .collect();
+    json!({
+        "$schema": DRAFT,
+        "title": format!("What {command} is asked"),
+        "description": "A number is in SI, a text has its unit. A key may end in the unit of its number: height_m. \
+                        Which values are needed and what they may be is said where a request is refused, all at once.",
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+    })
+}
+
+/// The schema of a value, by the flag of the command line.
+fn of_value(arg: &Arg) -> Value {
+    let one = ["string", "number"];
+    let takes_several = arg
+        .get_num_args()
+        .is_some_and(|count| count.max_values() > 1);
+    let mut schema = match arg.get_action() {
+        ArgAction::SetTrue => json!({"type": "boolean"}),
+        ArgAction::Append => json!({"type": ["string", "number", "array"], "items": {"type": one}}),
+        _ if takes_several => json!({"type": ["string", "array"], "items": {"type": "string"}}),
+        _ if is_pair(arg) => json!({"type": ["string", "array"], "items": {"type": one}}),
+        _ => json!({"type": one}),
+    };
+    let help = arg.get_long_help().or(arg.get_help());
+    if let Some(help) = help {
+        schema["description"] = keys_in(&help.to_string()).into();
+    }
+    schema
+}
+
+/// Whether its value is several with commas between them.
+fn is_pair(arg: &Arg) -> bool {
+    let names = arg.get_value_names().unwrap_or_default();
+    names.iter().any(|name| name.contains(", "))
+}
+
+/// A help with the flags that it names as keys.
+fn keys_in(help: &str) -> String {
+    let word = |word: &str| match word.strip_prefix("--") {
+        Some(flag) => flag.replace('-', "_"),
+        None => word.to_owned(),
+    };
+    help.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The schema of a response of `command`: `results` describes what differs between its kinds.
+pub fn of_response(command: &str, schema: &str, results: &[Map<String, Value>]) -> Value {
+    let of_all = json!({
+        "schema": {"const": schema},
+        "warnings": {"type": "array", "items": {"type": "string"}},
+    });
+    let kinds: Vec<Value> = results
+        .iter()
+        .map(|properties| json!({"type": "object", "properties": properties}))
+        .collect();
+    json!({
+        "$schema": DRAFT,
+        "title": format!("What {command} answers"),
+        "description": "Numbers are in SI; a key ends in its unit. A value that does not exist is null.",
+        "type": "object",
+        "properties": of_all,
+        "required": ["schema", "warnings"],
+        "anyOf": kinds,
+    })
+}

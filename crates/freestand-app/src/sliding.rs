@@ -1,0 +1,118 @@
+//! Objects that slide or stand on casters.
+
+use clap::{ArgAction, Args};
+use freestand::sliding::Clearance;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
+use serde::Deserialize;
+
+use crate::request::request;
+
+/// What is under an object that does not rock.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Sliding {
+    /// The object slides and does not rock: its friction is at most its thickness divided by its
+    /// height
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+    pub sliding: Option<Written>,
+    /// Coefficient of friction while it slides, at most --friction [default: equal to --friction]
+    #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
+    pub friction_kinetic: Option<Written>,
+    /// The object stands on casters that swivel, and rolls
+    #[arg(long, alias = "castors", action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+    #[serde(alias = "castors")]
+    pub casters: Option<Written>,
+    /// Rolling resistance of the casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
+    #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
+    pub rolling_resistance: Option<Written>,
+    /// The casters are braked: the wheels slide at --friction, or hold until the object rocks on
+    /// them (--base-width is the distance between them); halve the friction if half of them are
+    /// braked
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+    pub brakes: Option<Written>,
+    /// Room to the left: the time and the speed at which the object reaches it are reported
+    #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
+    pub clearance_left: Option<Written>,
+    /// Room to the right
+    #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
+    pub clearance_right: Option<Written>,
+    /// Stiffness of what it reaches there; with --mass it gives the shock of that stop
+    #[arg(long, value_name = "STIFFNESS", help_heading = "Sliding and casters")]
+    pub stop_stiffness: Option<Written>,
+}
+
+request!(Sliding {
+    sliding,
+    friction_kinetic,
+    casters,
+    rolling_resistance,
+    brakes,
+    clearance_left,
+    clearance_right,
+    stop_stiffness
+});
+
+/// What is under an object that was said to slide or to stand on casters; `None` if it was not.
+pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
+    read.exclusive("sliding", "casters");
+    let (sliding, casters, brakes) = (
+        read.flag("sliding"),
+        read.flag("casters"),
+        read.flag("brakes"),
+    );
+    let needs_casters = |read: &mut WordReader<'_>, key: &'static str| {
+        let (message, hint) = (
+            format!("`{key}` applies only to an object on casters"),
+            "add `casters`, or leave it out",
+        );
+        read.note(&[key], message, hint);
+    };
+    if brakes && !casters {
+        needs_casters(read, "brakes");
+    }
+    if read.has("rolling_resistance") {
+        if !casters {
+            needs_casters(read, "rolling_resistance");
+        }
+        read.exclusive("rolling_resistance", "brakes");
+    }
+    match (sliding, casters, brakes) {
+        (true, ..) => Some(Contact::Base),
+        (_, true, true) => Some(Contact::BrakedCasters),
+        (_, true, false) => Some(Contact::Casters),
+        (false, false, _) => None,
+    }
+}
+
+/// The surface under an object that slides or rolls; `None` if something is wrong.
+pub(crate) fn surface(read: &mut WordReader<'_>, contact: Contact) -> Option<Surface> {
+    if contact == Contact::Casters {
+        for key in ["friction", "friction_kinetic"] {
+            if read.has(key) {
+                let message =
+                    format!("`{key}` is that of a base or of braked wheels, and these roll");
+                read.note(
+                    &[key],
+                    message,
+                    "give `rolling_resistance`, or add `brakes`",
+                );
+            }
+        }
+    }
+    let given = SurfaceGiven {
+        contact,
+        friction: read.non_negative("friction", Dimension::Ratio),
+        friction_kinetic: read.non_negative("friction_kinetic", Dimension::Ratio),
+        rolling_resistance: read.positive("rolling_resistance", Dimension::Ratio),
+        clearance: Clearance {
+            left_m: read.non_negative("clearance_left", Dimension::Length),
+            right_m: read.non_negative("clearance_right", Dimension::Length),
+        },
+    };
+    let surface = Surface::new(&given).map_err(|problem| problem.of(&["friction"]));
+    read.problems.keep(surface)
+}

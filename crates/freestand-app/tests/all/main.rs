@@ -1,0 +1,4 @@
+//! Requests as all shells fill them.
+
+mod requests;
+mod schemas;

@@ -1,0 +1,129 @@
+//! Bad requests, one table for all shells: `requests.jsonl` has each with its problems. The command line, the page
+//! and Python read it too, and tell the same problems under the same keys.
+
+use std::fmt::Write as _;
+
+use freestand_app::files::Files;
+use freestand_app::request::{from_entries, keys};
+use freestand_app::rock::{Rock, resolve};
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, Problems};
+use serde_json::{Value, json};
+
+const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/requests.jsonl");
+
+/// One request of each kind, which would be answered.
+fn good() -> [Value; 5] {
+    [
+        json!({"height": "2 m", "thickness": "0.5 m", "initial_rotation": "2 deg"}),
+        json!({"height": "1.2 m", "thickness": "0.6 m", "casters": true, "clearance_left": "20 mm"}),
+        json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
+            "stiffness": "1000 N/mm", "initial_velocity": "0.1 rad/s"}),
+        json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
+            "stiffness": "1000 N/mm", "width": "0.7 m", "duration": "1 s"}),
+        json!({"height": "1 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
+            "stiffness": "1000 N/mm", "upper_height": "0.5 m", "upper_thickness": "0.2 m", "upper_mass": "5 kg",
+            "duration": "1 s"}),
+    ]
+}
+
+/// What a person can type.
+fn typed() -> Vec<Value> {
+    let values = ["abc", "-3 parsec", ""];
+    let one = |request: &Value, key: &String, value: &str| {
+        let mut changed = request.clone();
+        changed[key] = value.into();
+        changed
+    };
+    let all = good();
+    let each = all.iter().enumerate().flat_map(|(index, request)| {
+        let value = values[index % values.len()];
+        keys::<Rock>()
+            .into_iter()
+            .map(move |key| one(request, &key, value))
+    });
+    each.filter(|request| problems(request).is_some()).collect()
+}
+
+/// What only a program can ask.
+fn of_programs() -> Vec<Value> {
+    vec![
+        json!({"height": [1], "thickness": {"a": 1}, "nope": 3, "hight": "2 m", "initial_rotation": 0.1}),
+        json!({"height": "2 m", "height_m": 2, "thickness": 0.5}),
+        json!({"height": 2, "thickness": true, "initial_rotation": 0.1}),
+        json!({"height": -2, "thickness": 0.5, "initial_rotation_rad": 0.1, "out": "/tmp/x", "history": "a.csv"}),
+        json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "motion": "/etc/passwd"}),
+        json!({"height": 2, "thickness": 0.5, "mass": 100, "cushion": "/etc/passwd", "pads_per_edge": 2}),
+        json!({"height": 2, "thickness": 0.5, "sliding": "maybe"}),
+        json!({"height": 2, "thickness": 0.5, "initial_rotation_deg": 2, "mass_g": 3}),
+    ]
+}
+
+/// The problems of a request; `None` if there are none.
+fn problems(request: &Value) -> Option<Vec<Problem>> {
+    let Value::Object(entries) = request else {
+        return None;
+    };
+    let done = from_entries::<Rock>(entries)
+        .map_err(Problems::from)
+        .and_then(|rock| resolve(&rock, &Files::Sent(Vec::new())));
+    done.err().map(|problems| problems.problems)
+}
+
+/// A line of the table.
+fn line(request: &Value, is_typed: bool) -> Value {
+    let told = |problem: Problem| {
+        json!({
+            "keys": problem.keys,
+            "flag": KeyStyle::Flag.shown(&problem.message),
+            "argument": KeyStyle::Argument.shown(&problem.message),
+        })
+    };
+    let problems: Vec<Value> = problems(request).into_iter().flatten().map(told).collect();
+    json!({"request": request, "typed": is_typed, "problems": problems})
+}
+
+#[test]
+fn bad_requests_have_the_problems_of_the_table() {
+    let (typed, of_programs) = (typed(), of_programs());
+    assert!(typed.len() >= 290, "{} requests", typed.len());
+    let mut table = String::new();
+    let lines = typed.iter().map(|one| line(one, true));
+    for line in lines.chain(of_programs.iter().map(|one| line(one, false))) {
+        let problems = line["problems"].as_array().unwrap();
+        assert!(!problems.is_empty(), "{line}");
+        for problem in problems {
+            assert!(
+                !problem["keys"].as_array().unwrap().is_empty(),
+                "{problem} of {line}"
+            );
+            assert!(
+                !problem["flag"].as_str().unwrap().contains('`'),
+                "{problem}"
+            );
+        }
+        writeln!(table, "{line}").unwrap();
+    }
+    if std::env::var_os("FREESTAND_WRITE").is_some() {
+        std::fs::write(TABLE, &table).unwrap();
+    }
+    let kept = std::fs::read_to_string(TABLE).unwrap();
+    assert!(
+        kept == table,
+        "`cargo xtask generate` writes the table anew"
+    );
+}
+
+/// What would be answered has no problem.
+#[test]
+fn good_requests_have_no_problem() {
+    for request in good() {
+        let moved = request.get("casters").is_none();
+        assert_eq!(
+            problems(&request).is_none(),
+            moved,
+            "{request}: {:?}",
+            problems(&request)
+        );
+    }
+}

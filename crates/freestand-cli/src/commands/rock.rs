@@ -1,0 +1,208 @@
+//! `freestand rock`: one object under one motion, or under each of several.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_app::files::Files as Named;
+use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA, resolve};
+use freestand_output::facts::Facts;
+use freestand_study::drawn::DrawnHistory;
+use serde::Serialize;
+
+use super::Done;
+use super::motion::plot::{PlotArgs, place};
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::files::{Files, TableArgs, write_table};
+use crate::printer::{Column, Printer, facts_table, lines};
+
+/// Follow one object under a motion: rotation, uplift, impacts, overturning and shock
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  A cabinet under a record, with the shock on its pads:
+    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\"
+  A column of accelerations in g every 5 ms, multiplied by 2, with the history in a file:
+    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m \\
+      --thickness 0.3m --history history.csv
+  Several motions, a result and a figure for each:
+    freestand rock --motion a.AT2 b.AT2 --height 1.5m --thickness 0.3m --plot --out histories
+  The same cabinet 50 mm in front of a wall, with the shock where its top strikes the wall:
+    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --wall-gap 50mm --wall-stiffness \"2000 N/mm\"
+  Free rocking from a rotation of 5 degrees:
+    freestand rock --initial-rotation 5deg --height 1.5m --thickness 0.4m
+  A low chest that slides before it can rock, with 20 cm of room on its left:
+    freestand rock --motion record.AT2 --sliding --friction 0.3 --friction-kinetic 0.25 \
+      --height 0.8m --thickness 0.6m --clearance-left \"200 mm\"
+  A trolley on casters, as a figure:
+    freestand rock --motion record.AT2 --casters --rolling-resistance 0.02 --height 1.4m \
+      --thickness 0.6m --plot trolley.svg
+  A cabinet released on its pads, with the history of the landing:
+    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing
+  A cabinet in three dimensions under two components of a record, with its walk from above:
+    freestand rock --base compliant --motion record.csv --components \"1, 2\" --height \"2.1 m\" \
+      --thickness \"500 mm\" --width \"700 mm\" --mass \"200 kg\" --stiffness \"4000 N/mm\" \
+      --law kelvin-voigt --damping 5% --friction 0.5 --plot walk.svg
+  A vase on a pedestal:
+    freestand rock --base compliant --motion record.AT2 --height \"1 m\" --thickness \"400 mm\" \
+      --mass \"150 kg\" --stiffness \"4000 N/mm\" --law kelvin-voigt --damping 5% \
+      --upper-height \"600 mm\" --upper-thickness \"150 mm\" --upper-mass \"12 kg\" \
+      --interface-stiffness \"300 N/mm\"")]
+pub(crate) struct RockArgs {
+    #[command(flatten)]
+    request: Rock,
+    #[command(flatten)]
+    output: Output,
+}
+
+/// The files that are written.
+#[derive(Debug, Default, Args)]
+pub(crate) struct Output {
+    /// File to write the history to: CSV, or Parquet if its name ends in .parquet
+    #[arg(long, value_name = "FILE")]
+    history: Option<PathBuf>,
+    #[command(flatten)]
+    tables: TableArgs,
+    #[command(flatten)]
+    plot: PlotArgs,
+}
+
+/// What is printed.
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    results: Results,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plots: Option<Vec<String>>,
+    processing: &'a [String],
+}
+
+/// What goes beside the document of who wants to draw the history.
+#[derive(Debug, Serialize)]
+struct Beside {
+    history: DrawnHistory,
+}
+
+/// The table of several motions of an object that rocks.
+const ROCKING: [Column; 6] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("peak_rotation_rad", "rotation [rad]", 4),
+    ("uplift_m", "uplift [mm]", 4),
+    ("cg_rise_m", "rise [mm]", 4),
+    ("impact_count", "impacts", 0),
+];
+
+/// The table of several motions of an object that slides.
+const SLIDING: [Column; 6] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("slide_peak_m", "slide [mm]", 4),
+    ("slide_final_m", "at the end [mm]", 4),
+    ("slide_speed_max_m_s", "speed [m/s]", 4),
+    ("clearance_speed_m_s", "at the clearance [m/s]", 4),
+];
+
+pub(crate) fn run(
+    args: &RockArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    let meant = resolve(&args.request, &Named::Disk)?;
+    tell(&meant, &args.output, global, printer)
+}
+
+/// Follows the object, writes the files and prints the result.
+pub(crate) fn tell(
+    meant: &Meant,
+    output: &Output,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    let (count, motions) = (meant.count(), &meant.motions);
+    if count > 1 && output.history.is_some() {
+        return Err(Failure::usage(
+            "--history names one file, but there are several motions",
+            "name a folder with --out: it gets the history of each",
+        ));
+    }
+    let target = output.plot.target(global)?;
+    if let Some(target) = &target {
+        target.check(count)?;
+    }
+    let files = Files::with_tables(global, &motions.inputs, &output.tables, SCHEMA, None)?;
+    let session = printer
+        .session()
+        .filter(|session| session.wants_history() && count == 1);
+    let is_sampled =
+        output.history.is_some() || files.wanted() || target.is_some() || session.is_some();
+    let (mut answers, mut plots) = (Vec::new(), Vec::new());
+    let mut warnings = motions.warnings.clone();
+    for index in 0..count {
+        let followed = meant.follow(index, is_sampled)?;
+        let name = &followed.name;
+        let file = match count {
+            1 => "history".to_owned(),
+            _ => format!("history-{:02}-{name}", index + 1),
+        };
+        files.table(&file, || Ok(followed.history()))?;
+        if let Some(path) = &output.history {
+            write_table(path, followed.history(), SCHEMA, &motions.inputs)?;
+        }
+        if let Some((session, history)) = session.zip(followed.drawn()) {
+            session.beside(&Beside { history });
+        }
+        if let Some(target) = &target
+            && let Some((figure_name, figure)) = followed.figure()?
+        {
+            let figure_name = if count == 1 {
+                figure_name.to_owned()
+            } else {
+                file
+            };
+            plots.extend(place(
+                target,
+                vec![(figure_name, figure)],
+                &files,
+                &motions.inputs,
+            )?);
+        }
+        // The landings on cushions are drawn without being asked for.
+        if target.is_none()
+            && files.wanted()
+            && matches!(meant.asked, Asked::OnPads(_))
+            && let Some((figure_name, figure)) = followed.figure()?
+        {
+            files.drawn(figure_name, &figure)?;
+        }
+        let told = followed.warnings().iter().map(|warning| match count {
+            1 => warning.clone(),
+            _ => format!("{name}: {warning}"),
+        });
+        warnings.extend(told);
+        answers.push((name.clone(), followed.answer()));
+    }
+    let text = match answers.as_slice() {
+        [(_, answer)] => lines(&answer.facts()),
+        all => {
+            let row = |(name, answer): &(String, Answer)| {
+                Facts::default()
+                    .key("motion", name.clone())
+                    .and(answer.facts())
+            };
+            let rows: Vec<Facts<'_>> = all.iter().map(row).collect();
+            let slides = matches!(all.first(), Some((_, Answer::Slides(_))));
+            facts_table(&rows, if slides { &SLIDING } else { &ROCKING })
+        }
+    };
+    let document = Document {
+        plots: (target.is_some() || count > 1).then_some(plots),
+        results: Results::of(answers),
+        processing: &motions.processing,
+    };
+    files.print(printer, SCHEMA, &document, &warnings, || text)?;
+    Ok(Done::OK)
+}

@@ -1,0 +1,101 @@
+//! Bad requests have the same problems in the command line and on the page.
+
+use std::process::Command;
+
+use serde_json::{Value, json};
+
+use crate::program::{PROGRAM, root};
+use crate::serve::Page;
+
+/// A request, whether a person can type it, and its problems.
+fn table() -> Vec<Value> {
+    let path = root().join("crates/freestand-app/tests/requests.jsonl");
+    let text = std::fs::read_to_string(path).unwrap();
+    text.lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
+}
+
+/// What the problems of a line are called by flags.
+fn flags(line: &Value) -> Vec<&str> {
+    let problems = line["problems"].as_array().unwrap();
+    problems
+        .iter()
+        .map(|problem| problem["flag"].as_str().unwrap())
+        .collect()
+}
+
+#[test]
+fn what_is_typed_has_the_problems_of_the_table() {
+    let files = [
+        "motion",
+        "vertical",
+        "motion_y",
+        "cushion",
+        "station_xml",
+        "scale_to_spectrum",
+    ];
+    for line in table() {
+        let request = line["request"].as_object().unwrap();
+        // A file that is not there has another message than one that was not sent.
+        let names_a_file = files.iter().any(|key| request.contains_key(*key));
+        if line["typed"] == false || names_a_file {
+            continue;
+        }
+        let arguments = request.iter().map(|(key, value)| {
+            let flag = key.replace('_', "-");
+            match value {
+                Value::Bool(true) => format!("--{flag}"),
+                value => format!("--{flag}={}", value.as_str().unwrap()),
+            }
+        });
+        let switches = ["sliding", "casters", "brakes", "no_slip", "keep_mean"];
+        if switches
+            .iter()
+            .any(|key| request.get(*key).is_some_and(Value::is_string))
+        {
+            continue;
+        }
+        let output = Command::new(PROGRAM)
+            .arg("rock")
+            .args(arguments)
+            .output()
+            .unwrap();
+        let text = String::from_utf8(output.stderr).unwrap();
+        let found: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("error: "))
+            .collect();
+        assert_eq!(found, flags(&line), "{line}");
+        assert_eq!(output.status.code(), Some(2), "{line}");
+    }
+}
+
+#[test]
+fn what_the_page_asks_has_the_problems_of_the_table() {
+    let page = Page::open();
+    for line in table() {
+        let (status, answer) = page.run(&json!({"command": "rock", "options": line["request"]}));
+        let first = &answer["error"];
+        let others = first["others"].as_array().into_iter().flatten();
+        let all: Vec<&Value> = std::iter::once(first).chain(others).collect();
+        let told: Vec<&str> = all
+            .iter()
+            .map(|one| one["message"].as_str().unwrap())
+            .collect();
+        assert_eq!((status, told), (400, flags(&line)), "{line}");
+        let keys = line["problems"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|one| &one["keys"][0]);
+        for (one, key) in all.iter().zip(keys) {
+            let key = key.as_str().unwrap().replace('_', "-");
+            assert_eq!(
+                one["key"].as_str().unwrap(),
+                key.trim_end_matches("-years"),
+                "{line}"
+            );
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Results as structs. [`answer!`](crate::answer!) defines one: each field has its name in JSON, CSV and Python, its
+//! type, and the label under which people read it; from these follow its document, its text and the
+//! schema of its document.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::facts::Facts;
+
+/// A result that [`answer!`](crate::answer!) defined.
+pub trait Answer {
+    /// Its values, with names and labels.
+    fn facts(&self) -> Facts<'static>;
+
+    /// The names of its values, each with the schema of its value.
+    fn properties() -> Map<String, Json>;
+
+    /// Whether it may be missing.
+    const IS_OPTIONAL: bool = false;
+}
+
+/// A part of a result that may not apply.
+impl<A: Answer> Answer for Option<A> {
+    fn facts(&self) -> Facts<'static> {
+        self.as_ref().map(Answer::facts).unwrap_or_default()
+    }
+
+    fn properties() -> Map<String, Json> {
+        A::properties()
+    }
+
+    const IS_OPTIONAL: bool = true;
+}
+
+/// What a value is in a JSON schema (draft 2020-12).
+pub trait Described {
+    /// The schema of such a value.
+    fn schema() -> Json;
+}
+
+impl<A: Answer> Described for A {
+    fn schema() -> Json {
+        let schema = json!({"type": "object", "properties": A::properties()});
+        if A::IS_OPTIONAL {
+            or_null(schema)
+        } else {
+            schema
+        }
+    }
+}
+
+/// A value that may be missing: `null`.
+fn or_null(mut schema: Json) -> Json {
+    match schema.get_mut("type") {
+        Some(kind) => *kind = json!([kind.take(), "null"]),
+        None => schema = json!({"anyOf": [schema, {"type": "null"}]}),
+    }
+    schema
+}
+
+macro_rules! described {
+    ($($type:ty = $schema:tt),+ $(,)?) => {$(
+        impl Described for $type {
+            fn schema() -> Json {
+                json!($schema)
+            }
+        }
+        impl Described for Option<$type> {
+            fn schema() -> Json {
+                or_null(<$type>::schema())
+            }
+        }
+        impl Described for Vec<$type> {
+            fn schema() -> Json {
+                json!({"type": "array", "items": <$type>::schema()})
+            }
+        }
+    )+};
+}
+
+described! {
+    // What is not finite is `null` in a document.
+    f64 = {"type": "number"},
+    usize = {"type": "integer"},
+    u64 = {"type": "integer"},
+    bool = {"type": "boolean"},
+    &'static str = {"type": "string"},
+    String = {"type": "string"},
+    [f64; 2] = {"type": "array", "items": {"type": "number"}},
+}
+
+impl<A: Answer> Described for Vec<A> {
+    fn schema() -> Json {
+        json!({"type": "array", "items": A::schema()})
+    }
+}
+
+/// Defines a result as a struct. After `=` stands the label of a field for people; `flat` puts the fields of a
+/// part on the same level; a field with neither is for programs only.
+///
+/// # Example
+/// ```
+/// use freestand_output::answer;
+/// use freestand_output::answer::Answer;
+///
+/// answer! {
+///     /// A landing.
+///     pub struct Landing {
+///         edge_acceleration_g: Option<f64> = "shock",
+///         /// How often an edge landed.
+///         impact_count: usize,
+///     }
+/// }
+///
+/// let landing = Landing { edge_acceleration_g: Some(2.5), impact_count: 3 };
+/// assert_eq!(serde_json::to_string(&landing)?, r#"{"edge_acceleration_g":2.5,"impact_count":3}"#);
+/// assert_eq!(landing.facts().lines(), [("shock", "2.5 g".to_owned())]);
+/// assert_eq!(Landing::properties()["edge_acceleration_g"]["type"], serde_json::json!(["number", "null"]));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[macro_export]
+macro_rules! answer {
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident {
+            $( $(#[doc = $doc:literal])* $field:ident : $type:ty $(= $label:tt)? ),* $(,)?
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $name {
+            $( $(#[doc = $doc])* $(#[doc = $crate::answer!(@doc $label)])? pub $field: $type, )*
+        }
+
+        impl $crate::answer::Answer for $name {
+            fn facts(&self) -> $crate::facts::Facts<'static> {
+                let facts = $crate::facts::Facts::default();
+                $( let facts = $crate::answer!(@add facts, stringify!($field), self.$field, $($label)?); )*
+                facts
+            }
+
+            fn properties() -> serde_json::Map<String, serde_json::Value> {
+                let mut all = serde_json::Map::new();
+                $( $crate::answer!(@describe all, stringify!($field), $type, concat!($($doc),*), $($label)?); )*
+                all
+            }
+        }
+
+        impl From<$name> for $crate::facts::Value<'static> {
+            fn from(answer: $name) -> Self {
+                Self::Facts($crate::answer::Answer::facts(&answer))
+            }
+        }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                $crate::answer::Answer::facts(self).serialize(serializer)
+            }
+        }
+    };
+    (@doc flat) => { "Values on the same level." };
+    (@doc $label:literal) => { $label };
+    (@add $facts:ident, $name:expr, $value:expr, ) => { $facts.key($name, $value.clone()) };
+    (@add $facts:ident, $name:expr, $value:expr, flat) => {
+        $facts.and($crate::answer::Answer::facts(&$value))
+    };
+    (@add $facts:ident, $name:expr, $value:expr, $label:literal) => {
+        $facts.fact($name, $label, $value.clone())
+    };
+    (@describe $all:ident, $name:expr, $type:ty, $doc:expr, flat) => {
+        $all.extend(<$type as $crate::answer::Answer>::properties());
+    };
+    (@describe $all:ident, $name:expr, $type:ty, $doc:expr, $($label:literal)?) => {
+        let schema = <$type as $crate::answer::Described>::schema();
+        $all.insert($name.to_owned(), $crate::answer::explained(schema, $doc, concat!($($label)?)));
+    };
+}
+
+/// A schema with what its value is: the comment of its field, or its label.
+pub fn explained(mut schema: Json, comment: &str, label: &str) -> Json {
+    let text = if comment.is_empty() { label } else { comment }.trim();
+    if let (Json::Object(schema), false) = (&mut schema, text.is_empty()) {
+        schema.insert("description".to_owned(), text.into());
+    }
+    schema
+}

@@ -1,0 +1,26 @@
+"""Bad requests have the problems of the table that all shells share."""
+
+import json
+from pathlib import Path
+
+import freestand as fs
+import pytest
+from freestand import _freestand
+
+TABLE = Path(__file__).parents[2] / "freestand-app" / "tests" / "requests.jsonl"
+
+
+def test_every_request_has_the_problems_of_the_table() -> None:
+    lines = [json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines()]
+    assert len(lines) > 300
+    for line in lines:
+        with pytest.raises(fs.FreestandError) as caught:
+            _freestand.rock(line["request"], None, None, (None, None), False)
+        told = [problem.message for problem in caught.value.problems]
+        assert told == [problem["argument"] for problem in line["problems"]], line
+
+
+def test_arguments_of_a_problem_are_named() -> None:
+    with pytest.raises(fs.FreestandError) as caught:
+        fs.rock(fs.Block(2, 0.5), initial_rotation_rad=0.01, gravity_m_s2=float("nan"), cg_rise_m=0.1)
+    assert [list(problem.arguments) for problem in caught.value.problems] == [["gravity_m_s2"], ["cg_rise_m"]]
