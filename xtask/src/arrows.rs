@@ -43,7 +43,6 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-output",
             "freestand-records",
             "freestand-study",
-            "freestand-assess",
         ],
     ),
     // It knows no command.

@@ -1,18 +1,22 @@
 //! The object as a block, and how its rocking is calculated.
 
+use std::ops::RangeInclusive;
+
 use clap::Args;
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
+use freestand_input::words::number;
 use freestand_input::written::Written;
 use freestand_study::restitution::checked;
 use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::shape::Shape;
 use serde::Deserialize;
 
-use crate::request::request;
+use crate::request::{one_of, request};
 
 /// What is known of an object besides its height and its thickness.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
@@ -45,6 +49,44 @@ request!(GeneralBlock {
     inertia
 });
 
+/// Height and thickness of an object \[m\]; `None` if one is missing or wrong.
+pub(crate) fn sizes(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
+    for key in ["height", "thickness"] {
+        if !read.has(key) {
+            let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
+            read.missing(&[key], format!("`{key}` is missing"), hint);
+        }
+    }
+    let height = read.positive("height", Dimension::Length);
+    let thickness = read.positive("thickness", Dimension::Length);
+    height.zip(thickness)
+}
+
+/// A point of the object \[m\].
+pub(crate) fn point(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
+    let hint =
+        "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"";
+    read.two("at", Dimension::Length, hint)
+}
+
+/// Gravity, as small as on a minor planet and as large as where anything stands: 9.81 g is a slip.
+pub(crate) fn gravity(read: &mut WordReader<'_>) -> f64 {
+    const BELIEVED_M_S2: RangeInclusive<f64> = 0.1..=30.0;
+    let Some(value_m_s2) = read.positive("gravity", Dimension::Acceleration) else {
+        return G0_M_S2;
+    };
+    if !BELIEVED_M_S2.contains(&value_m_s2) {
+        let message = format!(
+            "`gravity` must be from {} to {} m/s2, not {}",
+            BELIEVED_M_S2.start(),
+            BELIEVED_M_S2.end(),
+            number(value_m_s2, 4)
+        );
+        read.note(&["gravity"], message, "write \"9.81 m/s2\" or \"1 g\"");
+    }
+    value_m_s2
+}
+
 /// The block of an object; `None` if something is missing or wrong.
 pub(crate) fn block(
     read: &mut WordReader<'_>,
@@ -67,11 +109,10 @@ pub(crate) fn block(
     };
     let (height_m, thickness_m) = size?;
     let block = shape.block(height_m, thickness_m);
-    read.problems.keep(
-        block.map_err(|error| {
-            Problem::value(error.to_string(), "check the dimensions of the object")
-        }),
-    )
+    read.problems.keep(block.map_err(|error| {
+        Problem::value(error.to_string(), "check the dimensions of the object")
+            .of(&["thickness", "height"])
+    }))
 }
 
 /// How the rocking of an object is calculated.
@@ -86,13 +127,11 @@ pub struct Rocking {
     /// Factor that multiplies Housner's restitution
     #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
     pub restitution_factor: Option<Written>,
-    /// Equation of motion: rigid, the exact one, or linear (sin x → x, tan α → α), for comparison with closed forms
-    /// [default: rigid]
-    #[arg(long, value_name = "MODEL", help_heading = "The rocking")]
+    /// Equation of motion [default: rigid]
+    #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The rocking")]
     pub model: Option<Written>,
-    /// Accuracy of the solver: fast (an error of 1e-9 per step, about 1e-7 in the rotations of spectra), standard
-    /// (1e-13, and 1e-9 or better) or tight (the limit of double precision) [default: standard]
-    #[arg(long, value_name = "ACCURACY", help_heading = "The rocking")]
+    /// Accuracy of the solver [default: standard]
+    #[arg(long, value_name = "ACCURACY", value_parser = one_of(ACCURACIES), help_heading = "The rocking")]
     pub accuracy: Option<Written>,
 }
 

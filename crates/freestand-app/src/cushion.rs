@@ -76,24 +76,31 @@ impl CushionUnder {
         mass_kg: Option<f64>,
         files: &Files,
     ) -> Option<EdgeCushion> {
-        let words = self.with_units();
-        let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
-        read.pass(&keys);
-        if words.is_empty() {
-            return None;
-        }
-        let words = read.problems.keep(with_its_file(words, files))?;
+        let words = self.described(read, files)?;
         let resolved = cushion::resolve(&words, mass_kg);
-        let path = words.get("cushion").map(Path::new);
+        // A wrong value from a file is told with the path of the file.
+        let name = self.cushion.as_ref().map(Written::text);
+        let path = name.and_then(|name| files.path(&name).ok());
         let in_file = |problems: Problems| -> Problems {
-            // A wrong value from the file is reported with the name of the file.
-            let named = problems.into_iter().map(|problem| match path {
+            let named = problems.into_iter().map(|problem| match &path {
                 Some(path) => problem.in_file(path),
                 None => problem,
             });
             named.collect()
         };
         read.problems.keep(resolved.map_err(in_file))
+    }
+
+    /// What describes the cushion, with what is in its file; `None` if nothing does, or the file is wrong.
+    pub(crate) fn described(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Words> {
+        let words = self.with_units();
+        let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
+        read.pass(&keys);
+        if words.is_empty() {
+            return None;
+        }
+        read.one("cushion");
+        read.problems.keep(with_its_file(words, files))
     }
 
     /// The file that it names.

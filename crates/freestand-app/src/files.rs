@@ -43,6 +43,10 @@ impl Files {
     /// A name that did not come with the request, where only such files are read.
     pub fn find(&self, name: &str) -> Result<Content, Problem> {
         match self {
+            _ if name.trim().is_empty() => {
+                let hint = "name a file, or leave it out";
+                Err(Problem::value("no file is named", hint))
+            }
             Self::Disk => Ok(Content::At(PathBuf::from(name))),
             Self::Sent(all) => all
                 .iter()
@@ -67,5 +71,5 @@ impl Files {
 pub(crate) fn not_sent(name: &str) -> Problem {
     let message = format!("\"{}\" is not a file of this request", shorten(name));
     Problem::new(ProblemKind::Io, message)
-        .hint("send the file with the request, and name it as it was sent")
+        .hint("send the file with the request: on the page, under `files`")
 }

@@ -6,6 +6,7 @@ pub mod files;
 pub mod request;
 pub mod rock;
 pub mod schema;
+pub mod shock;
 
 mod block;
 mod cushion;

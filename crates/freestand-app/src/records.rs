@@ -16,7 +16,7 @@ use freestand_study::study::RecordedMotion;
 use serde::Deserialize;
 
 use crate::files::{Content, Files, not_sent};
-use crate::request::{Request, request};
+use crate::request::{Request, Switch, request};
 
 /// How records are read and processed; the processing is in the order of its options.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
@@ -37,7 +37,7 @@ pub struct Records {
     pub station_xml: Option<Written>,
     /// Do not remove the mean of raw records (counts, miniSEED, SAC)
     #[arg(long, action = ArgAction::SetTrue, help_heading = "Reading records")]
-    pub keep_mean: Option<Written>,
+    pub keep_mean: Switch,
     /// Factor that multiplies the samples [default: 1]
     #[arg(long, value_name = "RATIO", help_heading = "Reading records")]
     pub scale: Option<Written>,
@@ -182,7 +182,7 @@ request!(VerticalRecord {
 });
 
 /// The records of a request, checked but for what is in them.
-pub(crate) struct Named<'f> {
+pub(crate) struct NamedRecords<'f> {
     files: &'f Files,
     how: MotionFiles,
     upward: MotionFiles,
@@ -215,10 +215,11 @@ impl Records {
         motion: &[Written],
         vertical: &VerticalRecord,
         files: &'f Files,
-    ) -> Named<'f> {
+    ) -> NamedRecords<'f> {
         let words = self.words();
         let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
-        read.pass(&["motion", "vertical"]);
+        read.pass(&["motion"]);
+        read.one("vertical");
         read.pass(&keys);
         if motion.is_empty() && vertical.vertical.is_none() && !keys.is_empty() {
             let named = keys
@@ -228,7 +229,7 @@ impl Records {
                 .join(", ");
             read.note(
                 &keys,
-                format!("{named} without a record"),
+                format!("{named}: there is no record to read"),
                 "name the record with `motion`",
             );
         }
@@ -242,9 +243,16 @@ impl Records {
         problems
             .into_iter()
             .for_each(|problem| read.problems.push(problem));
-        // What is wrong for both has been said.
-        let (upward, _) = how(&own);
-        Named {
+        // What is wrong for both has been said; its scale is its own.
+        let (upward, problems) = how(&own);
+        let of_scale = problems
+            .into_iter()
+            .filter(|problem| problem.is_about("scale"));
+        of_scale.for_each(|problem| {
+            read.problems
+                .push(problem.renamed("scale", "vertical_scale"))
+        });
+        NamedRecords {
             files,
             how: horizontally,
             upward: MotionFiles {
@@ -305,7 +313,7 @@ fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReade
     own
 }
 
-impl Named<'_> {
+impl NamedRecords<'_> {
     /// Whether there is neither a horizontal nor a vertical record.
     pub(crate) fn is_none(&self) -> bool {
         self.horizontal.is_empty() && self.vertical.is_none()
@@ -328,6 +336,9 @@ impl Named<'_> {
             second,
             ..self.how.clone()
         };
+        if let Some(name) = &self.vertical {
+            found.vertical = Some(self.motion("vertical", name, &self.upward, &mut found)?.1);
+        }
         for name in &self.horizontal {
             let (name, motion, second) = self.motion("motion", name, &how, &mut found)?;
             found.horizontal.push((name, motion));
@@ -335,9 +346,6 @@ impl Named<'_> {
         }
         if let Some(name) = across {
             found.across = Some(self.motion("motion_y", name, &self.how, &mut found)?.1);
-        }
-        if let Some(name) = &self.vertical {
-            found.vertical = Some(self.motion("vertical", name, &self.upward, &mut found)?.1);
         }
         found.inputs.extend(records.inputs());
         Ok(found)

@@ -1,11 +1,16 @@
 //! What all requests have in common: the values that were written, from JSON and from keywords.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::ffi::OsStr;
+use std::str::FromStr;
 
-use clap::{Args, Command};
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::nearest;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Deserializer};
@@ -62,6 +67,28 @@ impl Field for Vec<Written> {
     }
 }
 
+/// A value that is yes or no; no, where it is not given.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+#[serde(transparent)]
+pub struct Switch(Option<Written>);
+
+impl FromStr for Switch {
+    type Err = Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Infallible> {
+        Ok(Self(Some(Written::Text(text.to_owned()))))
+    }
+}
+
+impl Field for Switch {
+    fn write(&self, key: &'static str, words: &mut Words) {
+        let given = self.0.as_ref().filter(|written| written.text() != "false");
+        given
+            .into_iter()
+            .for_each(|written| words.write(key, written));
+    }
+}
+
 impl Field for Unknown {
     fn write(&self, _: &'static str, _: &mut Words) {}
 }
@@ -81,6 +108,35 @@ pub(crate) fn one_or_many<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Writ
     })
 }
 
+/// A value that is one of these: the help and the shells' completions list them, and whether it is one is judged with
+/// all other values.
+pub(crate) fn one_of<T: Clone + Send + Sync + 'static>(choices: Choices<T>) -> OneOf {
+    let value = |(_, name, meaning): &(T, &'static str, &'static str)| {
+        PossibleValue::new(*name).help(*meaning)
+    };
+    OneOf(choices.iter().map(value).collect())
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct OneOf(Vec<PossibleValue>);
+
+impl TypedValueParser for OneOf {
+    type Value = Written;
+
+    fn parse_ref(
+        &self,
+        _: &Command,
+        _: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Written, clap::Error> {
+        Ok(Written::Text(value.to_string_lossy().into_owned()))
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().cloned()))
+    }
+}
+
 /// The keys of a request, in the order of their definition.
 pub fn keys<R: Request>() -> Vec<String> {
     let command = R::augment_args(Command::new("request"));
@@ -94,17 +150,15 @@ pub fn keys<R: Request>() -> Vec<String> {
 /// # Errors
 /// The same key twice, such as with and without its unit.
 pub fn from_entries<R: Request>(entries: &Map<String, Value>) -> Result<R, Problem> {
-    let known = keys::<R>();
+    let known = names::<R>();
     let mut found = Map::new();
-    for (given, value) in entries {
+    for (given, value) in entries.iter().filter(|(_, value)| !value.is_null()) {
         let plain = given.replace('-', "_");
-        let (key, value) = match in_unit(&plain, &known) {
-            Some((key, unit)) => (key, with_unit(value, unit)),
-            None => (plain, value.clone()),
-        };
+        let (key, unit) = known_as(&plain, &known).unwrap_or((plain, None));
+        let value = unit.map_or_else(|| value.clone(), |unit| with_unit(value, unit));
         if found.contains_key(&key) {
-            let message = format!("{key} is given twice");
-            return Err(Problem::value(message, format!("leave {given} out")).of_key(key));
+            let message = format!("`{key}` is given twice");
+            return Err(Problem::value(message, format!("leave `{given}` out")).of_key(key));
         }
         found.insert(key, value);
     }
@@ -124,39 +178,78 @@ fn with_unit(value: &Value, unit: &str) -> Value {
     }
 }
 
-/// The key and the unit of a key that states its unit.
-fn in_unit(given: &str, known: &[String]) -> Option<(String, &'static str)> {
-    if known.iter().any(|key| key == given) {
-        return None;
-    }
-    let split = |key: &String| Some((key.clone(), unit(given.strip_prefix(key.as_str())?)?));
-    known.iter().find_map(split)
+/// A name under which a value of a request is known.
+struct Name {
+    name: String,
+    key: String,
+    /// What its value is, as the help says it: `LENGTH`.
+    value: String,
 }
 
-/// The unit of an ending: `_m`, `_n_s_m`; nothing for a ratio.
-fn unit(ending: &str) -> Option<&'static str> {
-    const ENDINGS: [(&str, &str); 16] = [
-        ("_ratio", ""),
-        ("_m", "m"),
-        ("_kg", "kg"),
-        ("_s", "s"),
-        ("_g", "g"),
-        ("_m_s2", "m/s2"),
-        ("_m_s", "m/s"),
-        ("_n", "N"),
-        ("_n_m", "N/m"),
-        ("_n_s_m", "N s/m"),
-        ("_s_m", "s/m"),
-        ("_hz", "Hz"),
-        ("_rad", "rad"),
-        ("_deg", "deg"),
-        ("_rad_s", "rad/s"),
-        ("_kg_m2", "kg m2"),
-    ];
-    ENDINGS
-        .iter()
-        .find(|(name, _)| *name == ending)
-        .map(|(_, unit)| *unit)
+/// The names of the values of a request.
+fn names<R: Request>() -> Vec<Name> {
+    let command = R::augment_args(Command::new("request"));
+    let of = |arg: &Arg| {
+        let key = arg.get_id().to_string();
+        let value = arg.get_value_names().and_then(|names| names.first());
+        let value = value.map(ToString::to_string).unwrap_or_default();
+        let aliases = arg.get_all_aliases().unwrap_or_default();
+        let aliases = aliases.into_iter().map(|alias| alias.replace('-', "_"));
+        std::iter::once(key.clone())
+            .chain(aliases)
+            .map(move |name| Name {
+                name,
+                key: key.clone(),
+                value: value.clone(),
+            })
+            .collect::<Vec<_>>()
+    };
+    command.get_arguments().flat_map(of).collect()
+}
+
+/// The key of a name, and the unit that the name ends in.
+fn known_as(given: &str, known: &[Name]) -> Option<(String, Option<&'static str>)> {
+    if let Some(is) = known.iter().find(|one| one.name == given) {
+        return Some((is.key.clone(), None));
+    }
+    let in_unit = |one: &Name| {
+        let (unit, values) = unit(given.strip_prefix(one.name.as_str())?)?;
+        values
+            .contains(&one.value.as_str())
+            .then(|| (one.key.clone(), Some(unit)))
+    };
+    known.iter().find_map(in_unit)
+}
+
+/// What the name of a number may end in, with its unit, and what such numbers are; a ratio has no unit.
+const ENDINGS: [(&str, &str, &[&str]); 16] = [
+    ("_ratio", "", &["RATIO", "DAMPING"]),
+    ("_m", "m", &["LENGTH", "X, Z"]),
+    ("_kg", "kg", &["MASS"]),
+    ("_s", "s", &["TIME"]),
+    ("_g", "g", &["ACCELERATION"]),
+    ("_m_s2", "m/s2", &["ACCELERATION"]),
+    ("_m_s", "m/s", &["VELOCITY"]),
+    ("_n", "N", &["FORCE"]),
+    ("_n_m", "N/m", &["STIFFNESS"]),
+    ("_n_s_m", "N s/m", &["DAMPING"]),
+    ("_s_m", "s/m", &["DISSIPATION"]),
+    ("_hz", "Hz", &["FREQUENCY"]),
+    ("_rad", "rad", &["ANGLE"]),
+    ("_deg", "deg", &["ANGLE"]),
+    ("_rad_s", "rad/s", &["ANGULAR-VELOCITY"]),
+    ("_kg_m2", "kg m2", &["MOMENT-OF-INERTIA"]),
+];
+
+/// What the name of a number may end in.
+pub(crate) fn unit_endings() -> Vec<&'static str> {
+    ENDINGS.iter().map(|(ending, ..)| *ending).collect()
+}
+
+/// The unit of an ending, and what such numbers are.
+fn unit(ending: &str) -> Option<(&'static str, &'static [&'static str])> {
+    let found = ENDINGS.iter().find(|(name, ..)| *name == ending);
+    found.map(|(_, unit, values)| (*unit, *values))
 }
 
 /// A problem for each key that the request does not know.
@@ -168,6 +261,6 @@ pub(crate) fn unknown<R: Request>(unknown: &Unknown) -> impl Iterator<Item = Pro
             Some(near) => format!("did you mean `{near}`?"),
             None => "leave it out".to_owned(),
         };
-        Problem::value(format!("`{key}` is not known"), hint).of_key(key.clone())
+        Problem::value(format!("`{}` is not known", shorten(key)), hint).of_key(key.clone())
     })
 }

@@ -3,30 +3,36 @@
 use clap::{Arg, ArgAction, Command};
 use serde_json::{Map, Value, json};
 
-use crate::request::Request;
+use crate::request::{Request, unit_endings};
 
 const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// The schema of a request of `command`.
 pub fn of_request<R: Request>(command: &str) -> Value {
     let flags = R::augment_args(Command::new("request"));
+    let names: Vec<String> = flags
+        .get_arguments()
+        .map(|arg| arg.get_id().to_string())
+        .collect();
     let properties: Map<String, Value> = flags
         .get_arguments()
-        .map(|arg| (arg.get_id().to_string(), of_value(arg)))
+        .map(|arg| (arg.get_id().to_string(), of_value(arg, &names)))
         .collect();
+    let in_units = format!("^({})({})$", names.join("|"), unit_endings().join("|"));
     json!({
         "$schema": DRAFT,
         "title": format!("What {command} is asked"),
         "description": "A number is in SI, a text has its unit. A key may end in the unit of its number: height_m. \
-                        Which values are needed and what they may be is said where a request is refused, all at once.",
+                        A refused request gets all its problems at once.",
         "type": "object",
         "properties": properties,
+        "patternProperties": {in_units: {"type": ["number", "string", "array"]}},
         "additionalProperties": false,
     })
 }
 
 /// The schema of a value, by the flag of the command line.
-fn of_value(arg: &Arg) -> Value {
+fn of_value(arg: &Arg, names: &[String]) -> Value {
     let one = ["string", "number"];
     let takes_several = arg
         .get_num_args()
@@ -38,9 +44,17 @@ fn of_value(arg: &Arg) -> Value {
         _ if is_pair(arg) => json!({"type": ["string", "array"], "items": {"type": one}}),
         _ => json!({"type": one}),
     };
+    let choices: Vec<String> = arg
+        .get_possible_values()
+        .iter()
+        .map(|choice| choice.get_name().to_owned())
+        .collect();
+    if !choices.is_empty() && !matches!(arg.get_action(), ArgAction::SetTrue) {
+        schema = json!({"type": "string", "enum": choices});
+    }
     let help = arg.get_long_help().or(arg.get_help());
     if let Some(help) = help {
-        schema["description"] = keys_in(&help.to_string()).into();
+        schema["description"] = keys_in(&help.to_string(), names).into();
     }
     schema
 }
@@ -51,13 +65,14 @@ fn is_pair(arg: &Arg) -> bool {
     names.iter().any(|name| name.contains(", "))
 }
 
-/// A help with the flags that it names as keys.
-fn keys_in(help: &str) -> String {
-    let word = |word: &str| match word.strip_prefix("--") {
-        Some(flag) => flag.replace('-', "_"),
-        None => word.to_owned(),
-    };
-    help.split(' ').map(word).collect::<Vec<_>>().join(" ")
+/// A help with the flags of the request as keys.
+fn keys_in(help: &str, names: &[String]) -> String {
+    let mut names: Vec<&String> = names.iter().collect();
+    // The longer one first, where one begins with another.
+    names.sort_by_key(|name| std::cmp::Reverse(name.len()));
+    names.iter().fold(help.to_owned(), |text, name| {
+        text.replace(&format!("--{}", name.replace('_', "-")), name)
+    })
 }
 
 /// The schema of a response of `command`: `results` describes what differs between its kinds.
@@ -68,7 +83,11 @@ pub fn of_response(command: &str, schema: &str, results: &[Map<String, Value>]) 
     });
     let kinds: Vec<Value> = results
         .iter()
-        .map(|properties| json!({"type": "object", "properties": properties}))
+        .map(|properties| {
+            let optional = |key: &&String| *key == "plots";
+            let names: Vec<&String> = properties.keys().filter(|key| !optional(key)).collect();
+            json!({"type": "object", "required": names, "properties": properties})
+        })
         .collect();
     json!({
         "$schema": DRAFT,

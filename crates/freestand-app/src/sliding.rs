@@ -8,7 +8,7 @@ use freestand_input::written::Written;
 use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
 use serde::Deserialize;
 
-use crate::request::request;
+use crate::request::{Switch, request};
 
 /// What is under an object that does not rock.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
@@ -18,14 +18,13 @@ pub struct Sliding {
     /// The object slides and does not rock: its friction is at most its thickness divided by its
     /// height
     #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    pub sliding: Option<Written>,
+    pub sliding: Switch,
     /// Coefficient of friction while it slides, at most --friction [default: equal to --friction]
     #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
     pub friction_kinetic: Option<Written>,
     /// The object stands on casters that swivel, and rolls
     #[arg(long, alias = "castors", action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    #[serde(alias = "castors")]
-    pub casters: Option<Written>,
+    pub casters: Switch,
     /// Rolling resistance of the casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
     #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
     pub rolling_resistance: Option<Written>,
@@ -33,7 +32,7 @@ pub struct Sliding {
     /// them (--base-width is the distance between them); halve the friction if half of them are
     /// braked
     #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    pub brakes: Option<Written>,
+    pub brakes: Switch,
     /// Room to the left: the time and the speed at which the object reaches it are reported
     #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
     pub clearance_left: Option<Written>,
@@ -67,7 +66,11 @@ pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
     let needs_casters = |read: &mut WordReader<'_>, key: &'static str| {
         let (message, hint) = (
             format!("`{key}` applies only to an object on casters"),
-            "add `casters`, or leave it out",
+            if read.has("sliding") {
+                "give `casters` in place of `sliding`, or leave it out"
+            } else {
+                "add `casters`, or leave it out"
+            },
         );
         read.note(&[key], message, hint);
     };
@@ -85,6 +88,14 @@ pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
         (_, true, true) => Some(Contact::BrakedCasters),
         (_, true, false) => Some(Contact::Casters),
         (false, false, _) => None,
+    }
+}
+
+/// The key of the coefficient of a contact.
+pub(crate) fn coefficient(contact: Contact) -> &'static str {
+    match contact {
+        Contact::Casters => "rolling_resistance",
+        Contact::Base | Contact::BrakedCasters => "friction",
     }
 }
 
@@ -113,6 +124,11 @@ pub(crate) fn surface(read: &mut WordReader<'_>, contact: Contact) -> Option<Sur
             right_m: read.non_negative("clearance_right", Dimension::Length),
         },
     };
-    let surface = Surface::new(&given).map_err(|problem| problem.of(&["friction"]));
+    let key = if contact == Contact::Casters {
+        "rolling_resistance"
+    } else {
+        "friction_kinetic"
+    };
+    let surface = Surface::new(&given).map_err(|problem| problem.of(&[key]));
     read.problems.keep(surface)
 }

@@ -24,7 +24,6 @@ pub struct Walls {
         value_name = "LENGTH",
         help_heading = "Walls beside the object"
     )]
-    #[serde(alias = "wall_gap")]
     pub wall_gap_left: Option<Written>,
     /// Distance of the wall on the right [default: no wall]
     #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
@@ -55,17 +54,19 @@ request!(Walls {
 });
 
 /// The walls beside `block`, their stiffness, and the mass for the shock there; no walls if something is wrong.
+/// `model` is that of a rigid base.
 pub(crate) fn walls(
     read: &mut WordReader<'_>,
     block: Option<&Block>,
     mass_kg: Option<f64>,
-    model: RockingModel,
+    model: Option<RockingModel>,
 ) -> (freestand::wall::Walls, WallStiffness) {
     let given = GivenWalls {
         left_gap_m: read.non_negative("wall_gap_left", Dimension::Length),
         right_gap_m: read.non_negative("wall_gap_right", Dimension::Length),
         height_m: read.positive("wall_height", Dimension::Length),
-        restitution_ratio: read.quantity("wall_restitution", Dimension::Ratio),
+        // On cushions it follows from the cushion.
+        restitution_ratio: model.and_then(|_| read.quantity("wall_restitution", Dimension::Ratio)),
     };
     let stiffness_n_m = read.positive("wall_stiffness", Dimension::Stiffness);
     let is_beside = read.has("wall_gap_left") || read.has("wall_gap_right");
@@ -74,7 +75,7 @@ pub(crate) fn walls(
     if !is_beside && read.has("wall_stiffness") && !is_told {
         read.problems.push(needs_a_gap().of(&["wall_gap_left"]));
     }
-    if is_beside && model == RockingModel::Linearised {
+    if is_beside && model == Some(RockingModel::Linearised) {
         read.note(
             &["model"],
             "the linearised equation of motion has no walls",

@@ -130,17 +130,6 @@ fn value_name(dimension: Dimension) -> String {
         .replace(' ', "-")
 }
 
-/// Two lengths, `"0.3 m, 1.2 m"`.
-pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
-    match quantity::parse_grid(text, Dimension::Length)?[..] {
-        [x, z] => Ok((x, z)),
-        _ => Err(Problem::value(
-            "two lengths are expected, x and z",
-            "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"",
-        )),
-    }
-}
-
 /// Two names or numbers, `"1, 2"`.
 pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
     match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {

@@ -48,6 +48,12 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("width_m", "width", " m"),
     ("base_width_m", "base_width", " m"),
     ("cg_height_m", "cg_height", " m"),
+    ("cg_offset_m", "cg_offset", " m"),
+    ("inertia_kg_m2", "inertia", " kg m2"),
+    ("clearance_left_m", "clearance_left", " m"),
+    ("clearance_right_m", "clearance_right", " m"),
+    ("stop_stiffness_n_m", "stop_stiffness", " N/m"),
+    ("wall_height_m", "wall_height", " m"),
     ("cg_rise_m", "cg_rise", " m"),
     ("uplift_m", "uplift", " m"),
     ("rotation_rad", "rotation", " rad"),
@@ -255,8 +261,8 @@ struct Word {
     text: String,
     /// The numbers of a program, which are in SI; of a person they are a text with a unit.
     numbers: Vec<f64>,
-    /// Whether a program gave a list.
-    is_list: bool,
+    /// What a program gave in place of one value.
+    many: Option<&'static str>,
     line: Option<usize>,
 }
 
@@ -273,15 +279,14 @@ impl Words {
             key,
             text: text.into(),
             numbers: Vec::new(),
-            is_list: false,
+            many: None,
             line,
         });
     }
 
-    /// Adds a value of a request. A flag that is not set and an empty list are none.
+    /// Adds a value of a request. An empty list is none.
     pub fn write(&mut self, key: &'static str, written: &Written) {
         let numbers = match written {
-            Written::Flag(false) => return,
             Written::List(all) if all.is_empty() => return,
             Written::Number(number) => vec![*number],
             Written::List(all) => {
@@ -294,13 +299,17 @@ impl Words {
                     .collect::<Option<_>>()
                     .unwrap_or_default()
             }
-            Written::Flag(true) | Written::Text(_) | Written::Table(_) => Vec::new(),
+            Written::Flag(_) | Written::Text(_) | Written::Table(_) => Vec::new(),
         };
         self.entries.push(Word {
             key,
             text: written.text(),
             numbers,
-            is_list: matches!(written, Written::List(_)),
+            many: match written {
+                Written::List(_) => Some("a list"),
+                Written::Table(_) => Some("a table"),
+                _ => None,
+            },
             line: None,
         });
     }
@@ -327,10 +336,9 @@ impl Words {
             .map(|(_, text)| text)
     }
 
-    /// Whether a program gave a list as the first value of a key.
-    pub fn is_list(&self, key: &str) -> bool {
-        let first = self.entries.iter().find(|word| word.key == key);
-        first.is_some_and(|word| word.is_list)
+    /// What a program gave as the first value of a key in place of one value: a list or a table.
+    pub fn many(&self, key: &str) -> Option<&'static str> {
+        self.entries.iter().find(|word| word.key == key)?.many
     }
 
     /// The numbers in SI that a program gave as the first value of a key; none if it is a text.
@@ -366,7 +374,7 @@ impl<T: Into<String>> FromIterator<(&'static str, T)> for Words {
             key,
             text: text.into(),
             numbers: Vec::new(),
-            is_list: false,
+            many: None,
             line: None,
         };
         Self {

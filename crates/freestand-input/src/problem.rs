@@ -94,6 +94,20 @@ impl Problem {
         self.of(&[key])
     }
 
+    /// The problem of a key that somebody reads under another name.
+    #[must_use]
+    pub fn renamed(mut self, from: &str, to: &'static str) -> Self {
+        let (from_key, to_key) = (format!("`{from}`"), format!("`{to}`"));
+        self.message = self.message.replace(&from_key, &to_key);
+        self.hint = self.hint.map(|hint| hint.replace(&from_key, &to_key));
+        for key in &mut self.keys {
+            if key == from {
+                *key = Cow::Borrowed(to);
+            }
+        }
+        self
+    }
+
     /// Whether it is about this key.
     pub fn is_about(&self, key: &str) -> bool {
         self.keys.iter().any(|one| one == key)

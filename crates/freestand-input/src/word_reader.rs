@@ -84,7 +84,7 @@ impl<'w> WordReader<'w> {
         key: &'static str,
         read: impl FnOnce(&str) -> Result<T, Problem>,
     ) -> Option<T> {
-        let text = self.text(key)?;
+        let text = self.one(key)?;
         self.keep(key, read(text))
     }
 
@@ -94,12 +94,12 @@ impl<'w> WordReader<'w> {
         self.words.get(key)
     }
 
-    /// A text that is not a list.
-    fn one(&mut self, key: &'static str) -> Option<&'w str> {
+    /// A text that is neither a list nor a table.
+    pub fn one(&mut self, key: &'static str) -> Option<&'w str> {
         let text = self.text(key)?;
-        if self.words.is_list(key) {
-            let message = format!("`{key}` must be one value, not the list {}", shorten(text));
-            self.note(&[key], message, "give one");
+        if let Some(many) = self.words.many(key) {
+            let message = format!("`{key}` must be one value, not {many}");
+            self.note(&[key], message, "give one value");
             return None;
         }
         Some(text)
@@ -108,11 +108,11 @@ impl<'w> WordReader<'w> {
     /// Whether a flag is set.
     pub fn flag(&mut self, key: &'static str) -> bool {
         match self.one(key) {
-            None => false,
+            None | Some("false") => false,
             Some("true") => true,
             Some(text) => {
-                let message = format!("`{key}` is yes or no, not \"{}\"", shorten(text));
-                self.note(&[key], message, "give true or false");
+                let message = format!("`{key}` must be true or false, not \"{}\"", shorten(text));
+                self.note(&[key], message, "give one of them");
                 false
             }
         }
@@ -125,27 +125,30 @@ impl<'w> WordReader<'w> {
             [number] if number.is_finite() => Some(number),
             [number] => {
                 let message = format!("`{key}` must be a finite number, not {number}");
-                self.note(&[key], message, "give one");
+                self.note(&[key], message, "give a finite number");
                 None
             }
             _ => self.keep(key, parse(text, dimension)),
         }
     }
 
-    /// Two quantities, `"0.3 m, 1.2 m"`; `what` they are, for the message.
+    /// Two quantities, `"0.3 m, 1.2 m"`; the hint says which.
     pub fn two(
         &mut self,
         key: &'static str,
         dimension: Dimension,
-        [two, hint]: [&str; 2],
+        hint: &str,
     ) -> Option<(f64, f64)> {
-        match self.grid(key, dimension)?[..] {
-            [first, second] => Some((first, second)),
-            _ => {
-                self.note(&[key], format!("`{key}`: {two} are expected"), hint);
-                None
-            }
-        }
+        let found = self.grid(key, dimension)?;
+        let [first, second] = found[..] else {
+            self.note(
+                &[key],
+                format!("`{key}` must be two values, not {}", found.len()),
+                hint,
+            );
+            return None;
+        };
+        Some((first, second))
     }
 
     /// Adds a problem if both keys were written.
@@ -209,7 +212,8 @@ impl<'w> WordReader<'w> {
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
         let numbers = self.words.numbers(key);
         if numbers.is_empty() || numbers.iter().any(|number| !number.is_finite()) {
-            return self.read(key, |text| parse_grid(text, dimension));
+            let text = self.text(key)?;
+            return self.keep(key, parse_grid(text, dimension));
         }
         self.pass(&[key]);
         Some(numbers.to_vec())

@@ -60,11 +60,6 @@ impl FromStr for Written {
     type Err = Infallible;
 
     fn from_str(text: &str) -> Result<Self, Infallible> {
-        // A flag without a value reaches us as one of these words.
-        Ok(match text {
-            "true" => Self::Flag(true),
-            "false" => Self::Flag(false),
-            _ => Self::Text(text.to_owned()),
-        })
+        Ok(Self::Text(text.to_owned()))
     }
 }

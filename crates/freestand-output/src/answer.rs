@@ -39,7 +39,9 @@ pub trait Described {
 
 impl<A: Answer> Described for A {
     fn schema() -> Json {
-        let schema = json!({"type": "object", "properties": A::properties()});
+        let properties = A::properties();
+        let names: Vec<&String> = properties.keys().collect();
+        let schema = json!({"type": "object", "required": names, "properties": properties});
         if A::IS_OPTIONAL {
             or_null(schema)
         } else {
@@ -51,6 +53,7 @@ impl<A: Answer> Described for A {
 /// A value that may be missing: `null`.
 fn or_null(mut schema: Json) -> Json {
     match schema.get_mut("type") {
+        Some(Json::Array(_)) => {}
         Some(kind) => *kind = json!([kind.take(), "null"]),
         None => schema = json!({"anyOf": [schema, {"type": "null"}]}),
     }
@@ -79,7 +82,7 @@ macro_rules! described {
 
 described! {
     // What is not finite is `null` in a document.
-    f64 = {"type": "number"},
+    f64 = {"type": ["number", "null"]},
     usize = {"type": "integer"},
     u64 = {"type": "integer"},
     bool = {"type": "boolean"},

@@ -12,7 +12,6 @@ use freestand_study::cushion::{self, EdgeCushion, read_cushion_file, with_file};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use serde::Serialize;
-use serde_json::{Map, Number, Value as Json};
 
 use crate::errors::{raised, raised_all};
 
@@ -309,36 +308,6 @@ impl<'a, 'py> Given<'a, 'py> {
     }
 }
 
-/// Values by key, for a request.
-pub(crate) fn entries(values: &Bound<'_, PyDict>) -> PyResult<Map<String, Json>> {
-    let entry =
-        |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
-    values.iter().map(entry).collect()
-}
-
-/// A value as a request reads it; what is no value of a request is shown as Python writes it.
-fn written(value: &Bound<'_, PyAny>) -> Json {
-    if value.is_none() {
-        return Json::Null;
-    }
-    if let Ok(flag) = value.cast::<PyBool>() {
-        return flag.is_true().into();
-    }
-    if let Ok(text) = value.cast::<PyString>() {
-        return text.to_string_lossy().into_owned().into();
-    }
-    if let Ok(whole) = value.extract::<i64>() {
-        return whole.into();
-    }
-    if let Ok(number) = value.extract::<f64>() {
-        return Number::from_f64(number).map_or_else(|| number.to_string().into(), Json::Number);
-    }
-    match value.try_iter() {
-        Ok(all) => all.flatten().map(|one| written(&one)).collect(),
-        Err(_) => words_of(value).into(),
-    }
-}
-
 /// The texts of a value in a unit: one, or one for each member of a list.
 fn texts(value: &Bound<'_, PyAny>, unit: &str) -> Option<Vec<String>> {
     if let Ok(text) = value.cast::<PyString>() {
@@ -372,7 +341,7 @@ fn two(value: &Bound<'_, PyAny>) -> Option<(f64, f64)> {
 }
 
 /// A value of Python in a message.
-fn words_of(value: &Bound<'_, PyAny>) -> String {
+pub(crate) fn words_of(value: &Bound<'_, PyAny>) -> String {
     let text = value.repr().map_or_else(
         |_| "this value".to_owned(),
         |text| text.to_string_lossy().into_owned(),

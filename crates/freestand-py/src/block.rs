@@ -2,7 +2,6 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 use freestand_study::shape::Shape;
 use pyo3::prelude::*;
@@ -13,10 +12,7 @@ use crate::arguments::Given;
 /// The object behind `freestand.Block`.
 #[pyclass(frozen, module = "freestand._freestand")]
 pub(crate) struct Body {
-    pub(crate) block: Block,
-    pub(crate) mass_kg: Option<f64>,
-    /// As it was described.
-    pub(crate) cushion: Words,
+    block: Block,
 }
 
 #[pymethods]
@@ -58,11 +54,7 @@ impl Body {
                 hint,
             )));
         };
-        Ok(Self {
-            block,
-            mass_kg,
-            cushion,
-        })
+        Ok(Self { block })
     }
 
     #[getter]

@@ -3,6 +3,7 @@
 //! documents; arrays cross as bytes that Python owns, so neither side needs `unsafe`.
 
 mod arguments;
+mod asked;
 mod assess;
 mod block;
 mod errors;

@@ -9,6 +9,7 @@ use freestand::identify::Toe;
 use freestand::motion::Motion;
 use freestand::shock_response::ShockSpectrumOptions;
 use freestand::synthesis::SynthesisOptions;
+use freestand_app::shock::{SCHEMA, resolve};
 use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
@@ -23,9 +24,7 @@ use freestand_study::laboratory::static_curve::{StaticRequest, static_tests};
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::matched::{SynthRequest, synth as made};
-use freestand_study::shock::{
-    Energy, MODELS, SCENARIOS, ShockRequest, boundary_tests, shock as evaluated,
-};
+use freestand_study::shock::shock as evaluated;
 use freestand_study::shock_spectrum::{
     DEFAULT_FREQUENCIES, KINDS, PEAKS, ShockSpectrumRequest, recorded_shock_spectra,
 };
@@ -35,69 +34,18 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::{Given, told};
-use crate::block::Body;
+use crate::asked::{Named, asked};
 use crate::errors::{raised, raised_all};
 use crate::motion::{Record, unread};
 use crate::work::watched;
 
 /// One landing.
 #[pyfunction]
-pub(crate) fn shock(body: &Body, values: &Bound<'_, PyDict>) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let own = given.cushion_words();
-    let energies = [
-        given.non_negative("cg_rise_m").map(Energy::CgRise),
-        given.non_negative("uplift_m").map(Energy::Uplift),
-        given.number("rotation_rad").map(Energy::Rotation),
-        given
-            .number("angular_velocity_rad_s")
-            .map(Energy::AngularVelocity),
-    ];
-    if energies.iter().flatten().count() > 1 {
-        let message =
-            "cg_rise_m, uplift_m, rotation_rad and angular_velocity_rad_s exclude each other";
-        given.push(Problem::value(message, "keep one of them"));
-    }
-    let tests = given
-        .path("damage_boundary")
-        .map(|path| boundary_tests(&path));
-    let tests = tests.and_then(|tests| given.keep(tests));
-    let Some(mass_kg) = body.mass_kg else {
-        return Err(raised(Problem::value(
-            "the shock needs the mass of the object",
-            "give the block mass_kg",
-        )));
-    };
-    let acceleration = |of_g: Option<f64>| of_g.map(|of_g| of_g * G0_M_S2);
-    let bare = ShockRequest::new(body.block, mass_kg);
-    let request = ShockRequest {
-        cushion: if own.is_empty() {
-            body.cushion.clone()
-        } else {
-            own
-        },
-        contact_stiffness_n_m: given.positive("contact_stiffness_n_m"),
-        drop_acceleration_m_s2: acceleration(given.positive("drop_acceleration_g")),
-        energy: energies.into_iter().flatten().next(),
-        scenario: given.choice("scenario", SCENARIOS).unwrap_or_default(),
-        model: given.choice("model", MODELS),
-        gap_m: given.positive("gap_m"),
-        obstacle_height_m: given.positive("obstacle_height_m"),
-        at_m: given.point("at_m"),
-        gravity_m_s2: given.positive("gravity_m_s2").unwrap_or(bare.gravity_m_s2),
-        friction_ratio: given.positive("friction"),
-        tolerance_m_s2: acceleration(given.positive("tolerance_g")),
-        tolerance_duration_s: given.positive("tolerance_duration_s"),
-        tolerance_velocity_change_m_s: given.positive("tolerance_velocity_change_m_s"),
-        boundary_tests: tests,
-        tolerance_edge_lift_m: given.positive("tolerance_edge_lift_m"),
-        component_frequency_hz: given.positive("component_frequency_hz"),
-        component_capacity_m_s2: acceleration(given.positive("component_capacity_g")),
-        ..bare
-    };
-    given.finish()?;
-    let report = evaluated(&request).map_err(raised_all)?;
-    told("freestand.shock/1", &report.facts, &report.warnings)
+pub(crate) fn shock(request: &Bound<'_, PyDict>, files: Named) -> PyResult<String> {
+    let (request, files) = asked(request, &[], files)?;
+    let meant = resolve(&request, &files).map_err(raised_all)?;
+    let report = evaluated(&meant.landing).map_err(raised_all)?;
+    told(SCHEMA, &report.answer, &report.warnings)
 }
 
 /// A text that must be one of these.

@@ -1,12 +1,8 @@
 //! One object under one motion: rocking, on cushions, sliding.
 
-use std::path::PathBuf;
-
 use freestand::block::Block;
 use freestand::rocking::Restitution;
 use freestand::sliding::Clearance;
-use freestand_app::files::{Content, Files, Sent};
-use freestand_app::request::from_entries;
 use freestand_app::rock::{Asked, Meant, Results, Rock, SCHEMA, resolve};
 use freestand_input::problem::Problem;
 use freestand_study::restitution::checked;
@@ -14,9 +10,9 @@ use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
 use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use serde::Serialize;
 
-use crate::arguments::{Given, bytes, entries, told};
+use crate::arguments::{Given, bytes, told};
+use crate::asked::{Named, asked};
 use crate::errors::{raised, raised_all};
 use crate::motion::Record;
 use crate::work::abandoned_on_signal;
@@ -112,45 +108,19 @@ pub(crate) fn surface(given: &mut Given<'_, '_>) -> Option<Surface> {
 /// small object.
 const MANY_SAMPLES: usize = 50_000;
 
-/// What a command without records and plots prints.
-#[derive(Serialize)]
-struct Document {
-    #[serde(flatten)]
-    results: Results,
-}
-
-/// The response of an object. `request` has the values by their keys, `files` the paths and the texts of the files
-/// that it names.
+/// The response of an object.
 #[pyfunction]
 pub(crate) fn rock<'py>(
     py: Python<'py>,
     request: &Bound<'py, PyDict>,
     motion: Option<&Record>,
     vertical: Option<&Record>,
-    cushion: (Option<PathBuf>, Option<String>),
+    files: Named,
     history: bool,
 ) -> PyResult<Answer<'py>> {
-    let mut entries = entries(request)?;
-    let mut sent = Vec::new();
-    let mut send = |key: &str, content: Content| {
-        entries.insert(key.to_owned(), key.into());
-        sent.push(Sent {
-            name: key.to_owned(),
-            content,
-        });
-    };
-    for (key, record) in [("motion", motion), ("vertical", vertical)] {
-        if let Some(record) = record {
-            send(key, Content::Motion(record.motion().clone()));
-        }
-    }
-    match cushion {
-        (Some(path), _) => send("cushion", Content::At(path)),
-        (None, Some(text)) => send("cushion", Content::Text(text)),
-        (None, None) => {}
-    }
-    let rock: Rock = from_entries(&entries).map_err(raised)?;
-    let meant = resolve(&rock, &Files::Sent(sent)).map_err(raised_all)?;
+    let motions = [("motion", motion), ("vertical", vertical)];
+    let (rock, files) = asked::<Rock>(request, &motions, files)?;
+    let meant = resolve(&rock, &files).map_err(raised_all)?;
     let is_long = is_long(&meant);
     let follow = move || meant.follow(0, history);
     let followed = if is_long {
@@ -160,10 +130,7 @@ pub(crate) fn rock<'py>(
     };
     let followed = followed.map_err(raised)?;
     let answers = vec![(followed.name.clone(), followed.answer())];
-    let document = Document {
-        results: Results::of(answers),
-    };
-    let text = told(SCHEMA, &document, followed.warnings())?;
+    let text = told(SCHEMA, &Results::of(answers), followed.warnings())?;
     let columns = history.then(|| {
         let (head, rows) = followed.samples();
         let column = |column: usize| rows.iter().filter_map(move |row| row.get(column).copied());

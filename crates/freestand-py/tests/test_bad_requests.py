@@ -15,7 +15,7 @@ def test_every_request_has_the_problems_of_the_table() -> None:
     assert len(lines) > 300
     for line in lines:
         with pytest.raises(fs.FreestandError) as caught:
-            _freestand.rock(line["request"], None, None, (None, None), False)
+            _freestand.rock(line["request"], None, None, {}, False)
         told = [problem.message for problem in caught.value.problems]
         assert told == [problem["argument"] for problem in line["problems"]], line
 

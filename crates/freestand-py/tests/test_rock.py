@@ -85,7 +85,7 @@ def test_the_documented_attributes_are_those_of_the_document(cabinet, floor_moti
     result = cabinet.rock(floor_motion)
     documented = set(fs.RockResult.__annotations__) - {"history"}
     documented = {name for name in documented if not name.startswith("_")}
-    assert documented | {"impacts", "wall_impacts", "warnings"} == set(result.to_dict())
+    assert documented | {"schema", "impacts", "wall_impacts", "warnings"} == set(result.to_dict())
 
 
 def test_a_block_is_a_value(cabinet):

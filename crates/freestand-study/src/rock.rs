@@ -152,8 +152,7 @@ answer! {
 }
 
 /// What the shock of an object on pads leaves out where its base is rigid.
-const PADS_GIVE_THE_SHOCK_ALONE: &str =
-    "the base is rigid: on its pads, which give the shock alone, the object may lift more";
+const PADS_GIVE_THE_SHOCK_ALONE: &str = "the base is rigid: the pads are used for the shock alone, and on them the object may lift more";
 
 /// The response of an object.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,6 +9,7 @@ use freestand::respond::{Along, Glider, HistoryOptions, Plane, Planes, SlideHist
 use freestand::rocking::{Base, RockingError};
 use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_speed_m_s};
 
+use crate::rock::RockImpact;
 use crate::unsolved::{self, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
@@ -248,7 +249,7 @@ answer! {
         /// It does not rock.
         impact_count: usize,
         /// It does not rock.
-        impacts: Vec<f64>,
+        impacts: Vec<RockImpact>,
     }
 }
 

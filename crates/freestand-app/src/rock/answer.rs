@@ -48,13 +48,13 @@ pub enum Results {
     /// Under each of several.
     Each {
         /// One result for each motion.
-        results: Vec<Named>,
+        results: Vec<OfMotion>,
     },
 }
 
 /// A result with the name of its motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Named {
+pub struct OfMotion {
     /// The motion.
     pub motion: String,
     /// What the object did.
@@ -93,7 +93,7 @@ impl Results {
                 results: answers
                     .into_iter()
                     .chain(last)
-                    .map(|(motion, answer)| Named { motion, answer })
+                    .map(|(motion, answer)| OfMotion { motion, answer })
                     .collect(),
             },
         }
@@ -133,6 +133,9 @@ impl Meant {
         let (name, motion) = match self.motions.horizontal.get(index) {
             Some((name, motion)) => (name.clone(), Some(motion.clone())),
             None if self.motions.vertical.is_some() => ("vertical motion".to_owned(), None),
+            None if matches!(self.asked, Asked::InSpace(_) | Asked::Stack(_)) => {
+                ("no motion".to_owned(), None)
+            }
             None => ("free rocking".to_owned(), None),
         };
         let (across, upward) = (self.motions.across.clone(), self.motions.vertical.clone());

@@ -4,18 +4,20 @@ mod answer;
 mod resolve;
 
 use clap::Args;
+use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use freestand_study::spatial::SHAPES;
 use serde::Deserialize;
 
 use crate::block::{GeneralBlock, Rocking};
 use crate::cushion::CushionUnder;
 use crate::records::{Records, VerticalRecord};
-use crate::request::{Unknown, one_or_many, request};
+use crate::request::{Switch, Unknown, one_of, one_or_many, request};
 use crate::sliding::Sliding;
 use crate::walls::Walls;
 
-pub use answer::{Answer, Followed, Named, Results};
-pub use resolve::{Asked, Meant, resolve};
+pub use answer::{Answer, Followed, OfMotion, Results};
+pub use resolve::{Asked, Meant, check, resolve};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.rock/1";
@@ -111,14 +113,34 @@ request!(Rock {
     upward, records, block, pad, walls, on, slides, space, upper, rocking, unknown
 });
 
+/// What an object stands on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum BaseName {
+    Rigid,
+    Compliant,
+}
+
+const BASES: Choices<BaseName> = &[
+    (
+        BaseName::Rigid,
+        "rigid",
+        "Housner's model: the object rotates about fixed edges",
+    ),
+    (
+        BaseName::Compliant,
+        "compliant",
+        "A rigid body on cushions, integrated in time",
+    ),
+];
+
 /// What the object stands on.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
 pub struct Base {
-    /// Floor contact: rigid, edges about which the object turns (Housner's model), or compliant, a cushion under each
-    /// edge, which needs --mass and --stiffness [default: rigid]
-    #[arg(long, value_name = "BASE", help_heading = "The base")]
+    /// Floor contact: rigid edges, or a cushion under each edge, which needs --mass and --stiffness
+    /// [default: rigid]
+    #[arg(long, value_name = "BASE", value_parser = one_of(BASES), help_heading = "The base")]
     pub base: Option<Written>,
     /// Tangential stiffness of the cushion under one edge [default: equal to the normal stiffness,
     /// an assumption]
@@ -129,7 +151,7 @@ pub struct Base {
     pub tangential_ratio: Option<Written>,
     /// The edges never slip while loaded (the default without --friction)
     #[arg(long, action = clap::ArgAction::SetTrue, help_heading = "The base")]
-    pub no_slip: Option<Written>,
+    pub no_slip: Switch,
     /// Number of contact elements, evenly spaced from edge to edge; more than 2 share the cushions
     /// of both edges [default: 2]
     #[arg(long, value_name = "N", help_heading = "The base")]
@@ -165,13 +187,8 @@ pub struct Space {
         help_heading = "Three dimensions, on a compliant base"
     )]
     pub width: Option<Written>,
-    /// Shape of the object: prism, a box on its four corners, which needs --width, or cylinder, upright on its rim,
-    /// of which the thickness is the diameter [default: prism]
-    #[arg(
-        long,
-        value_name = "SHAPE",
-        help_heading = "Three dimensions, on a compliant base"
-    )]
+    /// Shape of the object [default: prism]
+    #[arg(long, value_name = "SHAPE", value_parser = one_of(SHAPES), help_heading = "Three dimensions, on a compliant base")]
     pub shape: Option<Written>,
     /// Record of the horizontal acceleration along the width, with the step and length of --motion
     #[arg(
@@ -206,46 +223,46 @@ request!(Space {
     orientation
 });
 
-/// The upper object of a stack.
+/// The upper body of a stack.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
 pub struct Upper {
-    /// Height of an object that stands on top, in the plane of the thickness; --height, --thickness
+    /// Height of a body that stands on top, in the plane of the thickness; --height, --thickness
     /// and --mass describe the lower one
     #[arg(
         long,
         value_name = "LENGTH",
-        help_heading = "A second object on top, on a compliant base"
+        help_heading = "A second body on top, on a compliant base"
     )]
     pub upper_height: Option<Written>,
-    /// Thickness of the upper object
+    /// Thickness of the upper body
     #[arg(
         long,
         value_name = "LENGTH",
-        help_heading = "A second object on top, on a compliant base"
+        help_heading = "A second body on top, on a compliant base"
     )]
     pub upper_thickness: Option<Written>,
-    /// Mass of the upper object
+    /// Mass of the upper body
     #[arg(
         long,
         value_name = "MASS",
-        help_heading = "A second object on top, on a compliant base"
+        help_heading = "A second body on top, on a compliant base"
     )]
     pub upper_mass: Option<Written>,
-    /// Stiffness of the cushion under one edge of the upper object [default: that under the lower
+    /// Stiffness of the cushion under one edge of the upper body [default: that under the lower
     /// one]
     #[arg(
         long,
         value_name = "STIFFNESS",
-        help_heading = "A second object on top, on a compliant base"
+        help_heading = "A second body on top, on a compliant base"
     )]
     pub interface_stiffness: Option<Written>,
-    /// Coefficient of friction between the objects [default: no slip]
+    /// Coefficient of friction between the bodies [default: no slip]
     #[arg(
         long,
         value_name = "RATIO",
-        help_heading = "A second object on top, on a compliant base"
+        help_heading = "A second body on top, on a compliant base"
     )]
     pub interface_friction: Option<Written>,
 }

@@ -1,8 +1,5 @@
 //! What a request means: the object with the solver that follows it, in SI, and its motions.
 
-use std::ops::RangeInclusive;
-
-use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::CompliantBase;
 use freestand::motion::Motion;
@@ -14,7 +11,6 @@ use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::number;
 use freestand_input::written::Written;
 use freestand_study::compliant::{CompliantRequest, Turned, start, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
@@ -25,9 +21,9 @@ use freestand_study::spatial::{
     SHAPES, SpatialRequest, StackRequest, interface, shape, walls_on_cushions,
 };
 
-use super::Rock;
+use super::{BASES, BaseName, Rock};
 use crate::files::Files;
-use crate::records::{ReadMotions, components};
+use crate::records::{NamedRecords, ReadMotions, components};
 use crate::request::{Request, unknown};
 use crate::{block, sliding, walls};
 
@@ -107,6 +103,10 @@ impl Kind {
                 only("a rigid base"),
                 "leave it out: on cushions, `friction` decides whether the object slides",
             ),
+            "brakes" | "rolling_resistance" if self == Self::Rigid => (
+                only("an object on casters"),
+                "add `casters`, or leave it out",
+            ),
             _ if OF_SLIDING.contains(&key) => (
                 only("objects that slide or roll"),
                 "add `sliding`, or `casters`",
@@ -144,9 +144,10 @@ const OF_CUSHIONS: [&str; 6] = [
     "cg_rise",
     "at",
 ];
-const OF_SLIDING: [&str; 7] = [
+const OF_SLIDING: [&str; 8] = [
     "sliding",
     "casters",
+    "rolling_resistance",
     "brakes",
     "friction_kinetic",
     "clearance_left",
@@ -173,7 +174,6 @@ struct Reader<'r, 'w> {
 struct Object {
     size: Option<(f64, f64)>,
     mass_kg: Option<f64>,
-    edge: Option<EdgeCushion>,
     settings: Settings,
 }
 
@@ -182,6 +182,26 @@ struct Object {
 /// # Errors
 /// All its problems, each under its key.
 pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
+    let (asked, named, second) = judged(request, files)?;
+    let across = request.space.motion_y.as_ref().map(Written::text);
+    let mut motions = named.read(second, across.as_deref(), &request.records)?;
+    motions.inputs.extend(request.pad.input());
+    Ok(Meant { asked, motions })
+}
+
+/// As [`resolve`], without reading the records.
+///
+/// # Errors
+/// The same, but for those in the records.
+pub fn check(request: &Rock, files: &Files) -> Result<(), Problems> {
+    judged(request, files).map(drop)
+}
+
+/// What a request means, with records that have not been read.
+fn judged<'f>(
+    request: &Rock,
+    files: &'f Files,
+) -> Result<(Asked, NamedRecords<'f>, Second), Problems> {
     let words = request.words();
     let mut reader = Reader {
         request,
@@ -200,29 +220,31 @@ pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
         (Kind::OnPads, _) => (kind, reader.on_pads(&object, is_still)),
         (Kind::InSpace | Kind::AtWallOnPads, _) => (kind, reader.in_space(kind, &object, is_still)),
         (Kind::Stack, _) => (kind, reader.stack(&object, is_still)),
-        _ => (kind, reader.rigid(&object, is_still)),
+        _ => {
+            let block = reader.block(&object);
+            (kind, reader.rigid(&object, block, is_still))
+        }
     };
     let second = reader.second(kind);
     if named.count() > 1 {
         reader.of_several(kind);
     }
     let Reader { mut read, .. } = reader;
+    if object.settings.model == RockingModel::Linearised && kind != Kind::Rigid {
+        let (message, hint) = kind.refusal("model");
+        read.note(&["model"], message, hint);
+    }
     for key in read.unread() {
         let (message, hint) = kind.refusal(key);
         read.note(&[key], message, hint);
     }
-    let asked = read.problems.finish(asked)?;
-    let across = request.space.motion_y.as_ref().map(Written::text);
-    let mut motions = named.read(second, across.as_deref(), &request.records)?;
-    motions.inputs.extend(request.pad.input());
-    Ok(Meant { asked, motions })
+    Ok((read.problems.finish(asked)?, named, second))
 }
 
 impl Reader<'_, '_> {
     /// What the request is about.
     fn kind(&mut self) -> (Kind, Option<Contact>) {
-        let bases = [("rigid", false), ("compliant", true)];
-        let is_compliant = self.read.one_of("base", &bases).unwrap_or(false);
+        let is_compliant = self.read.choice("base", BASES) == Some(BaseName::Compliant);
         let has_any = |keys: &[&str]| keys.iter().any(|key| self.read.has(key));
         let (in_space, stack) = (has_any(&OF_SPACE), has_any(&OF_STACK));
         let at_wall = has_any(&[
@@ -249,30 +271,28 @@ impl Reader<'_, '_> {
 
     fn object(&mut self) -> Object {
         let read = &mut self.read;
-        for key in ["height", "thickness"] {
-            if !read.has(key) {
-                let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
-                read.missing(&[key], format!("`{key}` is missing"), hint);
-            }
-        }
-        let height = read.positive("height", Dimension::Length);
-        let thickness = read.positive("thickness", Dimension::Length);
+        let size = block::sizes(read);
         let mass_kg = read.positive("mass", Dimension::Mass);
-        let edge = self.request.pad.resolve(read, mass_kg, self.files);
         let accuracy = block::accuracy(read);
         let settings = Settings {
+            model: block::model(read),
             accuracy,
             on_pads: accuracy.into(),
-            gravity_m_s2: gravity(read),
+            gravity_m_s2: block::gravity(read),
             until: until(read.positive("duration", Dimension::Time)),
-            ..Settings::default()
         };
         Object {
-            size: height.zip(thickness),
+            size,
             mass_kg,
-            edge,
             settings,
         }
+    }
+
+    /// The cushion under an edge; `None` if there is none, or something is wrong.
+    fn edge(&mut self, object: &Object) -> Option<EdgeCushion> {
+        self.request
+            .pad
+            .resolve(&mut self.read, object.mass_kg, self.files)
     }
 
     fn block(&mut self, object: &Object) -> Option<Block> {
@@ -294,11 +314,17 @@ impl Reader<'_, '_> {
     }
 
     fn nothing_moves(&mut self, hint: &str) {
+        // What does not apply here was meant to move it.
+        let others = ["cg_rise", "initial_rotation", "initial_velocity"];
+        if others.iter().any(|key| self.read.unread().contains(key)) {
+            return;
+        }
         self.read
             .missing(&["motion"], "nothing moves the object", hint);
     }
 
-    fn rigid(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
+    fn rigid(&mut self, object: &Object, block: Option<Block>, is_still: bool) -> Option<Asked> {
+        let edge = self.edge(object);
         let pad = self.request.pad.words();
         if !pad.is_empty() && !self.read.has("mass") {
             let message =
@@ -306,29 +332,25 @@ impl Reader<'_, '_> {
             self.read
                 .missing(&["mass"], message, "add `mass`, or leave the cushion out");
         }
-        let block = self.block(object);
-        let model = block::model(&mut self.read);
+        let model = object.settings.model;
         let friction = self.read.positive("friction", Dimension::Ratio);
         let start = self.release();
-        let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, model);
+        let (walls, wall) =
+            walls::walls(&mut self.read, block.as_ref(), object.mass_kg, Some(model));
         let restitution = block::restitution(&mut self.read, block.as_slice());
         if is_still && start.is_at_rest() {
             self.nothing_moves("give `motion`, or `initial_rotation` or `initial_velocity`");
         }
-        let settings = Settings {
-            model,
-            ..object.settings
-        };
         Some(Asked::Rigid(RockRequest {
             object: RigidPlane::along_x(block?, restitution, walls),
             horizontal: None,
             vertical: None,
             how: HistoryOptions {
-                settings,
+                settings: object.settings,
                 start,
                 ..HistoryOptions::default()
             },
-            cushion: object.mass_kg.zip(object.edge.clone()),
+            cushion: object.mass_kg.zip(edge),
             wall,
             friction,
         }))
@@ -353,21 +375,14 @@ impl Reader<'_, '_> {
         let slides = block.zip(surface).and_then(|(block, surface)| {
             let carries = surface
                 .carries(&block)
-                .map_err(|problem| problem.of(&["friction"]));
+                .map_err(|problem| problem.of(&[sliding::coefficient(contact)]));
             self.read.problems.keep(carries)
         });
         if slides == Some(false) {
-            return (Kind::Rigid, self.rigid(object, is_still));
+            return (Kind::Rigid, self.rigid(object, block, is_still));
         }
         if is_still {
             self.nothing_moves("give `motion`");
-        }
-        // These have been read for all objects, and say nothing of one that does not rock.
-        let of_rocking = self.request.pad.words();
-        let first = of_rocking.entries().next();
-        if let Some((key, _)) = first {
-            let (message, hint) = Kind::Slides.refusal(key);
-            self.read.note(&[key], message, hint);
         }
         let asked = |block, surface, stop| {
             Asked::Slides(SlideRequest {
@@ -402,11 +417,12 @@ impl Reader<'_, '_> {
             };
             self.read.missing(&[key], message, hint);
         }
-        object.mass_kg.zip(object.edge.clone())
+        object.mass_kg.zip(self.edge(object))
     }
 
-    /// The friction and the tangential stiffness of the cushions.
-    fn base(&mut self, (mass_kg, edge): &(f64, EdgeCushion), gravity_m_s2: f64) -> CompliantBase {
+    /// The mass, the cushion, and what the object stands on; `None` if something is missing or wrong.
+    fn base(&mut self, object: &Object) -> Option<(EdgeCushion, CompliantBase)> {
+        let cushioned = self.cushioned(object);
         let read = &mut self.read;
         read.exclusive("tangential_stiffness", "tangential_ratio");
         if read.flag("no_slip") {
@@ -415,25 +431,21 @@ impl Reader<'_, '_> {
         let friction_ratio = read.non_negative("friction", Dimension::Ratio);
         let tangential = read.positive("tangential_stiffness", Dimension::Stiffness);
         let ratio = read.positive("tangential_ratio", Dimension::Ratio);
+        let (mass_kg, edge) = cushioned?;
         let mut base = CompliantBase {
             friction_ratio,
-            ..CompliantBase::new(*mass_kg, edge.cushion.clone())
+            ..CompliantBase::new(mass_kg, edge.cushion.clone())
         };
         base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
-        match tangential {
-            Some(stiffness_n_m) => with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2),
-            None => base,
+        if let Some(stiffness_n_m) = tangential {
+            base = with_tangential_stiffness(base, stiffness_n_m, object.settings.gravity_m_s2);
         }
+        Some((edge, base))
     }
 
     fn on_pads(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
-        let gravity_m_s2 = object.settings.gravity_m_s2;
         let block = self.block(object);
-        let cushioned = self.cushioned(object);
-        let base = cushioned
-            .as_ref()
-            .map(|cushioned| self.base(cushioned, gravity_m_s2));
-        self.pass_base();
+        let base = self.base(object);
         self.read.exclusive("cg_rise", "initial_rotation");
         let contacts = self.read.whole("contacts");
         let rise = self
@@ -445,11 +457,7 @@ impl Reader<'_, '_> {
         let omega = self
             .read
             .quantity("initial_velocity", Dimension::AngularVelocity);
-        let hint =
-            "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"";
-        let at = self
-            .read
-            .two("at", Dimension::Length, ["two lengths, x and z,", hint]);
+        let at = block::point(&mut self.read);
         let start = block.and_then(|block| {
             let start = start(&block, turned, omega.unwrap_or(0.0));
             self.read
@@ -461,7 +469,7 @@ impl Reader<'_, '_> {
                 "give `motion`, or `cg_rise`, `initial_rotation` or `initial_velocity`",
             );
         }
-        let ((_, edge), mut base) = cushioned.zip(base)?;
+        let (edge, mut base) = base?;
         base.contacts = contacts.map_or(base.contacts, |contacts| contacts as usize);
         let along = Along::X;
         Some(Asked::OnPads(CompliantRequest {
@@ -485,29 +493,15 @@ impl Reader<'_, '_> {
         }))
     }
 
-    /// What an object in space or a stack stands on; `None` if it is missing or wrong.
+    /// What an object in space or a stack stands on; `None` if something is missing or wrong.
     fn support(&mut self, object: &Object) -> Option<(f64, EdgeCushion, Support)> {
-        let cushioned = self.cushioned(object);
-        self.pass_base();
-        let (mass_kg, edge) = cushioned?;
-        let cushioned = (mass_kg, edge);
-        let base = self.base(&cushioned, object.settings.gravity_m_s2);
+        let (edge, base) = self.base(object)?;
         let support = Support {
             cushion: base.cushion,
             tangential_stiffness_ratio: base.tangential_stiffness_ratio,
             friction_ratio: base.friction_ratio,
         };
-        Some((mass_kg, cushioned.1, support))
-    }
-
-    /// The keys of the base are read where its cushion is whole; a missing one has been said.
-    fn pass_base(&mut self) {
-        self.read.pass(&[
-            "friction",
-            "tangential_stiffness",
-            "tangential_ratio",
-            "no_slip",
-        ]);
+        Some((base.mass_kg, edge, support))
     }
 
     fn in_space(&mut self, kind: Kind, object: &Object, is_still: bool) -> Option<Asked> {
@@ -524,6 +518,8 @@ impl Reader<'_, '_> {
                 thickness_m,
                 height_m,
             }),
+            // A wrong width has been said.
+            _ if width.is_none() && self.read.has("width") => None,
             _ => {
                 let shape = shape(named, height_m, thickness_m, width);
                 self.read
@@ -534,13 +530,7 @@ impl Reader<'_, '_> {
         let block = object
             .size
             .and_then(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok());
-        let has_restitution = self.read.has("wall_restitution");
-        let model = RockingModel::Rigid;
-        let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, model);
-        if has_restitution {
-            let (message, hint) = kind.refusal("wall_restitution");
-            self.read.note(&["wall_restitution"], message, hint);
-        }
+        let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, None);
         let (mass_kg, edge, support) = support?;
         let walls = walls_on_cushions(&walls, wall.stiffness_n_m, &support.cushion, mass_kg);
         let walls = self
@@ -568,13 +558,12 @@ impl Reader<'_, '_> {
 
     fn stack(&mut self, object: &Object, is_still: bool) -> Option<Asked> {
         let read = &mut self.read;
-        for key in ["upper_height", "upper_thickness", "upper_mass"] {
-            if !read.has(key) {
-                let message =
-                    format!("the upper object of the stack is incomplete: `{key}` is missing");
-                let hint = "give `upper_height`, `upper_thickness` and `upper_mass`, all three";
-                read.missing(&[key], message, hint);
-            }
+        let needed = ["upper_height", "upper_thickness", "upper_mass"];
+        let missing: Vec<&'static str> = needed.into_iter().filter(|key| !read.has(key)).collect();
+        if !missing.is_empty() {
+            let message = "the upper body of the stack is incomplete";
+            let hint = "give `upper_height`, `upper_thickness` and `upper_mass`, all three";
+            read.missing(&missing, message, hint);
         }
         let height = read.positive("upper_height", Dimension::Length);
         let thickness = read.positive("upper_thickness", Dimension::Length);
@@ -620,10 +609,11 @@ impl Reader<'_, '_> {
         if kind != Kind::InSpace {
             return Second::None;
         }
-        self.read.pass(&["motion_y"]);
+        self.read.one("motion_y");
         self.read.exclusive("components", "component");
         self.read.exclusive("components", "motion_y");
-        let second = self.read.read("components", components);
+        let second = self.read.text("components").map(components);
+        let second = second.and_then(|second| self.read.keep("components", second));
         let is_across = self.read.has("components") || self.read.has("motion_y");
         if is_across && self.request.motion.is_empty() {
             let message = "the motion along the width has no motion along the thickness";
@@ -650,19 +640,6 @@ impl Reader<'_, '_> {
             );
         }
     }
-}
-
-/// Gravity, as small as on a minor planet and as large as where anything stands: 9.81 g is a slip.
-fn gravity(read: &mut WordReader<'_>) -> f64 {
-    const BELIEVED_M_S2: RangeInclusive<f64> = 0.1..=30.0;
-    let Some(value_m_s2) = read.positive("gravity", Dimension::Acceleration) else {
-        return G0_M_S2;
-    };
-    if !BELIEVED_M_S2.contains(&value_m_s2) {
-        let message = format!("`gravity`: {} m/s2 is no gravity", number(value_m_s2, 4));
-        read.note(&["gravity"], message, "write \"9.81 m/s2\" or \"1 g\"");
-    }
-    value_m_s2
 }
 
 impl Asked {

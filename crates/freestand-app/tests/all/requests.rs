@@ -13,10 +13,12 @@ use serde_json::{Value, json};
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/requests.jsonl");
 
 /// One request of each kind, which would be answered.
-fn good() -> [Value; 5] {
+fn good() -> [Value; 6] {
     [
         json!({"height": "2 m", "thickness": "0.5 m", "initial_rotation": "2 deg"}),
         json!({"height": "1.2 m", "thickness": "0.6 m", "casters": true, "clearance_left": "20 mm"}),
+        json!({"height": "2 m", "thickness": "0.5 m", "casters": true, "brakes": true,
+            "initial_rotation": "2 deg"}),
         json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
             "stiffness": "1000 N/mm", "initial_velocity": "0.1 rad/s"}),
         json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
@@ -56,6 +58,12 @@ fn of_programs() -> Vec<Value> {
         json!({"height": 2, "thickness": 0.5, "mass": 100, "cushion": "/etc/passwd", "pads_per_edge": 2}),
         json!({"height": 2, "thickness": 0.5, "sliding": "maybe"}),
         json!({"height": 2, "thickness": 0.5, "initial_rotation_deg": 2, "mass_g": 3}),
+        json!({"height_kg": "2 m", "thickness": 0.5, "initial_rotation": 0.1, "friction_m": 0.3}),
+        json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "wall_gap": 0.1, "wall_gap_left": 0.1}),
+        json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "friction": false, "model": false}),
+        json!({"height": 2, "thickness": 0.5, "base": "compliant", "mass": 100, "stiffness": 1e6, "width": 0.5,
+            "motion": "/etc/passwd", "motion_y": "/etc/passwd", "vertical": ["/etc/passwd", "a"]}),
+        json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "vertical": "a", "vertical_scale": 0}),
     ]
 }
 
@@ -114,11 +122,19 @@ fn bad_requests_have_the_problems_of_the_table() {
     );
 }
 
+/// `false` and `null` are what was not asked.
+#[test]
+fn what_is_not_asked_is_no_problem() {
+    let request = json!({"height_m": 2, "height": null, "thickness": 0.5, "initial-rotation": 0.1, "sliding": false,
+        "casters": false, "keep_mean": false, "motion": []});
+    assert_eq!(problems(&request), None);
+}
+
 /// What would be answered has no problem.
 #[test]
 fn good_requests_have_no_problem() {
     for request in good() {
-        let moved = request.get("casters").is_none();
+        let moved = request.get("clearance_left").is_none();
         assert_eq!(
             problems(&request).is_none(),
             moved,

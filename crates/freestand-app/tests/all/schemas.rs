@@ -4,11 +4,19 @@ use std::path::PathBuf;
 
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
+use freestand_app::shock::{self, Shock};
+use freestand_output::answer::Answer;
+use freestand_study::shock::ShockAnswer;
 
 #[test]
 fn the_schemas_are_those_of_the_structs() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema");
     let schemas = [
+        ("shock.request.json", of_request::<Shock>("shock")),
+        (
+            "shock.response.json",
+            of_response("shock", shock::SCHEMA, &[ShockAnswer::properties()]),
+        ),
         ("rock.request.json", of_request::<Rock>("rock")),
         (
             "rock.response.json",

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_app::files::Files as Named;
-use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA, resolve};
+use freestand_app::files::Files as Sources;
+use freestand_app::rock::{Answer, Asked, Meant, OfMotion, Results, Rock, SCHEMA, resolve};
 use freestand_output::facts::Facts;
 use freestand_study::drawn::DrawnHistory;
 use serde::Serialize;
@@ -111,7 +111,7 @@ pub(crate) fn run(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let meant = resolve(&args.request, &Named::Disk)?;
+    let meant = resolve(&args.request, &Sources::Disk)?;
     tell(&meant, &args.output, global, printer)
 }
 
@@ -185,24 +185,29 @@ pub(crate) fn tell(
         warnings.extend(told);
         answers.push((name.clone(), followed.answer()));
     }
-    let text = match answers.as_slice() {
-        [(_, answer)] => lines(&answer.facts()),
-        all => {
-            let row = |(name, answer): &(String, Answer)| {
-                Facts::default()
-                    .key("motion", name.clone())
-                    .and(answer.facts())
-            };
-            let rows: Vec<Facts<'_>> = all.iter().map(row).collect();
-            let slides = matches!(all.first(), Some((_, Answer::Slides(_))));
-            facts_table(&rows, if slides { &SLIDING } else { &ROCKING })
-        }
-    };
     let document = Document {
         plots: (target.is_some() || count > 1).then_some(plots),
         results: Results::of(answers),
         processing: &motions.processing,
     };
-    files.print(printer, SCHEMA, &document, &warnings, || text)?;
+    files.print(printer, SCHEMA, &document, &warnings, || {
+        text(&document.results)
+    })?;
     Ok(Done::OK)
+}
+
+/// The result for people.
+fn text(results: &Results) -> String {
+    let results = match results {
+        Results::One(answer) => return lines(&answer.facts()),
+        Results::Each { results } => results,
+    };
+    let row = |one: &OfMotion| {
+        Facts::default()
+            .key("motion", one.motion.clone())
+            .and(one.answer.facts())
+    };
+    let rows: Vec<Facts<'_>> = results.iter().map(row).collect();
+    let slides = matches!(results.first(), Some(one) if matches!(one.answer, Answer::Slides(_)));
+    facts_table(&rows, if slides { &SLIDING } else { &ROCKING })
 }

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Any, TypeAlias
 
 from . import _freestand
 from ._convert import Given, PathLike, bad, given, of_kind, plain, sizes_m, words
 from ._results import DropTestResult
+
+
+#: Files by the keys that name them: a path, or the text of the file.
+Files: TypeAlias = "dict[str, tuple[PathLike | None, str | None]]"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -156,12 +160,13 @@ class Block:
         values = given(**{name: getattr(self, name) for name in _SIZES}) | cushion_given(self.cushion, self.stiffness_n_m, None)
         object.__setattr__(self, "_body", _freestand.Body(values))
 
-    def _asked(self) -> tuple[Given, tuple[str | None, str | None]]:
-        """The values of a request, and the path and the text of the file of the pad."""
-        found = cushion_given(self.cushion, self.stiffness_n_m, None)
+    def _asked(self, cushion: Given | None = None) -> tuple[Given, Files]:
+        """The values of a request, and the file of the pad; with another cushion, if there is one."""
+        found = cushion or cushion_given(self.cushion, self.stiffness_n_m, None)
         values = dict(found.get("cushion", {}))
-        file = (values.pop("cushion", None), found.get("pad_toml"))
-        return given(**{name: getattr(self, name) for name in _SIZES if name != "width_m"}) | values, file
+        path, text = values.pop("cushion", None), found.get("pad_toml")
+        files: Files = {} if path is None and text is None else {"cushion": (path, text)}
+        return given(**{name: getattr(self, name) for name in _SIZES if name != "width_m"}) | values, files
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Block, tuple(getattr(self, one.name) for one in fields(self) if one.init)

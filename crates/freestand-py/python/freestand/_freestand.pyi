@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias, final
 
 _Path: TypeAlias = str | os.PathLike[str]
+_Files: TypeAlias = dict[str, tuple[_Path | None, str | None]]
 
 __all__ = [
     "Body",
@@ -100,7 +101,7 @@ def rock(
     request: dict[str, Any],
     motion: Record | None,
     vertical: Record | None,
-    cushion: tuple[_Path | None, str | None],
+    files: _Files,
     history: bool,
 ) -> tuple[str, tuple[str, bytes] | None]: ...
 def run(
@@ -109,7 +110,7 @@ def run(
     threads: int | None,
     progress: Callable[[str, int, int], object] | None,
 ) -> str: ...
-def shock(body: Body, values: dict[str, Any]) -> str: ...
+def shock(request: dict[str, Any], files: _Files) -> str: ...
 def shock_spectrum(record: Record, values: dict[str, Any]) -> str: ...
 def spectrum(
     motions: Sequence[tuple[str, Record, Record | None]], values: dict[str, Any], threads: int | None

@@ -103,7 +103,7 @@ class RockResult(Result):
     def impacts(self) -> npt.NDArray[Any]:
         """A structured array, one row for each impact: time_s, omega_before_rad_s, omega_after_rad_s,
         edge_acceleration_impact_velocity_g (NaN without a cushion)."""
-        rows = self._document["impacts"]
+        rows = self._document.get("impacts", ())
         return _structured(rows) if rows else np.zeros(0, _IMPACT)
 
     @property
@@ -111,7 +111,7 @@ class RockResult(Result):
         """A structured array, one row for each impact on a wall; side is 1 (right) or −1 (left)."""
         sides = {"right": 1.0, "left": -1.0}
         rows = [{**row, "side": sides[row["side"]]} for row in self._document.get("wall_impacts", ())]
-        return _structured([{name: row[name] for name in _WALL_IMPACT.names} for row in rows]) if rows else np.zeros(0, _WALL_IMPACT)
+        return _structured([{name: row[name] for name in _WALL_IMPACT.names or ()} for row in rows]) if rows else np.zeros(0, _WALL_IMPACT)
 
     def to_xarray(self) -> xarray.Dataset:
         """The history as an xarray Dataset over time_s, with the single values in `attrs`."""

@@ -96,7 +96,7 @@ def rock(
     history = bool(history)
     horizontal = None if motion is None else record("motion", motion)
     upward = None if vertical is None else record("vertical", vertical)
-    asked, file = block._asked()
+    asked, files = block._asked()
     asked |= given(
         restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy, base=base,
         initial_rotation_rad=initial_rotation_rad, initial_velocity_rad_s=initial_velocity_rad_s, duration_s=duration_s,
@@ -107,10 +107,19 @@ def rock(
         asked |= walls._asked()
     if sliding is not None:
         asked |= sliding._given() | {"sliding": not sliding.casters}
-    text, columns = _freestand.rock(asked, horizontal, upward, file, history)
+        if not sliding.brakes:
+            # What slides or rolls does not land on its cushion; on brakes that hold, it may.
+            asked, files = {name: value for name, value in asked.items() if name not in _OF_CUSHION}, {}
+    text, columns = _freestand.rock(asked, horizontal, upward, files, history)
     result = RockResult(json.loads(text), columns, motion)
     warn(result.warnings)
     return result
+
+
+_OF_CUSHION = (
+    "stiffness_n_m", "pad_stiffness_n_m", "pads_per_edge", "series_stiffness_n_m", "pad_thickness_m", "law", "exponent",
+    "damping_ratio", "damping_n_s_m", "dissipation_s_m", "bottoming_m",
+)  # fmt: skip
 
 
 def check_block(block: Block) -> None:
@@ -290,7 +299,8 @@ def shock(
     4.53
     """
     check_block(block)
-    values = given(
+    asked, files = block._asked(cushion_given(cushion, stiffness_n_m, pads_per_edge))
+    asked |= given(
         cg_rise_m=cg_rise_m, uplift_m=uplift_m, rotation_rad=rotation_rad,
         angular_velocity_rad_s=angular_velocity_rad_s, drop_acceleration_g=drop_acceleration_g,
         contact_stiffness_n_m=contact_stiffness_n_m, scenario=scenario, model=model, gap_m=gap_m,
@@ -298,9 +308,9 @@ def shock(
         tolerance_g=tolerance_g, tolerance_duration_s=tolerance_duration_s,
         tolerance_velocity_change_m_s=tolerance_velocity_change_m_s, tolerance_edge_lift_m=tolerance_edge_lift_m,
         component_frequency_hz=component_frequency_hz, component_capacity_g=component_capacity_g,
-        damage_boundary=damage_boundary,
     )  # fmt: skip
-    values |= cushion_given(cushion, stiffness_n_m, pads_per_edge)
-    result = ShockResult._of(_freestand.shock(block._body, values))
+    if damage_boundary is not None:
+        files["damage_boundary"] = (damage_boundary, None)
+    result = ShockResult._of(_freestand.shock(asked, files))
     warn(result.warnings)
     return result

@@ -109,9 +109,12 @@ fn scale(reader: &mut WordReader<'_>, find: impl Fn(&str) -> Result<PathBuf, Pro
         .and_then(|source| {
             let path = find(&source.path.to_string_lossy());
             let read = path.and_then(|path| read_target(&TargetSource { path, ..source }));
-            reader
-                .problems
-                .keep(read.map_err(|problem| problem.of(&["scale_to_spectrum"])))
+            // A problem in the file names the file.
+            let named = read.map_err(|problem| match problem.path {
+                Some(_) => problem.of(&["scale_to_spectrum"]),
+                None => problem.named("scale_to_spectrum"),
+            });
+            reader.problems.keep(named)
         });
     let peak = peak.map(|target_m_s2| Scale::Peak { target_m_s2 });
     peak.or(sa)

@@ -7,7 +7,7 @@ use freestand::impact::Impact;
 use super::verdict::boundary;
 use super::{BoundaryTests, ShockRequest};
 use crate::shock_spectrum::{BoundaryPicture, damage_boundary_figure};
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 use freestand_output::figure::{Figure, FigureError};
 
 /// A damage boundary and a demand.
@@ -23,6 +23,19 @@ pub struct DamageBoundaryReport {
 
 /// Points of the curve up to its knee.
 const CURVE_POINTS: u32 = 200;
+
+answer! {
+    /// A damage boundary, with the demand.
+    pub struct BoundaryAnswer {
+        source: &'static str = "damage boundary from",
+        critical_acceleration_g: f64 = "  critical acceleration",
+        critical_velocity_change_m_s: f64 = "  critical velocity change",
+        /// Beyond the knee, at (π/2) V_c, the critical acceleration alone is the boundary.
+        knee_velocity_change_m_s: f64,
+        /// min(A/A_c, Δv/V_c).
+        demand_ratio: f64,
+    }
+}
 
 impl DamageBoundaryReport {
     /// The boundary of a request and the demand; `None` if no boundary is known.
@@ -57,23 +70,16 @@ impl DamageBoundaryReport {
         self.boundary.demand_ratio(self.demand.1, self.demand.0)
     }
 
-    /// Its part of the document. Beyond the knee, at (π/2) V_c, the critical acceleration alone is
-    /// the boundary.
-    pub(super) fn facts(&self) -> Facts<'static> {
-        let (a_c_g, v_c_m_s) = (
-            self.boundary.acceleration_m_s2() / G0_M_S2,
-            self.boundary.velocity_change_m_s(),
-        );
-        Facts::default()
-            .fact("source", "damage boundary from", self.source)
-            .fact("critical_acceleration_g", "  critical acceleration", a_c_g)
-            .fact(
-                "critical_velocity_change_m_s",
-                "  critical velocity change",
-                v_c_m_s,
-            )
-            .key("knee_velocity_change_m_s", KNEE_RATIO * v_c_m_s)
-            .key("demand_ratio", self.demand_ratio())
+    /// Its part of the answer.
+    pub(super) fn answer(&self) -> BoundaryAnswer {
+        let velocity_change_m_s = self.boundary.velocity_change_m_s();
+        BoundaryAnswer {
+            source: self.source,
+            critical_acceleration_g: self.boundary.acceleration_m_s2() / G0_M_S2,
+            critical_velocity_change_m_s: velocity_change_m_s,
+            knee_velocity_change_m_s: KNEE_RATIO * velocity_change_m_s,
+            demand_ratio: self.demand_ratio(),
+        }
     }
 
     /// Peak against velocity change, with the shocks of a test.

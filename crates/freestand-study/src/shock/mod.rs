@@ -14,9 +14,13 @@ mod cushion;
 mod test_points;
 mod verdict;
 
-pub use boundary::DamageBoundaryReport;
+pub use boundary::{BoundaryAnswer, DamageBoundaryReport};
 use cushion::{Contact, contact};
-pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
+pub use test_points::{
+    BoundaryTests, Bracket, BracketAnswer, PeakBracket, TestPoint, TestPointAnswer, TestsAnswer,
+    boundary_tests,
+};
+pub use verdict::DemandCapacity;
 use verdict::{Compared, compared, max_stiffness};
 
 use crate::cushion::cushion_words;
@@ -24,8 +28,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{Choices, name_of};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 
 /// What ends the fall, Fig. 1 of Al Abadi et al.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -199,11 +202,90 @@ impl Verdict {
     }
 }
 
+answer! {
+    /// The shock of a landing.
+    pub struct ShockAnswer {
+        scenario: &'static str = "scenario",
+        model: &'static str = "model",
+        /// What the energy of the fall follows from.
+        energy_source: &'static str,
+        drop_acceleration_g: f64 = "drop acceleration",
+        edge_acceleration_g: f64 = "shock",
+        /// The shock in m/s².
+        edge_acceleration_m_s2: f64,
+        /// The shock divided by the drop acceleration.
+        amplification_ratio: f64,
+        landing_ratio: f64 = "landing ratio R_D, Eq. (6)",
+        effective_mass_kg: f64 = "effective mass",
+        edge_velocity_m_s: Option<f64> = "velocity of the edge",
+        /// Angular velocity just before the landing.
+        angular_velocity_rad_s: Option<f64>,
+        /// Distance of the point that lands from the pivot.
+        contact_distance_m: f64,
+        half_diagonal_m: f64 = "half diagonal R",
+        slenderness_angle_rad: f64 = "slenderness angle α",
+        cg_rise_m: Option<f64> = "rise of the centre of gravity",
+        uplift_m: Option<f64> = "uplift",
+        rotation_rad: Option<f64> = "rotation",
+        /// Stiffness of a linear cushion.
+        stiffness_n_m: Option<f64>,
+        /// The contact law.
+        law: Option<&'static str>,
+        cushion: Option<String> = "cushion",
+        pulse_duration_s: Option<f64> = "duration of the pulse",
+        velocity_change_m_s: Option<f64> = "velocity change",
+        compression_m: Option<f64> = "compression of the cushion",
+        /// Rise of the centre of gravity at the balance point.
+        balance_rise_m: f64,
+        ceiling_g: Option<f64> = "ceiling of the shock",
+        /// Friction that the impact needs.
+        impact_friction_needed_ratio: Option<f64>,
+        /// The shock by each impact model.
+        models: ShockOfModels,
+        /// The shock at the point that was asked for.
+        at: Option<PointShock>,
+        tolerance_g: Option<f64> = "tolerance",
+        tolerance_edge_lift_m: Option<f64> = "tolerance, uplift",
+        /// The shock tests of the object.
+        damage_boundary_tests: Option<TestsAnswer>,
+        /// The damage boundary that the shock is compared with.
+        damage_boundary: Option<BoundaryAnswer>,
+        /// Demand divided by capacity, for each kind of tolerance.
+        demand_capacity: Option<DemandCapacity>,
+        demand_capacity_ratio: Option<f64> = "demand/capacity",
+        governing: Option<&'static str> = "  governed by",
+        verdict: &'static str = "verdict",
+        max_stiffness_n_m: Option<f64> = "largest stiffness at this rise",
+        notes: Vec<String> = "note",
+    }
+}
+
+answer! {
+    /// The shock by each impact model; none where it does not apply.
+    pub struct ShockOfModels {
+        paper_g: Option<f64> = "shock by the paper's model, Eq. (5)",
+        halted_g: Option<f64> = "shock by the halted model, Eq. (8)",
+        free_corner_g: Option<f64> = "shock by the free-corner model",
+    }
+}
+
+answer! {
+    /// The shock at a point of the object.
+    pub struct PointShock {
+        /// From the pivot.
+        x_m: f64,
+        /// Above the base.
+        z_m: f64,
+        horizontal_g: f64 = "shock at the point, horizontal",
+        vertical_g: f64 = "shock at the point, vertical",
+    }
+}
+
 /// The shock of a landing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockReport {
-    /// The document of `freestand shock`.
-    pub facts: Facts<'static>,
+    /// What the landing does.
+    pub answer: ShockAnswer,
     /// Whether the object withstands it.
     pub verdict: Verdict,
     /// The damage boundary of tests or of the component, with the demand.
@@ -227,8 +309,7 @@ pub struct ShockReport {
 /// cabinet.cushion = spring(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
-/// let shock_g = report.facts.number("edge_acceleration_g").expect("a shock");
-/// assert!((shock_g - 4.526).abs() < 1e-3);
+/// assert!((report.answer.edge_acceleration_g - 4.526).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
@@ -591,18 +672,11 @@ fn report(
     });
     notes.extend(stiffness_note.map(str::to_owned));
     warnings.extend(not_compared(request, compared.as_ref()));
-    let at = share.map(|(x_m, z_m, (horizontal, vertical))| {
-        let at = Facts::default().key("x_m", x_m).key("z_m", z_m);
-        at.fact(
-            "horizontal_g",
-            "shock at the point, horizontal",
-            horizontal * edge_m_s2 / G0_M_S2,
-        )
-        .fact(
-            "vertical_g",
-            "shock at the point, vertical",
-            vertical * edge_m_s2 / G0_M_S2,
-        )
+    let at = share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
+        x_m,
+        z_m,
+        horizontal_g: horizontal * edge_m_s2 / G0_M_S2,
+        vertical_g: vertical * edge_m_s2 / G0_M_S2,
     });
     let pivot = landing.pivot;
     let ceiling_m_s2 = cushion.filter(|_| !overturns).map(|cushion| {
@@ -615,58 +689,58 @@ fn report(
         .rise_m
         .map(|rise_m| landing.omega_rad_s(rise_m, gravity));
     let governing = compared.as_ref().map(|compared| compared.governing);
-    // Without a tolerance the verdict is left out of the text.
-    let label = if compared.is_some() { "verdict" } else { "" };
     let ratio = compared.as_ref().map(|compared| compared.ratio);
     let verdict = match ratio {
         Some(ratio) if ratio > 1.0 => Verdict::Exceeded,
         Some(_) => Verdict::Ok,
         None => Verdict::None,
     };
-    let facts = Facts::default()
-        .fact("scenario", "scenario", name_of(SCENARIOS, request.scenario))
-        .fact("model", "model", name_of(MODELS, landing.model))
-        .key("energy_source", <&str>::from(fall.source))
-        .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
-        .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
-        .key("edge_acceleration_m_s2", edge_m_s2)
-        .key("amplification_ratio", landing.amplification_ratio())
-        .fact("landing_ratio", "landing ratio R_D, Eq. (6)", block.landing_ratio())
-        .fact("effective_mass_kg", "effective mass", landing.effective_mass_ratio * mass_kg)
-        .fact(
-            "edge_velocity_m_s",
-            "velocity of the edge",
-            fall.rise_m.map(|rise| landing.edge_velocity_m_s(rise, gravity)),
-        )
-        .key("angular_velocity_rad_s", omega_rad_s)
-        .key("contact_distance_m", landing.contact_distance_m)
-        .and(facts!(pivot; half_diagonal_m "half diagonal R", slenderness_angle_rad "slenderness angle α"))
-        .fact("cg_rise_m", "rise of the centre of gravity", fall.rise_m)
-        .fact("uplift_m", "uplift", uplift_m)
-        .fact("rotation_rad", "rotation", fall.rotation_rad)
-        .key("stiffness_n_m", cushion.and_then(Cushion::linear_stiffness_n_m))
-        .key("law", cushion.map(|cushion| cushion.law().name()))
-        .fact("cushion", "cushion", cushion.map(cushion_words))
-        .fact("pulse_duration_s", "duration of the pulse", impact.map(|impact| impact.pulse_duration_s))
-        .fact("velocity_change_m_s", "velocity change", impact.map(|impact| impact.velocity_change_m_s))
-        .fact("compression_m", "compression of the cushion", impact.map(|impact| impact.compression_m))
-        .key("balance_rise_m", pivot.balance_rise_m())
-        .fact("ceiling_g", "ceiling of the shock", ceiling_g)
-        .key("impact_friction_needed_ratio", friction_needed)
-        .key("models", models(request, landing, &edge_of))
-        .key("at", at)
-        .fact("tolerance_g", "tolerance", request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2))
-        .fact("tolerance_edge_lift_m", "tolerance, uplift", request.tolerance_edge_lift_m)
-        .key("damage_boundary_tests", request.boundary_tests.as_ref().map(BoundaryTests::facts))
-        .key("damage_boundary", damage_boundary.map(|boundary| boundary.facts()))
-        .key("demand_capacity", compared.as_ref().map(|compared| compared.demand_capacity.facts()))
-        .fact("demand_capacity_ratio", "demand/capacity", ratio)
-        .fact("governing", "  governed by", governing)
-        .fact("verdict", label, verdict.name())
-        .fact("max_stiffness_n_m", "largest stiffness at this rise", max_stiffness_n_m)
-        .fact("notes", "note", notes);
+    let answer = ShockAnswer {
+        scenario: name_of(SCENARIOS, request.scenario),
+        model: name_of(MODELS, landing.model),
+        energy_source: fall.source.into(),
+        drop_acceleration_g: drop_m_s2 / G0_M_S2,
+        edge_acceleration_g: edge_m_s2 / G0_M_S2,
+        edge_acceleration_m_s2: edge_m_s2,
+        amplification_ratio: landing.amplification_ratio(),
+        landing_ratio: block.landing_ratio(),
+        effective_mass_kg: landing.effective_mass_ratio * mass_kg,
+        edge_velocity_m_s: fall
+            .rise_m
+            .map(|rise| landing.edge_velocity_m_s(rise, gravity)),
+        angular_velocity_rad_s: omega_rad_s,
+        contact_distance_m: landing.contact_distance_m,
+        half_diagonal_m: pivot.half_diagonal_m,
+        slenderness_angle_rad: pivot.slenderness_angle_rad,
+        cg_rise_m: fall.rise_m,
+        uplift_m,
+        rotation_rad: fall.rotation_rad,
+        stiffness_n_m: cushion.and_then(Cushion::linear_stiffness_n_m),
+        law: cushion.map(|cushion| cushion.law().name()),
+        cushion: cushion.map(cushion_words),
+        pulse_duration_s: impact.map(|impact| impact.pulse_duration_s),
+        velocity_change_m_s: impact.map(|impact| impact.velocity_change_m_s),
+        compression_m: impact.map(|impact| impact.compression_m),
+        balance_rise_m: pivot.balance_rise_m(),
+        ceiling_g,
+        impact_friction_needed_ratio: friction_needed,
+        models: models(request, landing, &edge_of),
+        at,
+        tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
+        tolerance_edge_lift_m: request.tolerance_edge_lift_m,
+        damage_boundary_tests: request.boundary_tests.as_ref().map(BoundaryTests::answer),
+        damage_boundary: damage_boundary.map(|boundary| boundary.answer()),
+        demand_capacity: compared
+            .as_ref()
+            .map(|compared| compared.demand_capacity.clone()),
+        demand_capacity_ratio: ratio,
+        governing,
+        verdict: verdict.name(),
+        max_stiffness_n_m,
+        notes,
+    };
     Ok(ShockReport {
-        facts,
+        answer,
         verdict,
         damage_boundary,
         warnings,
@@ -675,17 +749,16 @@ fn report(
 
 /// Warnings for tolerances that were given but with which this landing cannot be compared.
 fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<String> {
-    let compared = compared
-        .map(|compared| compared.demand_capacity)
-        .unwrap_or_default();
+    let compared = compared.map(|compared| &compared.demand_capacity);
+    let is_left = |of: fn(&DemandCapacity) -> Option<f64>| compared.and_then(of).is_none();
     let kinds = [
         (
-            request.component_frequency_hz.is_some() && compared.component.is_none(),
+            request.component_frequency_hz.is_some() && is_left(|one| one.component),
             "the component is not compared: a drop acceleration alone has no duration; give the rise at which it \
              was measured, or the cushion",
         ),
         (
-            request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
+            request.tolerance_edge_lift_m.is_some() && is_left(|one| one.edge_lift),
             "the survived uplift is not compared: it needs `uplift`, `rotation` or `cg_rise`",
         ),
     ];
@@ -727,7 +800,7 @@ fn models(
     request: &ShockRequest,
     landing: &Landing,
     edge_m_s2: &dyn Fn(&Landing) -> f64,
-) -> Facts<'static> {
+) -> ShockOfModels {
     let of = |model: ImpactModel| {
         let other = Landing::rocking(&request.block, model);
         match request.scenario.overturns() {
@@ -735,22 +808,11 @@ fn models(
             false => (other.model == model).then(|| edge_m_s2(&other) / G0_M_S2),
         }
     };
-    Facts::default()
-        .fact(
-            "paper_g",
-            "shock by the paper's model, Eq. (5)",
-            of(ImpactModel::Paper),
-        )
-        .fact(
-            "halted_g",
-            "shock by the halted model, Eq. (8)",
-            of(ImpactModel::Halted),
-        )
-        .fact(
-            "free_corner_g",
-            "shock by the free-corner model",
-            of(ImpactModel::FreeCorner),
-        )
+    ShockOfModels {
+        paper_g: of(ImpactModel::Paper),
+        halted_g: of(ImpactModel::Halted),
+        free_corner_g: of(ImpactModel::FreeCorner),
+    }
 }
 
 #[cfg(test)]

@@ -7,8 +7,7 @@ use freestand::G0_M_S2;
 use freestand::damage_boundary::KNEE_RATIO;
 
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 use freestand_records::tables::{DamageRow, TestMethod, load_damage_points};
 
 /// The longest pulse of Method A \[s\].
@@ -62,22 +61,74 @@ impl BoundaryTests {
         ))
     }
 
-    /// Their part of the document.
-    pub(super) fn facts(&self) -> Facts<'static> {
-        let point = |point: &TestPoint| {
-            let method = Facts::default().key("method", point.method.to_string());
-            method.and(facts!(point; velocity_change_m_s, peak_acceleration_g, damaged, line))
+    /// Their part of the answer.
+    pub(super) fn answer(&self) -> TestsAnswer {
+        let point = |point: &TestPoint| TestPointAnswer {
+            method: point.method.to_string(),
+            velocity_change_m_s: point.velocity_change_m_s,
+            peak_acceleration_g: point.peak_acceleration_g,
+            damaged: point.damaged,
+            line: point.line,
         };
         let (v, a) = (
             self.critical_velocity_change_m_s,
             self.critical_acceleration_g,
         );
-        let v = facts!(v; survived "largest survived velocity change", damaged "smallest damaging velocity change");
-        let a = facts!(a; survived "largest survived peak", damaged "smallest damaging peak");
-        Facts::default()
-            .key("critical_velocity_change_m_s", v)
-            .key("critical_acceleration_g", a)
-            .key("points", self.points.iter().map(point).collect::<Vec<_>>())
+        TestsAnswer {
+            critical_velocity_change_m_s: BracketAnswer {
+                survived: v.survived,
+                damaged: v.damaged,
+            },
+            critical_acceleration_g: PeakBracket {
+                survived: a.survived,
+                damaged: a.damaged,
+            },
+            points: self.points.iter().map(point).collect(),
+        }
+    }
+}
+
+answer! {
+    /// Shock tests of an object.
+    pub struct TestsAnswer {
+        /// Between which velocity changes the critical one lies.
+        critical_velocity_change_m_s: BracketAnswer,
+        /// Between which peaks the critical one lies.
+        critical_acceleration_g: PeakBracket,
+        /// All tests.
+        points: Vec<TestPointAnswer>,
+    }
+}
+
+answer! {
+    /// What was survived last and damaged first.
+    pub struct BracketAnswer {
+        survived: Option<f64> = "largest survived velocity change",
+        damaged: Option<f64> = "smallest damaging velocity change",
+    }
+}
+
+answer! {
+    /// What was survived last and damaged first.
+    pub struct PeakBracket {
+        survived: Option<f64> = "largest survived peak",
+        damaged: Option<f64> = "smallest damaging peak",
+    }
+}
+
+answer! {
+    /// A shock test.
+    pub struct TestPointAnswer {
+        /// A or B.
+        method: String,
+        /// Velocity change of the pulse.
+        velocity_change_m_s: f64,
+        /// Peak of the pulse.
+        peak_acceleration_g: f64,
+        /// Whether it damaged the object.
+        damaged: bool,
+        /// Line of the file.
+        line: usize,
     }
 }
 

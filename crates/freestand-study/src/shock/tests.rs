@@ -1,5 +1,6 @@
 use super::*;
 use crate::cushion::spring;
+use freestand_output::answer::Answer;
 use freestand_output::facts::Value;
 
 fn cabinet() -> ShockRequest {
@@ -12,27 +13,15 @@ fn cabinet() -> ShockRequest {
 }
 
 fn number(report: &ShockReport, name: &str) -> f64 {
-    report.facts.number(name).unwrap()
+    report.answer.facts().number(name).unwrap()
 }
 
-fn text<'a>(report: &'a ShockReport, name: &str) -> &'a str {
-    report.facts.text(name).unwrap()
+fn text(report: &ShockReport, name: &str) -> String {
+    report.answer.facts().text(name).unwrap().to_owned()
 }
 
 fn notes(report: &ShockReport) -> Vec<&str> {
-    let Some(Value::List(notes)) = report.facts.get("notes") else {
-        return Vec::new();
-    };
-    notes
-        .iter()
-        .map(|note| {
-            if let Value::Text(note) = note {
-                note
-            } else {
-                ""
-            }
-        })
-        .collect()
+    report.answer.notes.iter().map(String::as_str).collect()
 }
 
 fn refused(request: &ShockRequest) -> String {
@@ -47,7 +36,7 @@ fn table_one_test_one() {
     assert!((number(&report, "drop_acceleration_g") * g - 10.102).abs() < 5e-4);
     assert!((number(&report, "edge_acceleration_g") * g - 4.526).abs() < 5e-4);
     assert_eq!(
-        (text(&report, "model"), text(&report, "verdict")),
+        (report.answer.model, report.answer.verdict),
         ("paper", "no-verdict")
     );
     assert!(
@@ -93,7 +82,7 @@ fn a_drop_acceleration_replaces_the_stiffness() {
             < 1e-12
     );
     for missing in ["pulse_duration_s", "velocity_change_m_s", "ceiling_g"] {
-        assert_eq!(alone.facts.get(missing), Some(&Value::Missing));
+        assert_eq!(alone.answer.facts().get(missing), Some(&Value::Missing));
     }
     measured.cushion = spring(4.38e6);
     assert!(refused(&measured).contains("exclude each other"));
@@ -174,13 +163,13 @@ fn overturning_lands_on_its_side() {
     request.contact_stiffness_n_m = Some(2e6);
     let floor = shock(&request).unwrap();
     assert_eq!(
-        (text(&floor, "model"), number(&floor, "contact_distance_m")),
+        (floor.answer.model, number(&floor, "contact_distance_m")),
         ("halted", 2.3)
     );
     assert_eq!(
         (
-            floor.facts.number("ceiling_g"),
-            floor.facts.number("paper_g")
+            floor.answer.facts().number("ceiling_g"),
+            floor.answer.facts().number("paper_g")
         ),
         (None, None)
     );
@@ -200,8 +189,8 @@ fn overturning_lands_on_its_side() {
     request.energy = Some(Energy::CgRise(0.01));
     let again = shock(&request).unwrap();
     assert_eq!(
-        again.facts.number("edge_acceleration_g"),
-        floor.facts.number("edge_acceleration_g")
+        again.answer.facts().number("edge_acceleration_g"),
+        floor.answer.facts().number("edge_acceleration_g")
     );
     assert!(
         again
@@ -231,7 +220,7 @@ fn squat_objects_are_halted_with_a_warning() {
     };
     let report = shock(&request).unwrap();
     assert_eq!(
-        (text(&report, "model"), report.facts.number("paper_g")),
+        (report.answer.model, report.answer.facts().number("paper_g")),
         ("halted", None)
     );
     assert!(number(&report, "landing_ratio") < 0.0 && report.warnings[0].contains("squat"));
@@ -260,7 +249,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     };
     let report = shock(&peak_only).unwrap();
     assert_eq!(
-        (text(&report, "governing"), report.verdict),
+        (report.answer.governing.unwrap(), report.verdict),
         ("peak", Verdict::Exceeded)
     );
     // At the largest stiffness the shock is the tolerance.
@@ -276,7 +265,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     };
     let report = shock(&boundary).unwrap();
     assert_eq!(
-        (text(&report, "governing"), report.verdict),
+        (report.answer.governing.unwrap(), report.verdict),
         ("damage-boundary", Verdict::Ok)
     );
     assert!(
@@ -286,13 +275,13 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     );
 
     // The survived pulse has the demand's own duration: the spectra differ by the peaks alone.
-    let duration = report.facts.number("pulse_duration_s");
+    let duration = report.answer.facts().number("pulse_duration_s");
     let spectrum = ShockRequest {
         tolerance_duration_s: duration,
         ..peak_only.clone()
     };
     let report = shock(&spectrum).unwrap();
-    assert_eq!(text(&report, "governing"), "spectrum");
+    assert_eq!(report.answer.governing.unwrap(), "spectrum");
     assert!((number(&report, "spectrum") / number(&report, "peak") - 1.0).abs() < 1e-12);
 
     let both = ShockRequest {
@@ -366,7 +355,7 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
         (with(None, Some(1.0)), "at any stiffness"),
     ] {
         let report = shock(&request).unwrap();
-        assert_eq!(report.facts.number("max_stiffness_n_m"), None);
+        assert_eq!(report.answer.facts().number("max_stiffness_n_m"), None);
         assert!(
             notes(&report).iter().any(|note| note.contains(said)),
             "{:?}",
@@ -385,10 +374,10 @@ fn a_lift_or_a_component_alone_is_enough() {
     };
     let report = shock(&lifted).unwrap();
     assert_eq!(
-        (text(&report, "governing"), report.verdict),
+        (report.answer.governing.unwrap(), report.verdict),
         ("edge-lift", Verdict::Ok)
     );
-    assert_eq!(report.facts.number("peak"), None);
+    assert_eq!(report.answer.facts().number("peak"), None);
     assert!((number(&report, "demand_capacity_ratio") - 0.5).abs() < 1e-12);
     let higher = ShockRequest {
         tolerance_edge_lift_m: Some(0.04),
@@ -396,7 +385,10 @@ fn a_lift_or_a_component_alone_is_enough() {
     };
     let report = shock(&higher).unwrap();
     assert_eq!(
-        (report.verdict, report.facts.number("max_stiffness_n_m")),
+        (
+            report.verdict,
+            report.answer.facts().number("max_stiffness_n_m")
+        ),
         (Verdict::Exceeded, None)
     );
     assert!(
@@ -418,7 +410,7 @@ fn a_lift_or_a_component_alone_is_enough() {
     };
     let report = shock(&delicate).unwrap();
     assert_eq!(
-        (text(&report, "governing"), report.verdict),
+        (report.answer.governing.unwrap(), report.verdict),
         ("component", Verdict::Ok)
     );
     assert!((number(&report, "demand_capacity_ratio") - 1.62379 / 2.0).abs() < 1e-5);
@@ -427,7 +419,7 @@ fn a_lift_or_a_component_alone_is_enough() {
     assert!((v_c - 2.0 * a / (std::f64::consts::TAU * f)).abs() < 1e-12);
     assert_eq!(
         (
-            text(&report, "source"),
+            report.answer.damage_boundary.as_ref().unwrap().source,
             number(&report, "critical_acceleration_g")
         ),
         ("component", a / G0_M_S2)
@@ -464,15 +456,14 @@ fn the_largest_of_several_kinds_governs() {
         ..cabinet()
     };
     let report = shock(&request).unwrap();
-    let Some(Value::Facts(ratios)) = report.facts.get("demand_capacity") else {
-        panic!("{:?}", report.facts)
-    };
-    assert!(
-        ratios.number("peak").unwrap() > 4.0 && ratios.number("damage_boundary").unwrap() < 0.2
-    );
-    assert_eq!(text(&report, "governing"), "edge-lift");
+    let ratios = report.answer.demand_capacity.clone().unwrap();
+    assert!(ratios.peak.unwrap() > 4.0 && ratios.damage_boundary.unwrap() < 0.2);
+    assert_eq!(report.answer.governing.unwrap(), "edge-lift");
     assert!((number(&report, "demand_capacity_ratio") - 2.0).abs() < 1e-12);
-    assert_eq!(text(&report, "source"), "tests");
+    assert_eq!(
+        report.answer.damage_boundary.as_ref().unwrap().source,
+        "tests"
+    );
     // A peak without duration or velocity change is a kind of its own: a lift that was survived
     // does not excuse it.
     let peak = ShockRequest {
@@ -482,7 +473,7 @@ fn the_largest_of_several_kinds_governs() {
     };
     let report = shock(&peak).unwrap();
     assert_eq!(
-        (text(&report, "governing"), report.verdict),
+        (report.answer.governing.unwrap(), report.verdict),
         ("peak", Verdict::Exceeded)
     );
 }

@@ -6,26 +6,26 @@ use freestand::impact::{Impact, Landing};
 use freestand::shock_response::{
     HalfSine, Peak, Pulse, PulseShape, ResponseKind, half_sine_severity_ratio, pulse_spectrum,
 };
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 
 use super::ShockRequest;
 
-/// Demand/capacity by each kind of tolerance that is known.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct DemandCapacity {
-    /// A/A_c.
-    pub(super) peak: Option<f64>,
-    /// Δv/V_c.
-    pub(super) velocity_change: Option<f64>,
-    /// min(A/A_c, Δv/V_c): only a shock that exceeds both is beyond the damage boundary.
-    pub(super) damage_boundary: Option<f64>,
-    /// The largest ratio of the two shock response spectra over frequency.
-    pub(super) spectrum: Option<f64>,
-    /// The response of the component over the acceleration that it withstands.
-    pub(super) component: Option<f64>,
-    /// The uplift over the one that the object survived.
-    pub(super) edge_lift: Option<f64>,
+answer! {
+    /// Demand divided by capacity, by each kind of tolerance that is known.
+    pub struct DemandCapacity {
+        /// A/A_c.
+        peak: Option<f64>,
+        /// Δv/V_c.
+        velocity_change: Option<f64>,
+        /// min(A/A_c, Δv/V_c): only a shock that exceeds both is beyond the damage boundary.
+        damage_boundary: Option<f64>,
+        /// The largest ratio of the two shock response spectra over frequency.
+        spectrum: Option<f64>,
+        /// The response of the component over the acceleration that it withstands.
+        component: Option<f64>,
+        /// The uplift over the one that the object survived.
+        edge_lift: Option<f64>,
+    }
 }
 
 impl DemandCapacity {
@@ -45,14 +45,10 @@ impl DemandCapacity {
             .filter_map(|(ratio, name)| Some((ratio?, name)));
         known.reduce(|most, next| if next.0 > most.0 { next } else { most })
     }
-
-    pub(super) fn facts(&self) -> Facts<'static> {
-        facts!(self; peak, velocity_change, damage_boundary, spectrum, component, edge_lift)
-    }
 }
 
 /// All kinds, with the one that governs.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Compared {
     pub(super) demand_capacity: DemandCapacity,
     pub(super) ratio: f64,

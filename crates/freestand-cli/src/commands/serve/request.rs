@@ -8,9 +8,9 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app as app;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::from_entries;
-use freestand_app::rock::{Meant, Rock, resolve};
 use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
@@ -29,7 +29,7 @@ use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
 use crate::args::GlobalArgs;
-use crate::commands::{Cli, rock};
+use crate::commands::{Cli, rock, shock};
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
@@ -209,9 +209,12 @@ fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
     let read = || -> Result<(), Wrong> {
         if request.command == "rock" {
-            return meant(request).map(drop);
+            let (entries, files) = written(request)?;
+            return Ok(app::rock::check(&from_entries(&entries)?, &files)?);
         }
-        parsed(request)?;
+        if request.command == "shock" {
+            return asked(request).map(drop);
+        }
         let studies = request
             .files
             .iter()
@@ -255,11 +258,10 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         };
         let session = Arc::new(session.with_rows(rows));
         let printer = Printer::keeping(Arc::clone(&session));
+        let global = GlobalArgs::of_request(request.folder.clone());
         let done = match asked {
-            Asked::Rock(meant) => {
-                let global = GlobalArgs::of_request(request.folder.clone());
-                rock::tell(&meant, &rock::Output::default(), &global, &printer)
-            }
+            Asked::Rock(meant) => rock::tell(&meant, &rock::Output::default(), &global, &printer),
+            Asked::Shock(meant) => shock::tell(&meant, &global, &printer),
             Asked::Typed(mut cli) => {
                 let scratch = scratch(request, &mut cli)?;
                 let done = cli.command.run(&cli.global, &printer);
@@ -269,7 +271,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         };
         let kept = session.take();
         match done {
-            Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(written(request, kept, &seen)?),
+            Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(reply(request, kept, &seen)?),
             Err(failure) => Err(failure.into()),
         }
     };
@@ -279,48 +281,66 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
 /// What a request asks.
 enum Asked {
     /// `rock`.
-    Rock(Box<Meant>),
+    Rock(Box<app::rock::Meant>),
+    /// `shock`.
+    Shock(Box<app::shock::Meant>),
     /// A command whose request is the line that a person would type.
     Typed(Box<Cli>),
 }
 
 fn asked(request: &Request) -> Result<Asked, Wrong> {
-    if request.command == "rock" {
-        return Ok(Asked::Rock(Box::new(meant(request)?)));
-    }
-    Ok(Asked::Typed(Box::new(parsed(request)?)))
+    let (entries, files) = match request.command.as_str() {
+        "rock" | "shock" => written(request)?,
+        _ => return Ok(Asked::Typed(Box::new(parsed(request)?))),
+    };
+    Ok(if request.command == "rock" {
+        let rock = from_entries(&entries)?;
+        Asked::Rock(Box::new(app::rock::resolve(&rock, &files)?))
+    } else {
+        let shock = from_entries(&entries)?;
+        Asked::Shock(Box::new(app::shock::resolve(&shock, &files)?))
+    })
 }
 
-/// What a request for one object means. It names files by what was sent with it alone.
-fn meant(request: &Request) -> Result<Meant, Wrong> {
+/// What was written, and the files that were sent with it: it names no others.
+fn written(request: &Request) -> Result<(Map<String, Value>, Files), Wrong> {
     let mut entries = request.options.clone();
-    let mut sent = Vec::new();
-    for (key, paths) in &request.files {
-        let named = |path: &PathBuf| path.to_string_lossy().into_owned();
-        if entries
-            .insert(key.clone(), paths.iter().map(named).collect())
-            .is_some()
-        {
-            let message = format!("{key} is given as a value and as a file");
-            return Err(Wrong::option(
-                key,
-                Failure::usage(message, "keep one of them"),
-            ));
+    let mut sent: Vec<Sent> = Vec::new();
+    for (key, paths) in request.files.iter().filter(|(_, paths)| !paths.is_empty()) {
+        let mut names: Vec<Value> = Vec::new();
+        for path in paths {
+            let mut name = path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            if sent.iter().any(|other| other.name == name) {
+                name = format!("{}: {name}", sent.len() + 1);
+            }
+            names.push(name.clone().into());
+            sent.push(Sent {
+                name,
+                content: Content::At(path.clone()),
+            });
         }
-        sent.extend(paths.iter().map(|path| Sent {
-            name: named(path),
-            content: Content::At(path.clone()),
-        }));
+        let named = match names.as_slice() {
+            [one] => one.clone(),
+            _ => names.into(),
+        };
+        if entries.insert(key.clone(), named).is_some() {
+            let message = format!("{key} is given as a value and as a file");
+            let failure = Failure::usage(message, "keep one of them");
+            return Err(Wrong::option(key, failure));
+        }
     }
     if let Some(edit) = request.edits.first() {
         let failure = Failure::usage(
-            format!("{} is no cell of a list", edit.cell),
-            "leave it out",
+            format!("{} reads no list, so it takes no edits", request.command),
+            format!("leave {} out", edit.cell),
         );
         return Err(Wrong::option("edits", failure));
     }
-    let rock: Rock = from_entries(&entries)?;
-    Ok(resolve(&rock, &Files::Sent(sent))?)
+    Ok((entries, Files::Sent(sent)))
 }
 
 /// A folder for the files of a live request that writes some, which nobody will read: without it they
@@ -342,7 +362,7 @@ fn scratch(request: &Request, cli: &mut Cli) -> Result<Option<TempDir>, Failure>
 }
 
 /// The document, with what goes beside it.
-fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure> {
+fn reply(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure> {
     let Kept {
         document,
         beside,

@@ -1,0 +1,78 @@
+//! What Python asks: values by key, motions in memory, and files.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+use freestand_app::files::{Content, Files, Sent};
+use freestand_app::request::{Request, from_entries};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+use serde_json::{Map, Number, Value};
+
+use crate::arguments::words_of;
+use crate::errors::raised;
+use crate::motion::Record;
+
+/// Files by the keys that name them: a path, or the text of the file.
+pub(crate) type Named = HashMap<String, (Option<PathBuf>, Option<String>)>;
+
+/// A request, and what it names.
+pub(crate) fn asked<R: Request>(
+    values: &Bound<'_, PyDict>,
+    motions: &[(&str, Option<&Record>)],
+    files: Named,
+) -> PyResult<(R, Files)> {
+    let entry =
+        |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
+    let mut entries = values
+        .iter()
+        .map(entry)
+        .collect::<PyResult<Map<String, Value>>>()?;
+    let motions = motions.iter().filter_map(|(key, record)| {
+        let motion = (*record)?.motion().clone();
+        Some(((*key).to_owned(), Content::Motion(motion)))
+    });
+    let files = files.into_iter().filter_map(|(key, file)| {
+        let content = match file {
+            (Some(path), _) => Content::At(path),
+            (None, text) => Content::Text(text?),
+        };
+        Some((key, content))
+    });
+    let sent: Vec<Sent> = motions
+        .chain(files)
+        .map(|(name, content)| Sent { name, content })
+        .collect();
+    for Sent { name, .. } in &sent {
+        entries.insert(name.clone(), name.as_str().into());
+    }
+    let request = from_entries(&entries).map_err(raised)?;
+    Ok((request, Files::Sent(sent)))
+}
+
+/// A value as a request reads it; what is no value of a request is shown as Python writes it.
+fn written(value: &Bound<'_, PyAny>) -> Value {
+    if value.is_none() {
+        return Value::Null;
+    }
+    // Also NumPy's.
+    if let Ok(flag) = value.extract::<bool>() {
+        return flag.into();
+    }
+    if let Ok(text) = value.cast::<PyString>() {
+        return text.to_string_lossy().into_owned().into();
+    }
+    if let Ok(whole) = value.extract::<i64>() {
+        return whole.into();
+    }
+    if let Ok(number) = value.extract::<f64>() {
+        return Number::from_f64(number).map_or_else(|| number.to_string().into(), Value::Number);
+    }
+    if value.is_instance_of::<PyDict>() {
+        return Value::Object(Map::new());
+    }
+    match value.try_iter() {
+        Ok(all) => all.flatten().map(|one| written(&one)).collect(),
+        Err(_) => words_of(value).into(),
+    }
+}
