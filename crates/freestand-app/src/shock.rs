@@ -142,6 +142,7 @@ pub fn resolve(request: &Shock, files: &Files) -> Result<Meant, Problems> {
     let words = request.words();
     let mut read = WordReader::new(&words);
     unknown::<Shock>(&request.unknown).for_each(|problem| read.problems.push(problem));
+    let size = sizes(&mut read);
     if !read.has("mass") {
         read.missing(
             &["mass"],
@@ -149,7 +150,6 @@ pub fn resolve(request: &Shock, files: &Files) -> Result<Meant, Problems> {
             "give the mass of the object, such as `mass = \"140 kg\"`",
         );
     }
-    let size = sizes(&mut read);
     let mass = read.positive("mass", Dimension::Mass);
     let block = block(&mut read, size, mass);
     let cushion = request.pad.described(&mut read, files);

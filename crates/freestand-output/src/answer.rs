@@ -98,7 +98,8 @@ impl<A: Answer> Described for Vec<A> {
 }
 
 /// Defines a result as a struct. After `=` stands the label of a field for people; `flat` puts the fields of a
-/// part on the same level; a field with neither is for programs only.
+/// part on the same level; a field with neither is for programs only. With `if` people read it where another field
+/// has a value.
 ///
 /// # Example
 /// ```
@@ -125,7 +126,7 @@ macro_rules! answer {
     (
         $(#[$meta:meta])*
         pub struct $name:ident {
-            $( $(#[doc = $doc:literal])* $field:ident : $type:ty $(= $label:tt)? ),* $(,)?
+            $( $(#[doc = $doc:literal])* $field:ident : $type:ty $(= $label:tt $(if $given:ident)?)? ),* $(,)?
         }
     ) => {
         $(#[$meta])*
@@ -137,7 +138,7 @@ macro_rules! answer {
         impl $crate::answer::Answer for $name {
             fn facts(&self) -> $crate::facts::Facts<'static> {
                 let facts = $crate::facts::Facts::default();
-                $( let facts = $crate::answer!(@add facts, stringify!($field), self.$field, $($label)?); )*
+                $( let facts = $crate::answer!(@add facts, stringify!($field), self.$field, $($label $(, self.$given)?)?); )*
                 facts
             }
 
@@ -169,8 +170,14 @@ macro_rules! answer {
     (@add $facts:ident, $name:expr, $value:expr, $label:literal) => {
         $facts.fact($name, $label, $value.clone())
     };
+    (@add $facts:ident, $name:expr, $value:expr, $label:literal, $given:expr) => {
+        $facts.fact($name, if $given.is_some() { $label } else { "" }, $value.clone())
+    };
     (@describe $all:ident, $name:expr, $type:ty, $doc:expr, flat) => {
         $all.extend(<$type as $crate::answer::Answer>::properties());
+    };
+    (@add $facts:ident, $name:expr, $value:expr, $label:literal, $given:expr) => {
+        $facts.fact($name, if $given.is_some() { $label } else { "" }, $value.clone())
     };
     (@describe $all:ident, $name:expr, $type:ty, $doc:expr, $($label:literal)?) => {
         let schema = <$type as $crate::answer::Described>::schema();

@@ -20,7 +20,7 @@ use crate::shape::Sizes;
 use crate::unsolved::{self, unresolved_warning};
 use crate::walls::{WallAnswer, WallStiffness, wall_answer};
 use freestand_input::problem::Problem;
-use freestand_input::words::{Choices, counted, name_of};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::answer;
 
 /// The equations of motion by name.
@@ -367,14 +367,13 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
 }
 
 fn notes(rocking: &Rocking, has_shock: bool) -> Vec<String> {
-    let strikes = rocking.wall_impacts.len();
-    let times = |count| counted(count, "time");
-    let struck = (strikes > 0).then(|| format!("it strikes a wall {}", times(strikes)));
-    let leaning = rocking
-        .leaning
-        .then(|| "it leans on a wall at the end".to_owned());
-    let on_pads = has_shock.then(|| PADS_GIVE_THE_SHOCK_ALONE.to_owned());
-    struck.into_iter().chain(leaning).chain(on_pads).collect()
+    let leaning = rocking.leaning.then_some("it leans on a wall at the end");
+    let on_pads = has_shock.then_some(PADS_GIVE_THE_SHOCK_ALONE);
+    leaning
+        .into_iter()
+        .chain(on_pads)
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The columns of a history.

@@ -99,11 +99,10 @@ answer! {
     pub struct WallAnswer {
         wall_angle_left_rad: Option<f64> = "touches the left wall at",
         wall_angle_right_rad: Option<f64> = "touches the right wall at",
-        /// How often the object struck a wall.
-        wall_impact_count: usize,
+        wall_impact_count: usize = "impacts on walls" if wall_speed_max_m_s,
         /// All impacts on walls.
         wall_impacts: Vec<WallStrike>,
-        wall_speed_max_m_s: Option<f64> = "largest speed at a wall",
+        wall_speed_max_m_s: Option<f64> = "  largest speed",
         wall_acceleration_g: Option<f64> = "  shock at the point of contact",
         wall_impulse_max_n_s: Option<f64> = "  largest impulse",
         /// Whether it leans on a wall at the end.

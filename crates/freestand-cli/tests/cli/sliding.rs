@@ -328,7 +328,7 @@ fn what_does_not_slide_is_refused() {
                 "0.1",
             ],
             "--rolling-resistance applies only to an object on casters",
-            "add --casters, or leave it out",
+            "in place of --sliding",
         ),
         (
             &["--sliding", "--friction", "0.1", "--brakes"],

@@ -192,7 +192,7 @@ fn half_an_upper_body_is_refused() {
         let words = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{words}");
         assert!(
-            words.contains("the upper object of the stack is incomplete"),
+            words.contains("the upper body of the stack is incomplete"),
             "{words}"
         );
         assert!(

@@ -254,7 +254,7 @@ answer! {
         demand_capacity: Option<DemandCapacity>,
         demand_capacity_ratio: Option<f64> = "demand/capacity",
         governing: Option<&'static str> = "  governed by",
-        verdict: &'static str = "verdict",
+        verdict: &'static str = "verdict" if demand_capacity_ratio,
         max_stiffness_n_m: Option<f64> = "largest stiffness at this rise",
         notes: Vec<String> = "note",
     }
