@@ -30,8 +30,8 @@ pub struct Sent {
 pub enum Content {
     /// A file that was put here.
     At(PathBuf),
-    /// A motion in memory.
-    Motion(Motion),
+    /// A motion in memory, with its name.
+    Motion(String, Motion),
     /// The text of a file in memory.
     Text(String),
 }
@@ -63,7 +63,7 @@ impl Files {
     pub fn path(&self, name: &str) -> Result<PathBuf, Problem> {
         match self.find(name)? {
             Content::At(path) => Ok(path),
-            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
+            Content::Motion(..) | Content::Text(_) => Err(not_sent(name)),
         }
     }
 }

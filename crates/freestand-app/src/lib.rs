@@ -7,6 +7,7 @@ pub mod request;
 pub mod rock;
 pub mod schema;
 pub mod shock;
+pub mod spectrum;
 
 mod block;
 mod cushion;
@@ -16,6 +17,6 @@ mod walls;
 
 pub use block::{GeneralBlock, Rocking};
 pub use cushion::CushionUnder;
-pub use records::{Records, VerticalRecord};
+pub use records::{OneMotion, ReadMotions, Records, VerticalRecords};
 pub use sliding::Sliding;
 pub use walls::Walls;

@@ -1,18 +1,17 @@
 //! Records of motions: how they are read and processed.
 
-use std::fmt::Display;
 use std::path::PathBuf;
 
 use clap::{ArgAction, Args};
 use freestand::motion::Motion;
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_records::notes::Note;
 use freestand_records::processing::parse_target_source;
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
-use freestand_study::study::RecordedMotion;
 use serde::Deserialize;
 
 use crate::files::{Content, Files, not_sent};
@@ -158,15 +157,11 @@ request!(Records {
     scale_to_spectrum
 });
 
-/// The vertical record of a motion.
+/// How vertical records are read.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
-pub struct VerticalRecord {
-    /// Record of the vertical acceleration of the floor, positive upward, with the same step and
-    /// length
-    #[arg(long, value_name = "FILE")]
-    pub vertical: Option<Written>,
+pub struct VerticalRecords {
     /// Factor that multiplies the vertical samples [default: 1]
     #[arg(long, value_name = "RATIO")]
     pub vertical_scale: Option<Written>,
@@ -175,8 +170,7 @@ pub struct VerticalRecord {
     pub vertical_component: Option<Written>,
 }
 
-request!(VerticalRecord {
-    vertical,
+request!(VerticalRecords {
     vertical_scale,
     vertical_component
 });
@@ -187,22 +181,31 @@ pub(crate) struct NamedRecords<'f> {
     how: MotionFiles,
     upward: MotionFiles,
     horizontal: Vec<String>,
-    vertical: Option<String>,
+    vertical: Vec<String>,
 }
 
-/// Motions, and what their reader concluded.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ReadMotions {
-    /// The horizontal motions, each with its name.
-    pub horizontal: Vec<(String, Motion)>,
-    /// The second horizontal component of the last of them.
-    pub across: Option<Motion>,
-    /// The vertical motion.
-    pub vertical: Option<Motion>,
-    /// Notes of the reader.
-    pub warnings: Vec<String>,
+/// A motion, and what its reader concluded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OneMotion {
+    /// Its name.
+    pub name: String,
+    /// Its samples.
+    pub motion: Motion,
+    /// What the reader concluded or doubts.
+    pub notes: Vec<Note>,
     /// What was done to the samples.
     pub processing: Vec<String>,
+}
+
+/// The motions of a request.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadMotions {
+    /// The horizontal motions.
+    pub horizontal: Vec<OneMotion>,
+    /// The second horizontal component of the last of them.
+    pub across: Option<Motion>,
+    /// The vertical motions.
+    pub vertical: Vec<OneMotion>,
     /// The files that were read.
     pub inputs: Vec<PathBuf>,
 }
@@ -213,15 +216,14 @@ impl Records {
         &self,
         read: &mut WordReader<'_>,
         motion: &[Written],
-        vertical: &VerticalRecord,
+        (vertical, how_vertical): (&[Written], &VerticalRecords),
         files: &'f Files,
     ) -> NamedRecords<'f> {
         let words = self.words();
         let keys: Vec<&'static str> = words.entries().map(|(key, _)| key).collect();
-        read.pass(&["motion"]);
-        read.one("vertical");
+        read.pass(&["motion", "vertical"]);
         read.pass(&keys);
-        if motion.is_empty() && vertical.vertical.is_none() && !keys.is_empty() {
+        if motion.is_empty() && vertical.is_empty() && !keys.is_empty() {
             let named = keys
                 .iter()
                 .map(|key| format!("`{key}`"))
@@ -233,7 +235,7 @@ impl Records {
                 "name the record with `motion`",
             );
         }
-        let own = vertical_words(&words, vertical, read);
+        let own = vertical_words(&words, (vertical, how_vertical), read);
         let how = |words: &Words| {
             let mut reader = WordReader::new(words);
             let how = MotionFiles::read(&mut reader, |name| files.path(name));
@@ -260,7 +262,7 @@ impl Records {
                 ..upward
             },
             horizontal: motion.iter().map(Written::text).collect(),
-            vertical: vertical.vertical.as_ref().map(Written::text),
+            vertical: vertical.iter().map(Written::text).collect(),
         }
     }
 
@@ -281,7 +283,11 @@ impl Records {
 
 /// How the vertical record is read: unit, step, baseline and filters are those of the horizontal one; its scale and
 /// its component are its own, and it is not rotated.
-fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReader<'_>) -> Words {
+fn vertical_words(
+    words: &Words,
+    (vertical, how): (&[Written], &VerticalRecords),
+    read: &mut WordReader<'_>,
+) -> Words {
     let mut own = words.clone();
     for key in [
         "component",
@@ -296,7 +302,7 @@ fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReade
     let scale = read.quantity("vertical_scale", Dimension::Ratio);
     read.text("vertical_component");
     for key in ["vertical_scale", "vertical_component"] {
-        if read.has(key) && vertical.vertical.is_none() {
+        if read.has(key) && vertical.is_empty() {
             read.note(
                 &[key],
                 format!("`{key}` needs `vertical`"),
@@ -304,7 +310,7 @@ fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReade
             );
         }
     }
-    if let Some(component) = &vertical.vertical_component {
+    if let Some(component) = &how.vertical_component {
         own.write("component", component);
     }
     if let Some(ratio) = scale {
@@ -316,7 +322,7 @@ fn vertical_words(words: &Words, vertical: &VerticalRecord, read: &mut WordReade
 impl NamedRecords<'_> {
     /// Whether there is neither a horizontal nor a vertical record.
     pub(crate) fn is_none(&self) -> bool {
-        self.horizontal.is_empty() && self.vertical.is_none()
+        self.horizontal.is_empty() && self.vertical.is_empty()
     }
 
     /// The number of horizontal records.
@@ -331,72 +337,92 @@ impl NamedRecords<'_> {
         across: Option<&str>,
         records: &Records,
     ) -> Result<ReadMotions, Problems> {
-        let mut found = ReadMotions::default();
         let how = MotionFiles {
             second,
             ..self.how.clone()
         };
-        if let Some(name) = &self.vertical {
-            found.vertical = Some(self.motion("vertical", name, &self.upward, &mut found)?.1);
-        }
-        for name in &self.horizontal {
-            let (name, motion, second) = self.motion("motion", name, &how, &mut found)?;
-            found.horizontal.push((name, motion));
-            found.across = second;
-        }
+        let mut found = ReadMotions::default();
+        found.vertical = self.motions("vertical", &self.vertical, &self.upward, &mut found)?;
+        found.horizontal = self.motions("motion", &self.horizontal, &how, &mut found)?;
         if let Some(name) = across {
-            found.across = Some(self.motion("motion_y", name, &self.how, &mut found)?.1);
+            let across = self.motions("motion_y", &[name.to_owned()], &self.how, &mut found)?;
+            found.across = across.into_iter().next().map(|one| one.motion);
         }
         found.inputs.extend(records.inputs());
         Ok(found)
     }
 
-    /// The motion that a request calls by this name, its own name, and the second component of its file.
-    fn motion(
+    /// The motions that a request calls by these names.
+    fn motions(
         &self,
         key: &'static str,
-        name: &str,
+        names: &[String],
         how: &MotionFiles,
         found: &mut ReadMotions,
-    ) -> Result<(String, Motion, Option<Motion>), Problems> {
-        let path = match self
-            .files
-            .find(name)
-            .map_err(|problem| problem.named(key))?
-        {
-            Content::Motion(motion) => return Ok((name.to_owned(), motion, None)),
-            Content::At(path) => path,
-            Content::Text(_) => return Err(not_sent(name).named(key).into()),
-        };
-        let how = MotionFiles {
-            paths: vec![path.clone()],
+    ) -> Result<Vec<OneMotion>, Problems> {
+        let (mut in_memory, mut paths) = (Vec::new(), Vec::new());
+        let mut problems = Problems::default();
+        for name in names {
+            match problems.keep_named(key, self.files.find(name)) {
+                Some(Content::Motion(name, motion)) => in_memory.push(OneMotion {
+                    name,
+                    motion,
+                    notes: Vec::new(),
+                    processing: Vec::new(),
+                }),
+                Some(Content::At(path)) => paths.push(path),
+                Some(Content::Text(_)) => problems.push(not_sent(name).named(key)),
+                None => {}
+            }
+        }
+        problems.finish(Some(()))?;
+        if paths.is_empty() {
+            return Ok(in_memory);
+        }
+        found.inputs.extend(paths.iter().cloned());
+        let read = read_all(&MotionFiles {
+            paths,
             ..how.clone()
-        };
-        let read = read_all(&how)?.pop().ok_or_else(|| {
-            let message = "the file was read but contains no motion";
-            Problem::new(ProblemKind::Computation, message).in_file(&path)
         })?;
-        found.enter(&read);
-        let across = read.motion.across.map(|across| across.motion);
-        Ok((read.motion.name, read.motion.motion, across))
+        let one = |read: ReadMotion| {
+            found.across = read.motion.across.map(|across| across.motion);
+            OneMotion {
+                name: read.motion.name,
+                motion: read.motion.motion,
+                notes: read.notes,
+                processing: read.motion.processing,
+            }
+        };
+        Ok(read.into_iter().map(one).collect())
     }
 }
 
 impl ReadMotions {
-    /// Adds the notes and the processing of a motion.
-    fn enter(&mut self, read: &ReadMotion) {
-        let RecordedMotion {
-            name,
-            path,
-            processing,
-            ..
-        } = &read.motion;
-        let named = |text: &dyn Display| format!("{name}: {text}");
-        self.inputs.push(path.clone());
-        self.warnings
-            .extend(read.notes.iter().map(|note| named(note)));
-        self.processing
-            .extend(processing.iter().map(|step| named(step)));
+    /// All motions, in the order in which they were read.
+    fn all(&self) -> impl Iterator<Item = &OneMotion> {
+        self.vertical.iter().chain(&self.horizontal)
+    }
+
+    /// What the reader concluded or doubts, each with the name of the motion.
+    pub fn warnings(&self) -> Vec<String> {
+        let named = |one: &OneMotion| {
+            let notes = one.notes.iter();
+            notes
+                .map(|note| format!("{}: {note}", one.name))
+                .collect::<Vec<_>>()
+        };
+        self.all().flat_map(named).collect()
+    }
+
+    /// What was done to the samples, each step with the name of the motion.
+    pub fn processing(&self) -> Vec<String> {
+        let named = |one: &OneMotion| {
+            let steps = one.processing.iter();
+            steps
+                .map(|step| format!("{}: {step}", one.name))
+                .collect::<Vec<_>>()
+        };
+        self.all().flat_map(named).collect()
     }
 }
 

@@ -194,9 +194,10 @@ fn names<R: Request>() -> Vec<Name> {
         let value = arg.get_value_names().and_then(|names| names.first());
         let value = value.map(ToString::to_string).unwrap_or_default();
         let aliases = arg.get_all_aliases().unwrap_or_default();
-        let aliases = aliases.into_iter().map(|alias| alias.replace('-', "_"));
+        let long = arg.get_long().into_iter().chain(aliases);
+        let others = long.map(|name| name.replace('-', "_"));
         std::iter::once(key.clone())
-            .chain(aliases)
+            .chain(others)
             .map(move |name| Name {
                 name,
                 key: key.clone(),

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
+use freestand::motion::Motion;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::{Request, from_entries};
 use pyo3::prelude::*;
@@ -11,15 +12,14 @@ use serde_json::{Map, Number, Value};
 
 use crate::arguments::words_of;
 use crate::errors::raised;
-use crate::motion::Record;
 
 /// Files by the keys that name them: a path, or the text of the file.
 pub(crate) type Named = HashMap<String, (Option<PathBuf>, Option<String>)>;
 
-/// A request, and what it names.
+/// A request, and what it names. A motion has the key that names it, and its own name.
 pub(crate) fn asked<R: Request>(
     values: &Bound<'_, PyDict>,
-    motions: &[(&str, Option<&Record>)],
+    motions: impl IntoIterator<Item = (&'static str, String, Motion)>,
     files: Named,
 ) -> PyResult<(R, Files)> {
     let entry =
@@ -28,23 +28,37 @@ pub(crate) fn asked<R: Request>(
         .iter()
         .map(entry)
         .collect::<PyResult<Map<String, Value>>>()?;
-    let motions = motions.iter().filter_map(|(key, record)| {
-        let motion = (*record)?.motion().clone();
-        Some(((*key).to_owned(), Content::Motion(motion)))
-    });
-    let files = files.into_iter().filter_map(|(key, file)| {
+    let mut sent: Vec<Sent> = Vec::new();
+    for (key, name, motion) in motions {
+        let called = format!("{key} {}", sent.len() + 1);
+        let list = entries
+            .entry(key)
+            .or_insert_with(|| Value::Array(Vec::new()));
+        if let Value::Array(list) = list {
+            list.push(called.as_str().into());
+        }
+        sent.push(Sent {
+            name: called,
+            content: Content::Motion(name, motion),
+        });
+    }
+    for (key, file) in files {
         let content = match file {
             (Some(path), _) => Content::At(path),
-            (None, text) => Content::Text(text?),
+            (None, Some(text)) => Content::Text(text),
+            (None, None) => continue,
         };
-        Some((key, content))
-    });
-    let sent: Vec<Sent> = motions
-        .chain(files)
-        .map(|(name, content)| Sent { name, content })
-        .collect();
-    for Sent { name, .. } in &sent {
-        entries.insert(name.clone(), name.as_str().into());
+        entries.insert(key.clone(), key.as_str().into());
+        sent.push(Sent { name: key, content });
+    }
+    // A key of one value has no list.
+    for list in entries.values_mut() {
+        if let Value::Array(all) = list
+            && let [Value::String(one)] = all.as_slice()
+            && sent.iter().any(|sent| sent.name == *one)
+        {
+            *list = one.as_str().into();
+        }
     }
     let request = from_entries(&entries).map_err(raised)?;
     Ok((request, Files::Sent(sent)))

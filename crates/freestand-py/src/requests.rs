@@ -42,7 +42,7 @@ use crate::work::watched;
 /// One landing.
 #[pyfunction]
 pub(crate) fn shock(request: &Bound<'_, PyDict>, files: Named) -> PyResult<String> {
-    let (request, files) = asked(request, &[], files)?;
+    let (request, files) = asked(request, std::iter::empty(), files)?;
     let meant = resolve(&request, &files).map_err(raised_all)?;
     let report = evaluated(&meant.landing).map_err(raised_all)?;
     told(SCHEMA, &report.answer, &report.warnings)

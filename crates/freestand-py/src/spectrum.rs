@@ -3,24 +3,19 @@
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand::block::Block;
-use freestand::respond::Settings;
-use freestand::rocking::{Base, Restitution, RockingModel};
-use freestand_input::problem::{Problem, Problems};
+use freestand_app::spectrum::resolve;
+use freestand_input::problem::Problem;
 use freestand_output::facts::{Facts, Value};
-use freestand_study::rock::{ACCURACIES, MODELS};
+use freestand_study::at_place::LastGround;
 use freestand_study::spectrum::{
-    Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects,
-    spectrum as calculated,
+    SpectrumChunk, SpectrumTally, chunk_objects, spectrum as calculated,
 };
-use freestand_study::unsolved::rocking_problem;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::arguments::Given;
-use crate::errors::{raised, raised_all};
+use crate::asked::{Named, asked};
+use crate::errors::raised_all;
 use crate::motion::Record;
-use crate::rock::{restitution, surface, walls};
 use crate::work::watched;
 
 /// Block-steps of a chunk for each thread: 10 to 50 ms of work, after which Ctrl-C is noticed.
@@ -218,115 +213,20 @@ type Answer<'py> = (Vec<Made<'py>>, Vec<String>, (f64, u64));
 pub(crate) fn spectrum<'py>(
     py: Python<'py>,
     motions: Vec<(String, PyRef<'py, Record>, Option<PyRef<'py, Record>>)>,
-    values: &Bound<'py, PyDict>,
+    request: &Bound<'py, PyDict>,
+    files: Named,
     threads: Option<usize>,
 ) -> PyResult<Answer<'py>> {
-    let mut given = Given::new(values);
-    let heights_m = given.numbers("heights_m").unwrap_or_default();
-    let thicknesses_m = given.numbers("thicknesses_m").unwrap_or_default();
-    let mass_kg = given.positive("mass_kg");
-    let words = given.cushion_words();
-    let edge = given.edge(&words, mass_kg);
-    let model = given.choice("model", MODELS).unwrap_or_default();
-    let first = heights_m
-        .first()
-        .zip(thicknesses_m.first())
-        .and_then(|(&h, &t)| Block::uniform(h, t).ok());
-    let (walls, wall) = walls(&mut given, first.as_ref(), mass_kg);
-    if mass_kg.is_some() != (!words.is_empty() || wall.stiffness_n_m.is_some()) {
-        let message = "the shock needs both the mass and the cushion of the objects";
-        given.push(Problem::value(
-            message,
-            "give mass_kg and stiffness_n_m (or another cushion), or neither",
-        ));
-    }
-    if !walls.is_none() && model == RockingModel::Linearised {
-        let message = "the linearised equation of motion has no walls";
-        given.push(Problem::value(message, "leave model out, or the walls"));
-    }
-    let grid = if given.flag("pairs") {
-        Grid::pairs(heights_m, thicknesses_m)
-    } else {
-        Grid::new(heights_m, thicknesses_m)
-    };
-    let grid = given.keep(grid);
-    let blocks = || {
-        grid.iter()
-            .flat_map(|grid| grid.blocks(0..grid.objects()))
-            .collect::<Vec<Block>>()
-    };
-    let restitution = restitution(&mut given, blocks);
-    let settings = Settings {
-        model,
-        accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
-        ..Settings::default()
-    };
-    let sensitivity = given.flag("sensitivity");
-    let surface = if given.flag("sliding") {
-        surface(&mut given)
-    } else {
-        None
-    };
-    if surface.is_some() && (mass_kg.is_some() || sensitivity || !walls.is_none()) {
-        let message = "the shock, the sensitivity and walls are those of objects that rock, and these slide or roll";
-        given.push(Problem::value(
-            message,
-            "leave mass_kg, the cushion, sensitivity and walls out",
-        ));
-    }
-    given.finish()?;
-    let Some(grid) = grid else {
-        return Err(raised_all(Problems::default()));
-    };
-    let request = SpectrumRequest {
-        grid,
-        restitution,
-        walls,
-        settings,
-        cushion: mass_kg.zip(edge),
-        wall,
-        sensitivity,
-        surface,
-    };
-    let of_rocking = [
-        (
-            "restitution",
-            matches!(request.restitution, Restitution::Value(_)),
-        ),
-        (
-            "restitution_factor",
-            matches!(request.restitution, Restitution::Factor(_)),
-        ),
-        ("model", request.settings.model == RockingModel::Linearised),
-    ];
-    if let Some((name, _)) = of_rocking
-        .into_iter()
-        .find(|(_, is_given)| *is_given && request.none_rocks())
-    {
-        let message = format!("{name} has no effect: every object slides or rolls, and none rocks");
-        return Err(raised(Problem::value(message, "leave it out")));
-    }
-    let taken = |(name, horizontal, vertical): &(
-        String,
-        PyRef<'py, Record>,
-        Option<PyRef<'py, Record>>,
-    )| {
-        let vertical = vertical.as_ref().map(|record| record.motion().clone());
-        SpectrumMotion {
-            name: name.clone(),
-            horizontal: horizontal.motion().clone(),
-            vertical,
-        }
-    };
-    let motions: Vec<SpectrumMotion> = motions.iter().map(taken).collect();
-    for motion in &motions {
-        let base = Base {
-            horizontal: Some(&motion.horizontal),
-            vertical: motion.vertical.as_ref(),
-        };
-        base.check()
-            .map_err(|error| raised_all(rocking_problem(error)))?;
-    }
+    let named = motions.iter().flat_map(|(name, horizontal, vertical)| {
+        let one = |key, record: &Record| (key, name.clone(), record.motion().clone());
+        let upward = vertical.as_ref().map(|record| one("vertical", record));
+        std::iter::once(one("motion", horizontal)).chain(upward)
+    });
+    let (request, files) = asked(request, named, files)?;
+    let meant = resolve(&request, &files).map_err(raised_all)?;
+    let request = meant.objects;
+    let shaken = meant.shaking.motions(&LastGround::default(), || Ok(()));
+    let motions = shaken.map_err(raised_all)?.motions;
     let work = |stop: &AtomicBool| {
         let threads = rayon::current_num_threads();
         let size = |intervals: usize| {

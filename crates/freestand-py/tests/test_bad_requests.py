@@ -15,7 +15,12 @@ def test_every_request_has_the_problems_of_the_table() -> None:
     assert len(lines) > 300
     for line in lines:
         with pytest.raises(fs.FreestandError) as caught:
-            _freestand.rock(line["request"], None, None, {}, False)
+            if line["command"] == "rock":
+                _freestand.rock(line["request"], None, None, {}, False)
+            elif line["command"] == "shock":
+                _freestand.shock(line["request"], {})
+            else:
+                _freestand.spectrum([], line["request"], {}, 1)
         told = [problem.message for problem in caught.value.problems]
         assert told == [problem["argument"] for problem in line["problems"]], line
 

@@ -131,14 +131,15 @@ impl Meant {
     /// What a solver refuses.
     pub fn follow(&self, index: usize, is_sampled: bool) -> Result<Followed, Problem> {
         let (name, motion) = match self.motions.horizontal.get(index) {
-            Some((name, motion)) => (name.clone(), Some(motion.clone())),
-            None if self.motions.vertical.is_some() => ("vertical motion".to_owned(), None),
+            Some(one) => (one.name.clone(), Some(one.motion.clone())),
+            None if !self.motions.vertical.is_empty() => ("vertical motion".to_owned(), None),
             None if matches!(self.asked, Asked::InSpace(_) | Asked::Stack(_)) => {
                 ("no motion".to_owned(), None)
             }
             None => ("free rocking".to_owned(), None),
         };
-        let (across, upward) = (self.motions.across.clone(), self.motions.vertical.clone());
+        let upward = self.motions.vertical.first().map(|one| one.motion.clone());
+        let across = self.motions.across.clone();
         let asked = self.asked.under(motion, across, upward, is_sampled);
         let done = match asked {
             Asked::Rigid(request) => {

@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 use crate::block::{GeneralBlock, Rocking};
 use crate::cushion::CushionUnder;
-use crate::records::{Records, VerticalRecord};
+use crate::records::{Records, VerticalRecords};
 use crate::request::{Switch, Unknown, one_of, one_or_many, request};
 use crate::sliding::Sliding;
 use crate::walls::Walls;
@@ -32,10 +32,14 @@ pub struct Rock {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     #[serde(deserialize_with = "one_or_many")]
     pub motion: Vec<Written>,
-    /// The vertical record.
+    /// Record of the vertical acceleration of the floor, positive upward, with the same step and
+    /// length
+    #[arg(long, value_name = "FILE")]
+    pub vertical: Option<Written>,
+    /// How the vertical record is read.
     #[command(flatten)]
     #[serde(flatten)]
-    pub upward: VerticalRecord,
+    pub upward: VerticalRecords,
     /// How records are read.
     #[command(flatten)]
     #[serde(flatten)]
@@ -109,7 +113,8 @@ pub struct Rock {
 }
 
 request!(Rock {
-    motion, height, thickness, mass, friction, initial_rotation, initial_velocity, gravity, duration;
+    motion,
+    vertical, height, thickness, mass, friction, initial_rotation, initial_velocity, gravity, duration;
     upward, records, block, pad, walls, on, slides, space, upper, rocking, unknown
 });
 

@@ -210,9 +210,11 @@ fn judged<'f>(
     };
     unknown::<Rock>(&request.unknown).for_each(|problem| reader.read.problems.push(problem));
     let (kind, contact) = reader.kind();
+    reader.read.one("vertical");
+    let vertical = (request.vertical.as_slice(), &request.upward);
     let named = request
         .records
-        .named(&mut reader.read, &request.motion, &request.upward, files);
+        .named(&mut reader.read, &request.motion, vertical, files);
     let object = reader.object();
     let is_still = named.is_none();
     let (kind, asked) = match (kind, contact) {

@@ -5,51 +5,98 @@ use std::fmt::Write as _;
 
 use freestand_app::files::Files;
 use freestand_app::request::{from_entries, keys};
-use freestand_app::rock::{Rock, resolve};
+use freestand_app::rock::{self, Rock};
+use freestand_app::shock::{self, Shock};
+use freestand_app::spectrum::{self, Spectrum};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use serde_json::{Value, json};
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/requests.jsonl");
 
-/// One request of each kind, which would be answered.
-fn good() -> [Value; 6] {
-    [
-        json!({"height": "2 m", "thickness": "0.5 m", "initial_rotation": "2 deg"}),
-        json!({"height": "1.2 m", "thickness": "0.6 m", "casters": true, "clearance_left": "20 mm"}),
-        json!({"height": "2 m", "thickness": "0.5 m", "casters": true, "brakes": true,
+/// A command, and what it is asked.
+type Asked = (&'static str, Value);
+
+/// One request of each kind, which would be answered but for a motion that is missing.
+fn good() -> Vec<Asked> {
+    let pad = json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
+        "stiffness": "1000 N/mm"});
+    let with = |more: Value| {
+        let mut request = pad.clone();
+        for (key, value) in more.as_object().into_iter().flatten() {
+            request[key] = value.clone();
+        }
+        request
+    };
+    vec![
+        (
+            "rock",
+            json!({"height": "2 m", "thickness": "0.5 m", "initial_rotation": "2 deg"}),
+        ),
+        (
+            "rock",
+            json!({"height": "1.2 m", "thickness": "0.6 m", "casters": true, "clearance_left": "20 mm"}),
+        ),
+        (
+            "rock",
+            json!({"height": "2 m", "thickness": "0.5 m", "casters": true, "brakes": true,
             "initial_rotation": "2 deg"}),
-        json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
-            "stiffness": "1000 N/mm", "initial_velocity": "0.1 rad/s"}),
-        json!({"height": "2 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
-            "stiffness": "1000 N/mm", "width": "0.7 m", "duration": "1 s"}),
-        json!({"height": "1 m", "thickness": "0.5 m", "base": "compliant", "mass": "100 kg",
-            "stiffness": "1000 N/mm", "upper_height": "0.5 m", "upper_thickness": "0.2 m", "upper_mass": "5 kg",
+        ),
+        ("rock", with(json!({"initial_velocity": "0.1 rad/s"}))),
+        ("rock", with(json!({"width": "0.7 m", "duration": "1 s"}))),
+        (
+            "rock",
+            with(
+                json!({"upper_height": "0.5 m", "upper_thickness": "0.2 m", "upper_mass": "5 kg",
             "duration": "1 s"}),
+            ),
+        ),
+        (
+            "shock",
+            json!({"height": "2.3 m", "thickness": "0.6 m", "mass": "140 kg", "stiffness": "4380 N/mm",
+            "cg_rise": "16 mm"}),
+        ),
+        (
+            "spectrum",
+            json!({"heights": "1 m, 2 m", "thicknesses": "0.4 m", "place": "Melbourne"}),
+        ),
+        (
+            "spectrum",
+            json!({"heights": "1 m, 2 m", "thicknesses": "0.9 m", "place": "Lisbon", "sliding": true,
+            "friction": "0.2"}),
+        ),
     ]
 }
 
+/// The keys of a command.
+fn keys_of(command: &str) -> Vec<String> {
+    match command {
+        "rock" => keys::<Rock>(),
+        "shock" => keys::<Shock>(),
+        _ => keys::<Spectrum>(),
+    }
+}
+
 /// What a person can type.
-fn typed() -> Vec<Value> {
+fn typed() -> Vec<Asked> {
     let values = ["abc", "-3 parsec", ""];
-    let one = |request: &Value, key: &String, value: &str| {
-        let mut changed = request.clone();
-        changed[key] = value.into();
-        changed
-    };
-    let all = good();
-    let each = all.iter().enumerate().flat_map(|(index, request)| {
-        let value = values[index % values.len()];
-        keys::<Rock>()
-            .into_iter()
-            .map(move |key| one(request, &key, value))
-    });
-    each.filter(|request| problems(request).is_some()).collect()
+    let each = good()
+        .into_iter()
+        .enumerate()
+        .flat_map(|(index, (command, request))| {
+            let value = values[index % values.len()];
+            keys_of(command).into_iter().map(move |key| {
+                let mut changed = request.clone();
+                changed[key] = value.into();
+                (command, changed)
+            })
+        });
+    each.filter(|asked| problems(asked).is_some()).collect()
 }
 
 /// What only a program can ask.
-fn of_programs() -> Vec<Value> {
-    vec![
+fn of_programs() -> Vec<Asked> {
+    let rock = [
         json!({"height": [1], "thickness": {"a": 1}, "nope": 3, "hight": "2 m", "initial_rotation": 0.1}),
         json!({"height": "2 m", "height_m": 2, "thickness": 0.5}),
         json!({"height": 2, "thickness": true, "initial_rotation": 0.1}),
@@ -64,22 +111,57 @@ fn of_programs() -> Vec<Value> {
         json!({"height": 2, "thickness": 0.5, "base": "compliant", "mass": 100, "stiffness": 1e6, "width": 0.5,
             "motion": "/etc/passwd", "motion_y": "/etc/passwd", "vertical": ["/etc/passwd", "a"]}),
         json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "vertical": "a", "vertical_scale": 0}),
-    ]
+    ];
+    let others = [
+        (
+            "shock",
+            json!({"height": 2.3, "thickness": 0.6, "mass_kg": 140, "damage_boundary": "/etc/passwd"}),
+        ),
+        (
+            "shock",
+            json!({"height": [2.3], "thickness": 0.6, "nope": 1, "tolerance_g": "x"}),
+        ),
+        (
+            "spectrum",
+            json!({"heights": [1, "x"], "thicknesses": 0.4, "motion": ["/etc/passwd"]}),
+        ),
+        (
+            "spectrum",
+            json!({"heights": [], "thicknesses_m": [0.3, 0.4], "csv": "/tmp/x", "place": "Melbourne"}),
+        ),
+        (
+            "spectrum",
+            json!({"heights": [1, 2], "thicknesses": [0.3], "pairs": true, "place": "Melbourne", "count": 0}),
+        ),
+    ];
+    rock.map(|request| ("rock", request))
+        .into_iter()
+        .chain(others)
+        .collect()
 }
 
 /// The problems of a request; `None` if there are none.
-fn problems(request: &Value) -> Option<Vec<Problem>> {
+fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
     let Value::Object(entries) = request else {
         return None;
     };
-    let done = from_entries::<Rock>(entries)
-        .map_err(Problems::from)
-        .and_then(|rock| resolve(&rock, &Files::Sent(Vec::new())));
+    let files = Files::Sent(Vec::new());
+    let done = match *command {
+        "rock" => from_entries(entries)
+            .map_err(Problems::from)
+            .and_then(|request| rock::resolve(&request, &files).map(drop)),
+        "shock" => from_entries(entries)
+            .map_err(Problems::from)
+            .and_then(|request| shock::resolve(&request, &files).map(drop)),
+        _ => from_entries(entries)
+            .map_err(Problems::from)
+            .and_then(|request| spectrum::resolve(&request, &files).map(drop)),
+    };
     done.err().map(|problems| problems.problems)
 }
 
 /// A line of the table.
-fn line(request: &Value, is_typed: bool) -> Value {
+fn line(asked: &Asked, is_typed: bool) -> Value {
     let told = |problem: Problem| {
         json!({
             "keys": problem.keys,
@@ -87,8 +169,9 @@ fn line(request: &Value, is_typed: bool) -> Value {
             "argument": KeyStyle::Argument.shown(&problem.message),
         })
     };
-    let problems: Vec<Value> = problems(request).into_iter().flatten().map(told).collect();
-    json!({"request": request, "typed": is_typed, "problems": problems})
+    let problems: Vec<Value> = problems(asked).into_iter().flatten().map(told).collect();
+    let (command, request) = asked;
+    json!({"command": command, "request": request, "typed": is_typed, "problems": problems})
 }
 
 #[test]
@@ -127,19 +210,19 @@ fn bad_requests_have_the_problems_of_the_table() {
 fn what_is_not_asked_is_no_problem() {
     let request = json!({"height_m": 2, "height": null, "thickness": 0.5, "initial-rotation": 0.1, "sliding": false,
         "casters": false, "keep_mean": false, "motion": []});
-    assert_eq!(problems(&request), None);
+    assert_eq!(problems(&("rock", request)), None);
 }
 
 /// What would be answered has no problem.
 #[test]
 fn good_requests_have_no_problem() {
-    for request in good() {
-        let moved = request.get("clearance_left").is_none();
+    for asked in good() {
+        let moved = asked.1.get("clearance_left").is_none();
         assert_eq!(
-            problems(&request).is_none(),
+            problems(&asked).is_none(),
             moved,
-            "{request}: {:?}",
-            problems(&request)
+            "{asked:?}: {:?}",
+            problems(&asked)
         );
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
+use freestand_app::spectrum::Spectrum;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -13,6 +14,7 @@ fn the_schemas_are_those_of_the_structs() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema");
     let schemas = [
         ("shock.request.json", of_request::<Shock>("shock")),
+        ("spectrum.request.json", of_request::<Spectrum>("spectrum")),
         (
             "shock.response.json",
             of_response("shock", shock::SCHEMA, &[ShockAnswer::properties()]),

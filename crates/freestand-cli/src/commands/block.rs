@@ -2,60 +2,11 @@
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
-use freestand_study::restitution::checked;
-use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::shape::Shape;
 
-use crate::values::{Given, Reads, Values, choice, name_of};
-
-/// Flags for the calculation of the rocking.
-#[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "The rocking")]
-pub(crate) struct RockingArgs {
-    /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
-    /// [default: Housner's]
-    #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor")]
-    restitution: Option<Given>,
-    /// Factor that multiplies Housner's restitution
-    #[arg(long, positive = Dimension::Ratio)]
-    restitution_factor: Option<Given>,
-    /// Equation of motion
-    #[arg(long, value_parser = choice(MODELS), default_value = name_of(MODELS, RockingModel::default()))]
-    pub(crate) model: RockingModel,
-    /// Accuracy of the solver
-    #[arg(long, value_parser = choice(ACCURACIES), default_value = name_of(ACCURACIES, Accuracy::default()))]
-    pub(crate) accuracy: Accuracy,
-}
-
-impl RockingArgs {
-    /// The first of the given flags that applies only to a rigid base.
-    pub(crate) fn of_rigid_base(&self) -> Option<&'static str> {
-        let flags = [
-            ("--restitution", self.restitution.is_some()),
-            ("--restitution-factor", self.restitution_factor.is_some()),
-            ("--model linear", self.model == RockingModel::Linearised),
-        ];
-        flags
-            .into_iter()
-            .find_map(|(name, given)| given.then_some(name))
-    }
-
-    /// The restitution of these blocks; problems are added to `values`.
-    pub(crate) fn restitution(&self, blocks: &[Block], values: &mut Values) -> Restitution {
-        let factor = values
-            .read(&self.restitution_factor)
-            .map_or(Restitution::Housner, Restitution::Factor);
-        let restitution = values
-            .read(&self.restitution)
-            .map_or(factor, Restitution::Value);
-        values
-            .take(checked(restitution, blocks))
-            .unwrap_or_default()
-    }
-}
+use crate::values::{Given, Reads, Values};
 
 /// Flags that describe a general block.
 #[derive(Debug, Clone, Args)]

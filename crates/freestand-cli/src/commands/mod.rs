@@ -23,12 +23,10 @@ mod serve;
 mod shard;
 mod shock;
 mod shock_spectrum;
-mod sliding;
 mod spectrum;
 mod spectrum_text;
 mod tolerance;
 mod validate;
-mod walls;
 
 use clap::{Parser, Subcommand};
 

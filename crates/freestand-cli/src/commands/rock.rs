@@ -72,12 +72,12 @@ pub(crate) struct Output {
 
 /// What is printed.
 #[derive(Debug, Serialize)]
-struct Document<'a> {
+struct Document {
     #[serde(flatten)]
     results: Results,
     #[serde(skip_serializing_if = "Option::is_none")]
     plots: Option<Vec<String>>,
-    processing: &'a [String],
+    processing: Vec<String>,
 }
 
 /// What goes beside the document of who wants to draw the history.
@@ -140,7 +140,7 @@ pub(crate) fn tell(
     let is_sampled =
         output.history.is_some() || files.wanted() || target.is_some() || session.is_some();
     let (mut answers, mut plots) = (Vec::new(), Vec::new());
-    let mut warnings = motions.warnings.clone();
+    let mut warnings = motions.warnings();
     for index in 0..count {
         let followed = meant.follow(index, is_sampled)?;
         let name = &followed.name;
@@ -188,7 +188,7 @@ pub(crate) fn tell(
     let document = Document {
         plots: (target.is_some() || count > 1).then_some(plots),
         results: Results::of(answers),
-        processing: &motions.processing,
+        processing: motions.processing(),
     };
     files.print(printer, SCHEMA, &document, &warnings, || {
         text(&document.results)

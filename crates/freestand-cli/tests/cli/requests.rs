@@ -34,6 +34,7 @@ fn what_is_typed_has_the_problems_of_the_table() {
         "cushion",
         "station_xml",
         "scale_to_spectrum",
+        "damage_boundary",
     ];
     for line in table() {
         let request = line["request"].as_object().unwrap();
@@ -43,13 +44,21 @@ fn what_is_typed_has_the_problems_of_the_table() {
             continue;
         }
         let arguments = request.iter().map(|(key, value)| {
-            let flag = key.replace('_', "-");
+            let flag = key.trim_end_matches("_years").replace('_', "-");
             match value {
                 Value::Bool(true) => format!("--{flag}"),
                 value => format!("--{flag}={}", value.as_str().unwrap()),
             }
         });
-        let switches = ["sliding", "casters", "brakes", "no_slip", "keep_mean"];
+        let switches = [
+            "sliding",
+            "casters",
+            "brakes",
+            "no_slip",
+            "keep_mean",
+            "pairs",
+            "sensitivity",
+        ];
         if switches
             .iter()
             .any(|key| request.get(*key).is_some_and(Value::is_string))
@@ -57,7 +66,7 @@ fn what_is_typed_has_the_problems_of_the_table() {
             continue;
         }
         let output = Command::new(PROGRAM)
-            .arg("rock")
+            .arg(line["command"].as_str().unwrap())
             .args(arguments)
             .output()
             .unwrap();
@@ -75,7 +84,8 @@ fn what_is_typed_has_the_problems_of_the_table() {
 fn what_the_page_asks_has_the_problems_of_the_table() {
     let page = Page::open();
     for line in table() {
-        let (status, answer) = page.run(&json!({"command": "rock", "options": line["request"]}));
+        let (status, answer) =
+            page.run(&json!({"command": line["command"], "options": line["request"]}));
         let first = &answer["error"];
         let others = first["others"].as_array().into_iter().flatten();
         let all: Vec<&Value> = std::iter::once(first).chain(others).collect();

@@ -105,6 +105,13 @@ def cushion_given(
     return cushion._given()
 
 
+def pad_asked(cushion: Given) -> tuple[Given, Files]:
+    """The values of a request that describe the cushion, and the file of the pad."""
+    values = dict(cushion.get("cushion", {}))
+    path, text = values.pop("cushion", None), cushion.get("pad_toml")
+    return values, {} if path is None and text is None else {"cushion": (path, text)}
+
+
 @dataclass(frozen=True)
 class Block:
     """A free-standing object: a rigid block that rocks about the edges of its base.
@@ -162,10 +169,7 @@ class Block:
 
     def _asked(self, cushion: Given | None = None) -> tuple[Given, Files]:
         """The values of a request, and the file of the pad; with another cushion, if there is one."""
-        found = cushion or cushion_given(self.cushion, self.stiffness_n_m, None)
-        values = dict(found.get("cushion", {}))
-        path, text = values.pop("cushion", None), found.get("pad_toml")
-        files: Files = {} if path is None and text is None else {"cushion": (path, text)}
+        values, files = pad_asked(cushion or cushion_given(self.cushion, self.stiffness_n_m, None))
         return given(**{name: getattr(self, name) for name in _SIZES if name != "width_m"}) | values, files
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from . import _freestand
-from ._block import Block, Cushion, Sliding, Walls, cushion_given
-from ._convert import Numbers, PathLike, bad, data, given, of_kind, sizes_m, threads_given, warn
+from ._block import Block, Cushion, Sliding, Walls, cushion_given, pad_asked
+from ._convert import Numbers, PathLike, bad, doubles, given, of_kind, sizes_m, threads_given, warn
 from ._motion import Motion, record, several
 from ._results import DropTestResult, RockResult, ShockResult
 from ._table import Table, _Column
@@ -127,12 +127,6 @@ def check_block(block: Block) -> None:
         raise bad(f"block must be a freestand.Block, not {type(block).__name__}", "make one: Block(height_m, thickness_m)")
 
 
-def _slid(sliding: Sliding, walls: Walls | None) -> dict[str, Any]:
-    if walls is not None:
-        raise bad("walls apply only to an object that rocks", "give the room as clearance_left_m and clearance_right_m")
-    return sliding._given() | {"sliding": True}
-
-
 def spectrum(
     motions: Motion | Iterable[Motion],
     heights_m: Numbers,
@@ -195,28 +189,30 @@ def spectrum(
     upward = [] if vertical is None else several(vertical, "vertical")
     if upward and len(upward) != len(named):
         raise bad(f"vertical has {len(upward)} motions, motions {len(named)}", "give one for each, in the same order")
-    values = given(
-        heights_m=data("heights_m", heights_m), thicknesses_m=data("thicknesses_m", thicknesses_m), mass_kg=mass_kg,
-        pairs=pairs or None, restitution=restitution, restitution_factor=restitution_factor, model=model,
-        accuracy=accuracy, sensitivity=sensitivity or None,
+    heights, thicknesses = doubles("heights_m", heights_m), doubles("thicknesses_m", thicknesses_m)
+    found = cushion_given(cushion, stiffness_n_m, None)
+    pad, files = pad_asked(found)
+    asked = pad | given(
+        heights=heights.tolist(), thicknesses=thicknesses.tolist(), mass_kg=mass_kg, pairs=pairs or None,
+        restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy,
+        sensitivity=sensitivity or None,
     )  # fmt: skip
-    values |= cushion_given(cushion, stiffness_n_m, None)
     if walls is not None:
-        values |= walls._given()
+        asked |= walls._asked()
     if sliding is not None:
-        values |= _slid(sliding, None)
+        asked |= sliding._given() | {"sliding": not sliding.casters}
     verticals: Sequence[Motion | None] = upward or [None] * len(named)
     records = [
         (motion.name, motion._record, None if second is None else record("vertical", second))
         for motion, second in zip(named, verticals)
     ]
-    columns, warnings, timing = _freestand.spectrum(records, values, threads_given(threads))
+    columns, warnings, timing = _freestand.spectrum(records, asked, files, threads_given(threads))
     if pairs:
         dims: tuple[str, ...] = ("motion", "object")
-        shape: tuple[int, ...] = (len(named), len(values["heights_m"]) // 8)
+        shape: tuple[int, ...] = (len(named), len(heights))
     else:
         dims = ("motion", "height_m", "thickness_m")
-        shape = (len(named), len(values["heights_m"]) // 8, len(values["thicknesses_m"]) // 8)
+        shape = (len(named), len(heights), len(thicknesses))
     table = Table({name: _Column(kind, held, texts) for name, kind, held, texts in columns}, dims, shape)
     table.warnings = warnings
     table.timing = {"solve_s": timing[0], "block_steps": timing[1]}

@@ -29,7 +29,7 @@ use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
 use crate::args::GlobalArgs;
-use crate::commands::{Cli, rock, shock};
+use crate::commands::{Cli, rock, shock, spectrum};
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
@@ -208,9 +208,16 @@ fn kind(path: &Path) -> Kind {
 fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
     let read = || -> Result<(), Wrong> {
-        if request.command == "rock" {
-            let (entries, files) = written(request)?;
-            return Ok(app::rock::check(&from_entries(&entries)?, &files)?);
+        match request.command.as_str() {
+            "rock" => {
+                let (entries, files) = written(request)?;
+                return Ok(app::rock::check(&from_entries(&entries)?, &files)?);
+            }
+            "spectrum" => {
+                let (entries, files) = written(request)?;
+                return Ok(app::spectrum::check(&from_entries(&entries)?, &files)?);
+            }
+            _ => {}
         }
         if !matches!(asked(request)?, Asked::Typed(_)) {
             return Ok(());
@@ -262,6 +269,9 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         let done = match asked {
             Asked::Rock(meant) => rock::tell(&meant, &rock::Output::default(), &global, &printer),
             Asked::Shock(meant) => shock::tell(&meant, &global, &printer),
+            Asked::Spectrum(meant) => {
+                spectrum::tell(*meant, &spectrum::Output::default(), &global, &printer)
+            }
             Asked::Typed(mut cli) => {
                 let scratch = scratch(request, &mut cli)?;
                 let done = cli.command.run(&cli.global, &printer);
@@ -284,21 +294,30 @@ enum Asked {
     Rock(Box<app::rock::Meant>),
     /// `shock`.
     Shock(Box<app::shock::Meant>),
+    /// `spectrum`.
+    Spectrum(Box<app::spectrum::Meant>),
     /// A command whose request is the line that a person would type.
     Typed(Box<Cli>),
 }
 
 fn asked(request: &Request) -> Result<Asked, Wrong> {
     let (entries, files) = match request.command.as_str() {
-        "rock" | "shock" => written(request)?,
+        "rock" | "shock" | "spectrum" => written(request)?,
         _ => return Ok(Asked::Typed(Box::new(parsed(request)?))),
     };
-    Ok(if request.command == "rock" {
-        let rock = from_entries(&entries)?;
-        Asked::Rock(Box::new(app::rock::resolve(&rock, &files)?))
-    } else {
-        let shock = from_entries(&entries)?;
-        Asked::Shock(Box::new(app::shock::resolve(&shock, &files)?))
+    Ok(match request.command.as_str() {
+        "rock" => {
+            let rock = from_entries(&entries)?;
+            Asked::Rock(Box::new(app::rock::resolve(&rock, &files)?))
+        }
+        "spectrum" => {
+            let spectrum = from_entries(&entries)?;
+            Asked::Spectrum(Box::new(app::spectrum::resolve(&spectrum, &files)?))
+        }
+        _ => {
+            let shock = from_entries(&entries)?;
+            Asked::Shock(Box::new(app::shock::resolve(&shock, &files)?))
+        }
     })
 }
 
