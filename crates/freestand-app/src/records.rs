@@ -195,6 +195,10 @@ pub struct OneMotion {
     pub notes: Vec<Note>,
     /// What was done to the samples.
     pub processing: Vec<String>,
+    /// The second horizontal component of its file.
+    across: Option<Motion>,
+    /// Its file.
+    path: Option<PathBuf>,
 }
 
 /// The motions of a request.
@@ -204,6 +208,8 @@ pub struct ReadMotions {
     pub horizontal: Vec<OneMotion>,
     /// The second horizontal component of the last of them.
     pub across: Option<Motion>,
+    /// The record of that component, if it has one of its own.
+    second: Vec<OneMotion>,
     /// The vertical motions.
     pub vertical: Vec<OneMotion>,
     /// The files that were read.
@@ -267,7 +273,7 @@ impl Records {
     }
 
     /// The files that these options name: StationXML, and the target that records are scaled to.
-    fn inputs(&self) -> Vec<PathBuf> {
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         let target = self
             .scale_to_spectrum
             .as_ref()
@@ -335,21 +341,31 @@ impl NamedRecords<'_> {
         &self,
         second: Second,
         across: Option<&str>,
-        records: &Records,
     ) -> Result<ReadMotions, Problems> {
         let how = MotionFiles {
             second,
             ..self.how.clone()
         };
-        let mut found = ReadMotions::default();
-        found.vertical = self.motions("vertical", &self.vertical, &self.upward, &mut found)?;
-        found.horizontal = self.motions("motion", &self.horizontal, &how, &mut found)?;
-        if let Some(name) = across {
-            let across = self.motions("motion_y", &[name.to_owned()], &self.how, &mut found)?;
-            found.across = across.into_iter().next().map(|one| one.motion);
-        }
-        found.inputs.extend(records.inputs());
-        Ok(found)
+        let across: Vec<String> = across.map(str::to_owned).into_iter().collect();
+        let mut problems = Problems::default();
+        let horizontal = problems.keep(self.motions("motion", &self.horizontal, &how));
+        let across = problems.keep(self.motions("motion_y", &across, &self.how));
+        let vertical = problems.keep(self.motions("vertical", &self.vertical, &self.upward));
+        let ((horizontal, across), vertical) =
+            problems.finish(horizontal.zip(across).zip(vertical))?;
+        let last = horizontal.last().and_then(|one| one.across.clone());
+        Ok(ReadMotions {
+            inputs: horizontal
+                .iter()
+                .chain(&across)
+                .chain(&vertical)
+                .filter_map(|one| one.path.clone())
+                .collect(),
+            across: across.first().map(|one| one.motion.clone()).or(last),
+            second: across,
+            horizontal,
+            vertical,
+        })
     }
 
     /// The motions that a request calls by these names.
@@ -358,7 +374,6 @@ impl NamedRecords<'_> {
         key: &'static str,
         names: &[String],
         how: &MotionFiles,
-        found: &mut ReadMotions,
     ) -> Result<Vec<OneMotion>, Problems> {
         let (mut in_memory, mut paths) = (Vec::new(), Vec::new());
         let mut problems = Problems::default();
@@ -367,8 +382,10 @@ impl NamedRecords<'_> {
                 Some(Content::Motion(name, motion)) => in_memory.push(OneMotion {
                     name,
                     motion,
+                    across: None,
                     notes: Vec::new(),
                     processing: Vec::new(),
+                    path: None,
                 }),
                 Some(Content::At(path)) => paths.push(path),
                 Some(Content::Text(_)) => problems.push(not_sent(name).named(key)),
@@ -379,20 +396,18 @@ impl NamedRecords<'_> {
         if paths.is_empty() {
             return Ok(in_memory);
         }
-        found.inputs.extend(paths.iter().cloned());
+        let one = |ReadMotion { motion, notes, .. }| OneMotion {
+            name: motion.name,
+            motion: motion.motion,
+            across: motion.across.map(|across| across.motion),
+            notes,
+            processing: motion.processing,
+            path: Some(motion.path),
+        };
         let read = read_all(&MotionFiles {
             paths,
             ..how.clone()
         })?;
-        let one = |read: ReadMotion| {
-            found.across = read.motion.across.map(|across| across.motion);
-            OneMotion {
-                name: read.motion.name,
-                motion: read.motion.motion,
-                notes: read.notes,
-                processing: read.motion.processing,
-            }
-        };
         Ok(read.into_iter().map(one).collect())
     }
 }
@@ -400,7 +415,8 @@ impl NamedRecords<'_> {
 impl ReadMotions {
     /// All motions, in the order in which they were read.
     fn all(&self) -> impl Iterator<Item = &OneMotion> {
-        self.vertical.iter().chain(&self.horizontal)
+        let all = self.vertical.iter().chain(&self.horizontal);
+        all.chain(&self.second)
     }
 
     /// What the reader concluded or doubts, each with the name of the motion.

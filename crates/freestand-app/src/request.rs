@@ -155,7 +155,7 @@ pub fn from_entries<R: Request>(entries: &Map<String, Value>) -> Result<R, Probl
     for (given, value) in entries.iter().filter(|(_, value)| !value.is_null()) {
         let plain = given.replace('-', "_");
         let (key, unit) = known_as(&plain, &known).unwrap_or((plain, None));
-        let value = unit.map_or_else(|| value.clone(), |unit| with_unit(value, unit));
+        let value = unit.map_or_else(|| exact(value), |unit| with_unit(value, unit));
         if found.contains_key(&key) {
             let message = format!("`{key}` is given twice");
             return Err(Problem::value(message, format!("leave `{given}` out")).of_key(key));
@@ -167,6 +167,15 @@ pub fn from_entries<R: Request>(entries: &Map<String, Value>) -> Result<R, Probl
         Problem::new(ProblemKind::Computation, error.to_string())
             .hint("this is a defect of freestand; please report it")
     })
+}
+
+/// A value; a whole number that a double cannot hold is a text.
+fn exact(value: &Value) -> Value {
+    const MOST: u64 = 1 << 53;
+    match value.as_u64() {
+        Some(whole) if whole > MOST => whole.to_string().into(),
+        _ => value.clone(),
+    }
 }
 
 /// Bare numbers with a unit.
@@ -225,7 +234,7 @@ fn known_as(given: &str, known: &[Name]) -> Option<(String, Option<&'static str>
 /// What the name of a number may end in, with its unit, and what such numbers are; a ratio has no unit.
 const ENDINGS: [(&str, &str, &[&str]); 16] = [
     ("_ratio", "", &["RATIO", "DAMPING"]),
-    ("_m", "m", &["LENGTH", "X, Z"]),
+    ("_m", "m", &["LENGTH", "X, Z", "GRID"]),
     ("_kg", "kg", &["MASS"]),
     ("_s", "s", &["TIME"]),
     ("_g", "g", &["ACCELERATION"]),

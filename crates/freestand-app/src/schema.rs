@@ -7,16 +7,18 @@ use crate::request::{Request, unit_endings};
 
 const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
 
-/// The schema of a request of `command`.
-pub fn of_request<R: Request>(command: &str) -> Value {
+/// The schema of a request of `command`; `others` are its keys that are flags of every command.
+pub fn of_request<R: Request>(command: &str, others: &[&str]) -> Value {
     let flags = R::augment_args(Command::new("request"));
     let names: Vec<String> = flags
         .get_arguments()
         .map(|arg| arg.get_id().to_string())
         .collect();
+    let others = others.iter().map(|key| (*key).to_owned());
     let properties: Map<String, Value> = flags
         .get_arguments()
         .map(|arg| (arg.get_id().to_string(), of_value(arg, &names)))
+        .chain(others.map(|key| (key, json!({"type": ["string", "number"]}))))
         .collect();
     let in_units = format!("^({})({})$", names.join("|"), unit_endings().join("|"));
     json!({
@@ -59,10 +61,12 @@ fn of_value(arg: &Arg, names: &[String]) -> Value {
     schema
 }
 
-/// Whether its value is several with commas between them.
+/// Whether its value may be a list.
 fn is_pair(arg: &Arg) -> bool {
     let names = arg.get_value_names().unwrap_or_default();
-    names.iter().any(|name| name.contains(", "))
+    names
+        .iter()
+        .any(|name| name.contains(", ") || *name == "GRID")
 }
 
 /// A help with the flags of the request as keys.

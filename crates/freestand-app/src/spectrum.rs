@@ -15,7 +15,7 @@ use freestand_input::written::Written;
 use freestand_records::notes::{Note, grouped};
 use freestand_study::at_place::{LastGround, motions_at};
 use freestand_study::recorded::Second;
-use freestand_study::resolve::{Hazard, Values};
+use freestand_study::resolve::{Hazard, Values, of_values};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest};
 use freestand_study::unsolved::rocking_problem;
 use serde::{Deserialize, Serialize};
@@ -219,12 +219,13 @@ pub fn resolve(request: &Spectrum, files: &Files) -> Result<Meant, Problems> {
     let (shaking, mut inputs) = match shaking {
         Some(shaking) => (shaking, Vec::new()),
         None => {
-            let read = named.read(Second::None, None, &request.records)?;
+            let read = named.read(Second::None, None)?;
             let inputs = read.inputs.clone();
             (Shaking::Recorded(recorded(read)?), inputs)
         }
     };
     inputs.extend(request.pad.input());
+    inputs.extend(request.records.inputs());
     Ok(Meant {
         objects,
         shaking,
@@ -264,12 +265,11 @@ fn judged<'f>(
     let shaking = shaking(request, &mut read);
     let objects = objects(request, &mut read, files);
     for key in read.unread() {
-        let only = "applies only to objects that slide or roll";
-        read.note(
-            &[key],
-            format!("`{key}` {only}"),
-            "add `sliding`, or `casters`",
-        );
+        let (home, hint) = match key {
+            "brakes" | "rolling_resistance" => ("objects on casters", "add `casters`"),
+            _ => ("objects that slide or roll", "add `sliding`, or `casters`"),
+        };
+        read.note(&[key], format!("`{key}` applies only to {home}"), hint);
     }
     let objects = read.problems.finish(objects)?;
     Ok((objects, shaking, named))
@@ -280,7 +280,10 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
     let mut place = Words::default();
     request.place.write(&mut place);
     let keys: Vec<&'static str> = place.entries().map(|(key, _)| key).collect();
-    read.pass(&["seed"]);
+    let seed = read.read("seed", |text| {
+        let wrong = |_| Problem::value(format!("{text} is not a seed"), "give a whole number");
+        text.parse::<u64>().map_err(wrong)
+    });
     if !request.motion.is_empty() {
         read.pass(&keys);
         if let Some(key) = keys.first() {
@@ -302,10 +305,6 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         place.remove(key);
     }
     read.pass(&["place", "site", "return_period_years"]);
-    let seed = read.read("seed", |text| {
-        let wrong = |_| Problem::value(format!("{text} is not a seed"), "give a whole number");
-        text.parse::<u64>().map_err(wrong)
-    });
     let values = Values {
         hazard: Hazard::Keys(place),
         count,
@@ -313,10 +312,16 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         storeys,
         storey_height_m,
     };
-    Some(Shaking::AtPlace(
-        Box::new(values),
-        level_ratio.unwrap_or(0.0),
-    ))
+    if read.has("place") {
+        read.problems.keep(of_values(&values));
+    }
+    let level_ratio = level_ratio.unwrap_or(0.0);
+    if !(0.0..=1.0).contains(&level_ratio) {
+        let message = format!("`level_ratio` must be from 0 to 1, not {level_ratio}");
+        let hint = "give 0 for the ground, 1 for the roof, or a value between them";
+        read.note(&["level_ratio"], message, hint);
+    }
+    Some(Shaking::AtPlace(Box::new(values), level_ratio))
 }
 
 /// A whole number from 1.
@@ -370,20 +375,27 @@ fn objects(
         accuracy: accuracy(read),
         ..Settings::default()
     };
+    let is_paired = read.flag("pairs");
+    // Whether walls are refused does not depend on the size of the objects.
+    let first = |list: &Option<Vec<f64>>| list.as_ref().and_then(|list| list.first().copied());
+    let first = first(&heights).zip(first(&thicknesses));
+    let first =
+        first.and_then(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok());
     let grid = heights.zip(thicknesses).and_then(|(heights, thicknesses)| {
-        let grid = match read.flag("pairs") {
+        let grid = match is_paired {
             true => Grid::pairs(heights, thicknesses),
             false => Grid::new(heights, thicknesses),
         };
         read.problems
             .keep(grid.map_err(|problem| problem.of(&["heights", "thicknesses"])))
     });
+    // Only a factor depends on the objects.
     let blocks: Vec<Block> = grid
         .iter()
+        .filter(|_| read.has("restitution_factor"))
         .flat_map(|grid| grid.blocks(0..grid.objects()))
         .collect();
-    // Whether walls are refused does not depend on the size of the objects.
-    let (walls, wall) = walls(read, blocks.first(), mass_kg, Some(settings.model));
+    let (walls, wall) = walls(read, first.as_ref(), mass_kg, Some(settings.model));
     let restitution = restitution(read, &blocks);
     let sensitivity = read.flag("sensitivity");
     let contact = match read.has("sliding") || read.has("casters") {
@@ -391,7 +403,17 @@ fn objects(
         false => None,
     };
     let surface = contact.map(|contact| surface(read, contact));
-    if contact.is_none() && read.has("friction") {
+    if contact.is_none() && (read.has("sliding") || read.has("casters")) {
+        // What is wrong with these two has been said.
+        let keys: Vec<&'static str> = request
+            .slides
+            .words()
+            .entries()
+            .map(|(key, _)| key)
+            .collect();
+        read.pass(&keys);
+        read.pass(&["friction"]);
+    } else if contact.is_none() && read.has("friction") {
         read.pass(&["friction"]);
         let hint = "add `sliding`, or `casters` with `brakes`";
         read.note(
@@ -423,7 +445,12 @@ fn objects(
         let message = "walls stop objects that rock, and these slide or roll";
         let hint =
             "leave the walls out, and give the room as `clearance_left` and `clearance_right`";
-        read.note(&["wall_gap_left"], message, hint);
+        let key = if read.has("wall_gap_left") {
+            "wall_gap_left"
+        } else {
+            "wall_gap_right"
+        };
+        read.note(&[key], message, hint);
     }
     let objects = SpectrumRequest {
         grid: grid?,

@@ -303,7 +303,11 @@ impl Words {
         };
         self.entries.push(Word {
             key,
-            text: written.text(),
+            // Nobody reads many numbers as a text.
+            text: match numbers.len() {
+                0..=20 => written.text(),
+                many => format!("{many} numbers"),
+            },
             numbers,
             many: match written {
                 Written::List(_) => Some("a list"),

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand_app::spectrum::resolve;
+use freestand_app::spectrum::{Spectrum, resolve};
 use freestand_input::problem::Problem;
+use freestand_input::written::Written;
 use freestand_output::facts::{Facts, Value};
 use freestand_study::at_place::LastGround;
 use freestand_study::spectrum::{
@@ -13,6 +14,7 @@ use freestand_study::spectrum::{
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
+use crate::arguments::doubles;
 use crate::asked::{Named, asked};
 use crate::errors::raised_all;
 use crate::motion::Record;
@@ -213,6 +215,7 @@ type Answer<'py> = (Vec<Made<'py>>, Vec<String>, (f64, u64));
 pub(crate) fn spectrum<'py>(
     py: Python<'py>,
     motions: Vec<(String, PyRef<'py, Record>, Option<PyRef<'py, Record>>)>,
+    sizes_m: [&[u8]; 2],
     request: &Bound<'py, PyDict>,
     files: Named,
     threads: Option<usize>,
@@ -222,8 +225,20 @@ pub(crate) fn spectrum<'py>(
         let upward = vertical.as_ref().map(|record| one("vertical", record));
         std::iter::once(one("motion", horizontal)).chain(upward)
     });
-    let (request, files) = asked(request, named, files)?;
+    let (mut request, files) = asked::<Spectrum>(request, named, files)?;
+    let [heights, thicknesses] = sizes_m.map(doubles);
+    for (list, numbers) in [
+        (&mut request.heights, heights),
+        (&mut request.thicknesses, thicknesses),
+    ] {
+        if !numbers.is_empty() {
+            *list = Some(Written::List(
+                numbers.into_iter().map(Written::Number).collect(),
+            ));
+        }
+    }
     let meant = resolve(&request, &files).map_err(raised_all)?;
+    drop((request, files));
     let request = meant.objects;
     let shaken = meant.shaking.motions(&LastGround::default(), || Ok(()));
     let motions = shaken.map_err(raised_all)?.motions;

@@ -184,8 +184,9 @@ struct Object {
 pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
     let (asked, named, second) = judged(request, files)?;
     let across = request.space.motion_y.as_ref().map(Written::text);
-    let mut motions = named.read(second, across.as_deref(), &request.records)?;
+    let mut motions = named.read(second, across.as_deref())?;
     motions.inputs.extend(request.pad.input());
+    motions.inputs.extend(request.records.inputs());
     Ok(Meant { asked, motions })
 }
 

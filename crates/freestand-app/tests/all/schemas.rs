@@ -13,13 +13,16 @@ use freestand_study::shock::ShockAnswer;
 fn the_schemas_are_those_of_the_structs() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema");
     let schemas = [
-        ("shock.request.json", of_request::<Shock>("shock")),
-        ("spectrum.request.json", of_request::<Spectrum>("spectrum")),
+        ("shock.request.json", of_request::<Shock>("shock", &[])),
+        (
+            "spectrum.request.json",
+            of_request::<Spectrum>("spectrum", &["seed"]),
+        ),
         (
             "shock.response.json",
             of_response("shock", shock::SCHEMA, &[ShockAnswer::properties()]),
         ),
-        ("rock.request.json", of_request::<Rock>("rock")),
+        ("rock.request.json", of_request::<Rock>("rock", &[])),
         (
             "rock.response.json",
             of_response("rock", SCHEMA, &Results::kinds()),

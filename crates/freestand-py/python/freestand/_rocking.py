@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _freestand
 from ._block import Block, Cushion, Sliding, Walls, cushion_given, pad_asked
-from ._convert import Numbers, PathLike, bad, doubles, given, of_kind, sizes_m, threads_given, warn
+from ._convert import Numbers, PathLike, bad, data, given, of_kind, sizes_m, threads_given, warn
 from ._motion import Motion, record, several
 from ._results import DropTestResult, RockResult, ShockResult
 from ._table import Table, _Column
@@ -189,13 +189,13 @@ def spectrum(
     upward = [] if vertical is None else several(vertical, "vertical")
     if upward and len(upward) != len(named):
         raise bad(f"vertical has {len(upward)} motions, motions {len(named)}", "give one for each, in the same order")
-    heights, thicknesses = doubles("heights_m", heights_m), doubles("thicknesses_m", thicknesses_m)
+    sizes = (data("heights_m", heights_m), data("thicknesses_m", thicknesses_m))
+    heights, thicknesses = (len(values) // 8 for values in sizes)
     found = cushion_given(cushion, stiffness_n_m, None)
     pad, files = pad_asked(found)
     asked = pad | given(
-        heights=heights.tolist(), thicknesses=thicknesses.tolist(), mass_kg=mass_kg, pairs=pairs or None,
-        restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy,
-        sensitivity=sensitivity or None,
+        mass_kg=mass_kg, pairs=pairs or None, restitution=restitution, restitution_factor=restitution_factor, model=model,
+        accuracy=accuracy, sensitivity=sensitivity or None,
     )  # fmt: skip
     if walls is not None:
         asked |= walls._asked()
@@ -206,13 +206,13 @@ def spectrum(
         (motion.name, motion._record, None if second is None else record("vertical", second))
         for motion, second in zip(named, verticals)
     ]
-    columns, warnings, timing = _freestand.spectrum(records, asked, files, threads_given(threads))
+    columns, warnings, timing = _freestand.spectrum(records, sizes, asked, files, threads_given(threads))
     if pairs:
         dims: tuple[str, ...] = ("motion", "object")
-        shape: tuple[int, ...] = (len(named), len(heights))
+        shape: tuple[int, ...] = (len(named), heights)
     else:
         dims = ("motion", "height_m", "thickness_m")
-        shape = (len(named), len(heights), len(thicknesses))
+        shape = (len(named), heights, thicknesses)
     table = Table({name: _Column(kind, held, texts) for name, kind, held, texts in columns}, dims, shape)
     table.warnings = warnings
     table.timing = {"solve_s": timing[0], "block_steps": timing[1]}
