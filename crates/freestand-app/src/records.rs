@@ -125,8 +125,8 @@ pub struct Records {
     /// Scale to the spectrum of a file, such as target.csv; "target.csv, 0.1 s to 2 s, 2 %" uses a part of it and a
     /// damping of 2 %
     ///
-    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as "period [s];
-    /// PSA [g]", or is the spectrum.csv of `freestand motion spectrum --out`. The factor minimises the squared error of
+    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as `period [s];
+    /// PSA [g]`, or is the spectrum.csv of `freestand motion spectrum --out`. The factor minimises the squared error of
     /// ln PSA, in which every period of the file has the same weight. The damping is that of the file if it states
     /// exactly one, and otherwise 5 %.
     #[arg(

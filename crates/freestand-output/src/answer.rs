@@ -117,7 +117,7 @@ impl<A: Answer> Described for Vec<A> {
 ///
 /// let landing = Landing { edge_acceleration_g: Some(2.5), impact_count: 3 };
 /// assert_eq!(serde_json::to_string(&landing)?, r#"{"edge_acceleration_g":2.5,"impact_count":3}"#);
-/// assert_eq!(landing.facts().lines(), [("shock", "2.5 g".to_owned())]);
+/// assert_eq!(landing.facts().lines(), [("shock", "2.500 g".to_owned())]);
 /// assert_eq!(Landing::properties()["edge_acceleration_g"]["type"], serde_json::json!(["number", "null"]));
 /// # Ok::<(), serde_json::Error>(())
 /// ```

@@ -215,7 +215,8 @@ type Answer<'py> = (Vec<Made<'py>>, Vec<String>, (f64, u64));
 pub(crate) fn spectrum<'py>(
     py: Python<'py>,
     motions: Vec<(String, PyRef<'py, Record>, Option<PyRef<'py, Record>>)>,
-    sizes_m: [&[u8]; 2],
+    heights_m: &[u8],
+    thicknesses_m: &[u8],
     request: &Bound<'py, PyDict>,
     files: Named,
     threads: Option<usize>,
@@ -226,7 +227,7 @@ pub(crate) fn spectrum<'py>(
         std::iter::once(one("motion", horizontal)).chain(upward)
     });
     let (mut request, files) = asked::<Spectrum>(request, named, files)?;
-    let [heights, thicknesses] = sizes_m.map(doubles);
+    let [heights, thicknesses] = [heights_m, thicknesses_m].map(doubles);
     for (list, numbers) in [
         (&mut request.heights, heights),
         (&mut request.thicknesses, thicknesses),

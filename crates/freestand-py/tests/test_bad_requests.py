@@ -20,7 +20,7 @@ def test_every_request_has_the_problems_of_the_table() -> None:
             elif line["command"] == "shock":
                 _freestand.shock(line["request"], {})
             else:
-                _freestand.spectrum([], (b"", b""), line["request"], {}, 1)
+                _freestand.spectrum([], b"", b"", line["request"], {}, 1)
         told = [problem.message for problem in caught.value.problems]
         assert told == [problem["argument"] for problem in line["problems"]], line
 

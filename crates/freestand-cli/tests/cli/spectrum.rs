@@ -568,7 +568,7 @@ fn motions_come_from_records_or_from_a_place() {
     );
     assert!(
         at(&["--place", "Athens", "--level-ratio", "1.2"])
-            .contains("--level-ratio: 1.2 is not a share of the height")
+            .contains("--level-ratio must be from 0 to 1, not 1.2")
     );
     assert!(
         at(&["--place", "Athens", "--vertical", "r.csv"])

@@ -114,7 +114,8 @@ def shock(request: dict[str, Any], files: _Files) -> str: ...
 def shock_spectrum(record: Record, values: dict[str, Any]) -> str: ...
 def spectrum(
     motions: Sequence[tuple[str, Record, Record | None]],
-    sizes_m: tuple[bytes, bytes],
+    heights_m: bytes,
+    thicknesses_m: bytes,
     request: dict[str, Any],
     files: _Files,
     threads: int | None,

@@ -206,7 +206,7 @@ def spectrum(
         (motion.name, motion._record, None if second is None else record("vertical", second))
         for motion, second in zip(named, verticals)
     ]
-    columns, warnings, timing = _freestand.spectrum(records, sizes, asked, files, threads_given(threads))
+    columns, warnings, timing = _freestand.spectrum(records, *sizes, asked, files, threads_given(threads))
     if pairs:
         dims: tuple[str, ...] = ("motion", "object")
         shape: tuple[int, ...] = (len(named), heights)
