@@ -189,7 +189,7 @@ def spectrum(
     upward = [] if vertical is None else several(vertical, "vertical")
     if upward and len(upward) != len(named):
         raise bad(f"vertical has {len(upward)} motions, motions {len(named)}", "give one for each, in the same order")
-    sizes = (data("heights_m", heights_m), data("thicknesses_m", thicknesses_m))
+    sizes = (data("heights_m", heights_m) or b"", data("thicknesses_m", thicknesses_m) or b"")
     heights, thicknesses = (len(values) // 8 for values in sizes)
     found = cushion_given(cushion, stiffness_n_m, None)
     pad, files = pad_asked(found)
