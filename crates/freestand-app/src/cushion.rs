@@ -77,10 +77,20 @@ impl CushionUnder {
         files: &Files,
     ) -> Option<EdgeCushion> {
         let words = self.described(read, files)?;
-        let resolved = cushion::resolve(&words, mass_kg);
+        self.of_words(&words, read, mass_kg, files)
+    }
+
+    /// The cushion that its [description](Self::described) means.
+    pub(crate) fn of_words(
+        &self,
+        words: &Words,
+        read: &mut WordReader<'_>,
+        mass_kg: Option<f64>,
+        files: &Files,
+    ) -> Option<EdgeCushion> {
+        let resolved = cushion::resolve(words, mass_kg);
         // A wrong value from a file is told with the path of the file.
-        let name = self.cushion.as_ref().map(Written::text);
-        let path = name.and_then(|name| files.path(&name).ok());
+        let path = self.input(files);
         let in_file = |problems: Problems| -> Problems {
             let named = problems.into_iter().map(|problem| match &path {
                 Some(path) => problem.in_file(path),
@@ -104,8 +114,8 @@ impl CushionUnder {
     }
 
     /// The file that it names.
-    pub(crate) fn input(&self) -> Option<PathBuf> {
-        self.cushion.as_ref().map(|name| PathBuf::from(name.text()))
+    pub(crate) fn input(&self, files: &Files) -> Option<PathBuf> {
+        files.path_of(self.cushion.as_ref())
     }
 
     /// As it was written, every bare number with its unit.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use freestand::motion::Motion;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
+use freestand_input::written::Written;
 
 /// Where the files that a request names come from.
 #[derive(Debug, Clone, Default)]
@@ -54,6 +55,11 @@ impl Files {
                 .map(|sent| sent.content.clone())
                 .ok_or_else(|| not_sent(name)),
         }
+    }
+
+    /// The path of a file that a request names, if it names one that has a path.
+    pub(crate) fn path_of(&self, name: Option<&Written>) -> Option<PathBuf> {
+        self.path(&name?.text()).ok()
     }
 
     /// The path of a file that a request calls by this name.

@@ -273,16 +273,12 @@ impl Records {
     }
 
     /// The files that these options name: StationXML, and the target that records are scaled to.
-    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        let target = self
-            .scale_to_spectrum
-            .as_ref()
-            .and_then(|text| parse_target_source(&text.text()).ok())
-            .map(|target| target.path);
-        let station_xml = self
-            .station_xml
-            .as_ref()
-            .map(|name| PathBuf::from(name.text()));
+    pub(crate) fn inputs(&self, files: &Files) -> Vec<PathBuf> {
+        let target = self.scale_to_spectrum.as_ref().map(Written::text);
+        let target = target
+            .and_then(|text| parse_target_source(&text).ok())
+            .and_then(|target| files.path(&target.path.to_string_lossy()).ok());
+        let station_xml = files.path_of(self.station_xml.as_ref());
         station_xml.into_iter().chain(target).collect()
     }
 }

@@ -154,13 +154,12 @@ pub fn resolve(request: &Shock, files: &Files) -> Result<Meant, Problems> {
     let block = block(&mut read, size, mass);
     let cushion = request.pad.described(&mut read, files);
     // Wrong values are told with the others; missing and contradictory ones where the landing is calculated.
-    let describes = |key: &&str| {
-        cushion
-            .as_ref()
-            .is_some_and(|words| words.get(key).is_some())
-    };
-    if ["law", "stiffness", "pad_stiffness"].iter().any(describes) {
-        request.pad.resolve(&mut read, mass, files);
+    if let Some(words) = &cushion
+        && ["law", "stiffness", "pad_stiffness"]
+            .iter()
+            .any(|key| words.get(key).is_some())
+    {
+        request.pad.of_words(words, &mut read, mass, files);
     }
     let energy = energy(&mut read);
     let tests = tests(&mut read, files);
@@ -205,11 +204,8 @@ pub fn resolve(request: &Shock, files: &Files) -> Result<Meant, Problems> {
             ..ShockRequest::new(block, mass_kg)
         },
         inputs: [
-            request.pad.input(),
-            request
-                .damage_boundary
-                .as_ref()
-                .map(|one| one.text().into()),
+            request.pad.input(files),
+            files.path_of(request.damage_boundary.as_ref()),
         ]
         .into_iter()
         .flatten()

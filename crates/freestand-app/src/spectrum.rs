@@ -224,8 +224,8 @@ pub fn resolve(request: &Spectrum, files: &Files) -> Result<Meant, Problems> {
             (Shaking::Recorded(recorded(read)?), inputs)
         }
     };
-    inputs.extend(request.pad.input());
-    inputs.extend(request.records.inputs());
+    inputs.extend(request.pad.input(files));
+    inputs.extend(request.records.inputs(files));
     Ok(Meant {
         objects,
         shaking,

@@ -185,8 +185,8 @@ pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
     let (asked, named, second) = judged(request, files)?;
     let across = request.space.motion_y.as_ref().map(Written::text);
     let mut motions = named.read(second, across.as_deref())?;
-    motions.inputs.extend(request.pad.input());
-    motions.inputs.extend(request.records.inputs());
+    motions.inputs.extend(request.pad.input(files));
+    motions.inputs.extend(request.records.inputs(files));
     Ok(Meant { asked, motions })
 }
 
