@@ -6,7 +6,7 @@ use rustfft::FftPlannerScalar;
 use rustfft::num_complex::Complex;
 
 use crate::motion::Motion;
-use crate::oscillator::{DAMPING_RATIO, OscillatorBank};
+use crate::oscillator::{DAMPING_RATIO, DisplacementBank};
 
 /// Measures of the frequency content of a motion; 5 % damping.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,12 +57,11 @@ const STEPS: std::ops::RangeInclusive<i32> = -26..=146;
 /// ```
 pub fn spectral_measures(motion: &Motion) -> SpectralMeasures {
     let periods_s: Vec<f64> = STEPS.map(period_s).collect();
-    let (mut sd_m, mut unused) = (Vec::new(), Vec::new());
     // The periods and the damping are those above and a motion's time step is positive, so there is
     // no error.
-    if let Ok(bank) = OscillatorBank::new(&periods_s, DAMPING_RATIO, motion.dt_s()) {
-        bank.peaks::<false>(motion.accel_m_s2(), &mut sd_m, &mut unused);
-    }
+    let sd_m = DisplacementBank::new(&periods_s, DAMPING_RATIO, motion.dt_s())
+        .map(|bank| bank.peaks_m(motion.accel_m_s2()))
+        .unwrap_or_default();
     let power = |n: i32| -> Vec<f64> {
         periods_s
             .iter()

@@ -10,7 +10,7 @@ use super::{
 use crate::G0_M_S2;
 use crate::measures::measures;
 use crate::motion::Motion;
-use crate::oscillator::OscillatorBank;
+use crate::oscillator::DisplacementBank;
 use std::f64::consts::TAU;
 
 /// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes amplify periods
@@ -44,14 +44,14 @@ pub(super) struct Matcher {
     periods_s: Vec<f64>,
     target_m_s2: Vec<f64>,
     target_zpa_g: f64,
-    bank: OscillatorBank,
+    bank: DisplacementBank,
     /// Steps of the oscillators for each step of the motion.
     substeps: usize,
     fine: Vec<f64>,
     transform: Transform,
+    /// The frequencies of its bins.
+    bins: Vec<Bin>,
     gain: Gain,
-    sd_m: Vec<f64>,
-    unused: Vec<f64>,
 }
 
 impl Matcher {
@@ -75,19 +75,27 @@ impl Matcher {
             .iter()
             .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
             .collect::<Result<_, _>>()?;
+        let transform = Transform::new(frame.taper.len());
+        let step_hz = transform.step_hz(dt_s);
+        let bin = |k: usize| {
+            let frequency_hz = k as f64 * step_hz;
+            Bin {
+                frequency_hz,
+                place: Place::of(frequency_hz),
+            }
+        };
         Ok(Self {
             dt_s,
             target_zpa_g: target(0.0)?,
-            bank: OscillatorBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
+            bank: DisplacementBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
             substeps: substeps as usize,
             fine: Vec::new(),
             periods_s,
             target_m_s2,
-            transform: Transform::new(frame.taper.len()),
+            bins: (0..=transform.length() / 2).map(bin).collect(),
+            transform,
             frame,
             gain,
-            sd_m: Vec::new(),
-            unused: Vec::new(),
         })
     }
 
@@ -95,14 +103,19 @@ impl Matcher {
     /// off outside its periods.
     pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
         let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
-        self.filter(accel, |frequency_hz| {
-            let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
-            let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
-            Place::of(frequency_hz).interpolate(&ln_target).exp()
-                / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
-                * low
-                * high
-        });
+        self.filter(
+            accel,
+            |Bin {
+                 frequency_hz,
+                 place,
+             }| {
+                let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
+                let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
+                place.interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
+                    * low
+                    * high
+            },
+        );
     }
 
     pub(super) fn run(
@@ -148,12 +161,11 @@ impl Matcher {
             Gain::AtPeriod => None,
             Gain::Wavelets(kernel) => Some(kernel.gains(ln_ratios)),
         };
-        self.filter(accel, |frequency_hz| match &gains {
+        self.filter(accel, |bin| match &gains {
             None => {
-                (-Place::of(frequency_hz).interpolate(ln_ratios)).exp()
-                    * (frequency_hz / LOW_CUT_HZ).min(1.0)
+                (-bin.place.interpolate(ln_ratios)).exp() * (bin.frequency_hz / LOW_CUT_HZ).min(1.0)
             }
-            Some(gains) => gains.at(frequency_hz),
+            Some(gains) => gains.at(bin.frequency_hz),
         });
     }
 
@@ -195,10 +207,8 @@ impl Matcher {
             self.fine.extend(accel.last());
             &self.fine
         };
-        self.bank
-            .peaks::<false>(looked_at, &mut self.sd_m, &mut self.unused);
-        let psa = self
-            .sd_m
+        let sd_m = self.bank.peaks_m(looked_at);
+        let psa = sd_m
             .iter()
             .zip(&self.periods_s)
             .map(|(sd, t)| sd * (TAU / t) * (TAU / t));
@@ -207,18 +217,24 @@ impl Matcher {
             .collect()
     }
 
-    /// Multiplies the Fourier amplitudes by `gain(frequency)`, drops the mean, tapers the ends and
-    /// removes the drift.
-    fn filter(&mut self, accel: &mut [f64], gain: impl Fn(f64) -> f64) {
+    /// Multiplies the Fourier amplitudes by the gain of their bin, drops the mean, tapers the ends
+    /// and removes the drift.
+    fn filter(&mut self, accel: &mut [f64], gain: impl Fn(Bin) -> f64) {
         self.transform.forward(accel);
-        let step_hz = self.transform.step_hz(self.dt_s);
-        self.transform.multiply(|k| gain(k as f64 * step_hz));
+        self.transform.multiply(|k| gain(self.bins[k]));
         self.transform.inverse(accel);
         for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
             *a *= taper;
         }
         self.frame.remove_drift(accel);
     }
+}
+
+/// A bin of the Fourier transform.
+#[derive(Clone, Copy)]
+struct Bin {
+    frequency_hz: f64,
+    place: Place,
 }
 
 /// The position of a frequency among the matched periods: between `index` and the next one, at

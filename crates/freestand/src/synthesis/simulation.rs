@@ -155,8 +155,7 @@ impl Simulator {
             *a = window * noise();
         }
         transform.forward(&accel);
-        let energy: f64 = transform.bins.iter().map(|bin| bin.norm_sqr()).sum();
-        let rms = (energy / transform.length() as f64).sqrt();
+        let rms = (transform.energy() / transform.length() as f64).sqrt();
         transform.multiply(|k| self.amplitudes_m_s[k] / rms / self.options.dt_s);
         transform.inverse(&mut accel);
         let taper = ((self.pad as f64 * PAD_TAPER_RATIO) as usize).max(1);
