@@ -6,7 +6,7 @@
 //! remains.
 
 use crate::motion::Motion;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// Damping of an oscillator where none is stated, as a share of critical damping: that of the
@@ -453,28 +453,8 @@ impl LaneGroup {
 #[derive(Debug, Clone)]
 pub(crate) struct DisplacementBank {
     groups: Vec<RecurrenceGroup>,
-    /// Of every [`THINNING`]th sample, after the groups above.
-    slow: Vec<RecurrenceGroup>,
     count: usize,
 }
-
-/// An oscillator of a long period sees every fourth sample, a mean of its neighbours…
-const THINNING: usize = 4;
-/// …where a period has at least 100 samples, so 25 of them.
-const THINNED_ABOVE_STEPS: f64 = 100.0;
-/// The mean that interpolation with straight lines between the samples that are kept gives back.
-const MEAN_OF_NEIGHBOURS: [f64; 2 * THINNING - 1] = {
-    const SUM: f64 = (THINNING * THINNING) as f64;
-    [
-        1.0 / SUM,
-        2.0 / SUM,
-        3.0 / SUM,
-        4.0 / SUM,
-        3.0 / SUM,
-        2.0 / SUM,
-        1.0 / SUM,
-    ]
-};
 
 #[derive(Debug, Clone, Copy)]
 struct RecurrenceGroup {
@@ -496,69 +476,15 @@ impl DisplacementBank {
         let steps = steps(periods_s, damping_ratio, dt_s)?;
         Ok(Self {
             groups: steps.chunks(LANES).map(RecurrenceGroup::new).collect(),
-            slow: Vec::new(),
             count: periods_s.len(),
-        })
-    }
-
-    /// The same at two thirds of the cost, for rising periods and motions that start from quiet: long
-    /// periods see a quarter of the samples, and their peaks are 1 % too low at most.
-    pub(crate) fn thinned(
-        periods_s: &[f64],
-        damping_ratio: f64,
-        dt_s: f64,
-    ) -> Result<Self, OscillatorError> {
-        let fast = periods_s.partition_point(|t| *t < THINNED_ABOVE_STEPS * dt_s);
-        let fast = fast.next_multiple_of(LANES).min(periods_s.len());
-        let (fast, slow) = periods_s.split_at(fast);
-        let steps = steps(slow, damping_ratio, THINNING as f64 * dt_s)?;
-        // The amplitude at the period itself that the mean leaves.
-        let left = |period_s: &f64| {
-            let phase = PI * dt_s / period_s;
-            ((THINNING as f64 * phase).sin() / (THINNING as f64 * phase.sin())).powi(2)
-        };
-        let group = |(steps, periods_s): (&[Option<OscillatorStep>], &[f64])| {
-            let mut group = RecurrenceGroup::new(steps);
-            for (i, period_s) in periods_s.iter().enumerate() {
-                for weight in [
-                    &mut group.a0,
-                    &mut group.a1,
-                    &mut group.a2,
-                    &mut group.first_a0,
-                ] {
-                    weight[i] /= left(period_s);
-                }
-            }
-            group
-        };
-        Ok(Self {
-            slow: steps
-                .chunks(LANES)
-                .zip(slow.chunks(LANES))
-                .map(group)
-                .collect(),
-            count: periods_s.len(),
-            ..Self::new(fast, damping_ratio, dt_s)?
         })
     }
 
     /// max|u| of every oscillator, from rest at t = 0 \[m\].
     pub(crate) fn peaks_m(&self, accel_m_s2: &[f64]) -> Vec<f64> {
         let widest = pulp::Arch::new();
-        let peaks = |groups: &[RecurrenceGroup], accel_m_s2: &[f64]| -> Vec<f64> {
-            let of = |group| widest.dispatch(Shaken { group, accel_m_s2 });
-            groups.iter().flat_map(of).collect()
-        };
-        let mut peaks_m = peaks(&self.groups, accel_m_s2);
-        if !self.slow.is_empty() {
-            let mean = |near: &[f64]| {
-                let weighted = near.iter().zip(MEAN_OF_NEIGHBOURS).map(|(a, w)| w * a);
-                weighted.sum()
-            };
-            let windows = accel_m_s2.windows(MEAN_OF_NEIGHBOURS.len());
-            let thinned: Vec<f64> = windows.step_by(THINNING).map(mean).collect();
-            peaks_m.extend(peaks(&self.slow, &thinned));
-        }
+        let peaks = |group| widest.dispatch(Shaken { group, accel_m_s2 });
+        let mut peaks_m: Vec<f64> = self.groups.iter().flat_map(peaks).collect();
         peaks_m.truncate(self.count);
         peaks_m
     }
@@ -781,36 +707,37 @@ mod tests {
 
     #[test]
     fn a_bank_of_displacements_equals_the_single_oscillators() {
-        // Noise that falls above 3 Hz and starts from quiet, as ground motions do; ten seconds, so that
-        // a period of 5 s has its peak.
-        let (mut random, mut a) = (7_u32, 0.0);
+        // Noise that falls above 3 Hz, with a jump at the start; ten seconds, so that a period of 5 s
+        // has its peak.
+        let (mut random, mut a) = (7_u32, 3.0);
         let accel: Vec<f64> = (0..2000)
-            .map(|k| {
+            .map(|_| {
                 random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 a = 0.9 * a + f64::from(random >> 8) / f64::from(1 << 23) - 1.0;
-                a * (f64::from(k) / 500.0).min(1.0)
+                a
             })
             .collect();
         let dt_s = 0.005;
         let periods_s: Vec<f64> = (0..121)
             .map(|i| 0.05 * 100_f64.powf(f64::from(i) / 120.0))
             .collect();
-        let exact = response_spectrum(&Motion::new(dt_s, accel.clone()).unwrap(), 0.05, &periods_s)
-            .unwrap()
-            .sd_m;
+        let motion = Motion::new(dt_s, accel.clone()).unwrap();
+        let exact = response_spectrum(&motion, 0.05, &periods_s).unwrap().sd_m;
         let bank = DisplacementBank::new(&periods_s, 0.05, dt_s).unwrap();
-        let thinned = DisplacementBank::thinned(&periods_s, 0.05, dt_s).unwrap();
-        assert!(thinned.groups.len() == 4 && thinned.slow.len() == 4);
-        let (all, quick) = (bank.peaks_m(&accel), thinned.peaks_m(&accel));
-        assert_eq!((all.len(), quick.len()), (121, 121));
-        for (i, exact) in exact.iter().enumerate() {
-            // T = 1000 dt at most: 1e-16 (1000/2π)² of the peak in each of a hundred steps of it.
-            assert!((all[i] / exact - 1.0).abs() < 1e-9, "{}", periods_s[i]);
-            // Peaks that are missed, at 25 samples a period (π/25)²/2; the mean takes about as much
-            // from shaking that is faster than the period.
-            let ratio = quick[i] / exact;
-            assert!((ratio - 1.0).abs() < 0.012, "{}: {ratio}", periods_s[i]);
+        let peaks_m = bank.peaks_m(&accel);
+        assert_eq!(peaks_m.len(), 121);
+        for ((peak, exact), period_s) in peaks_m.iter().zip(exact).zip(periods_s) {
+            // 1e-16 (T/2π dt)² of the peak, at most 3e-12, in each of some hundred steps.
+            assert!((peak / exact - 1.0).abs() < 1e-10, "{period_s}");
         }
+        assert_eq!(bank.peaks_m(&accel[..1]), [0.0; 121]);
+        let first = response_spectrum(
+            &Motion::new(dt_s, accel[..2].to_vec()).unwrap(),
+            0.05,
+            &[1.0],
+        );
+        let one = DisplacementBank::new(&[1.0], 0.05, dt_s).unwrap();
+        assert_eq!(one.peaks_m(&accel[..2]), first.unwrap().sd_m);
     }
 
     #[test]

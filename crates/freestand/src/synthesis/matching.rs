@@ -12,7 +12,6 @@ use crate::measures::measures;
 use crate::motion::Motion;
 use crate::oscillator::DisplacementBank;
 use std::f64::consts::TAU;
-use std::ops::RangeInclusive;
 
 /// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes amplify periods
 /// beyond the longest matched one, which no oscillator controls: the displacement grows threefold
@@ -38,45 +37,44 @@ pub(super) enum Gain {
     Wavelets(Kernel),
 }
 
-/// What all motions of one length and time step share, prepared once.
-pub(super) struct Layout {
+/// Everything that the passes share for one target and one length of motion.
+pub(super) struct Matcher {
     dt_s: f64,
-    pub(super) frame: Frame,
+    frame: Frame,
     periods_s: Vec<f64>,
+    target_m_s2: Vec<f64>,
+    target_zpa_g: f64,
     bank: DisplacementBank,
     /// Steps of the oscillators for each step of the motion.
     substeps: usize,
+    fine: Vec<f64>,
     transform: Transform,
-    /// The frequencies of the transform, from its first bin to the middle one.
+    /// The frequencies of its bins.
     bins: Vec<Bin>,
+    gain: Gain,
 }
 
-impl Layout {
-    /// The same with oscillators that are quicker and are up to 1 % too low.
-    pub(super) fn thinned(self) -> Result<Self, SynthesisError> {
-        let step_s = self.dt_s / self.substeps as f64;
-        Ok(Self {
-            bank: DisplacementBank::thinned(&self.periods_s, DAMPING_RATIO, step_s)?,
-            ..self
-        })
-    }
-}
-
-/// A frequency of the transform.
-#[derive(Clone, Copy)]
-struct Bin {
-    frequency_hz: f64,
-    place: Place,
-}
-
-impl Layout {
-    pub(super) fn new(dt_s: f64, frame: Frame) -> Result<Self, SynthesisError> {
+impl Matcher {
+    pub(super) fn new(
+        target_sa_g: &impl Fn(f64) -> f64,
+        dt_s: f64,
+        frame: Frame,
+        gain: Gain,
+    ) -> Result<Self, SynthesisError> {
+        let target = |period_s: f64| match target_sa_g(period_s) {
+            sa_g if sa_g > 0.0 && sa_g.is_finite() => Ok(sa_g),
+            sa_g => Err(SynthesisError::Target { period_s, sa_g }),
+        };
+        let periods_s = matched_periods_s();
         // A step of 0.005 s except for its last digits counts as 0.005 s.
         let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
         let points = substeps * frame.taper.len() as f64;
         let steps = Parameter::Other("the number of samples at steps of 0.005 s");
         steps.check(points <= MAX_POINTS, "at most 16777216", points)?;
-        let periods_s = matched_periods_s();
+        let target_m_s2 = periods_s
+            .iter()
+            .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
+            .collect::<Result<_, _>>()?;
         let transform = Transform::new(frame.taper.len());
         let step_hz = transform.step_hz(dt_s);
         let bin = |k: usize| {
@@ -88,100 +86,36 @@ impl Layout {
         };
         Ok(Self {
             dt_s,
+            target_zpa_g: target(0.0)?,
             bank: DisplacementBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
             substeps: substeps as usize,
-            bins: (0..=transform.length() / 2).map(bin).collect(),
+            fine: Vec::new(),
             periods_s,
+            target_m_s2,
+            bins: (0..=transform.length() / 2).map(bin).collect(),
             transform,
             frame,
-        })
-    }
-}
-
-/// The passes of one motion.
-pub(super) struct Matcher<'a> {
-    layout: &'a Layout,
-    gain: Gain,
-    pub(super) target_m_s2: Vec<f64>,
-    target_zpa_g: f64,
-    transform: Transform,
-    fine: Vec<f64>,
-}
-
-impl<'a> Matcher<'a> {
-    pub(super) fn new(
-        layout: &'a Layout,
-        target_sa_g: &impl Fn(f64) -> f64,
-        gain: Gain,
-    ) -> Result<Self, SynthesisError> {
-        let target = |period_s: f64| match target_sa_g(period_s) {
-            sa_g if sa_g > 0.0 && sa_g.is_finite() => Ok(sa_g),
-            sa_g => Err(SynthesisError::Target { period_s, sa_g }),
-        };
-        let target_m_s2 = layout
-            .periods_s
-            .iter()
-            .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
-            layout,
             gain,
-            target_m_s2,
-            target_zpa_g: target(0.0)?,
-            transform: layout.transform.clone(),
-            fine: Vec::new(),
         })
     }
 
     /// First shape of white noise: Fourier amplitudes like the target's pseudo-velocity Sa/ω, cut
-    /// off outside its periods; `sa_m_s2` is Sa at the matched periods.
-    pub(super) fn shape_noise(&mut self, accel: &mut [f64], sa_m_s2: &[f64]) {
-        let ln_sa: Vec<f64> = sa_m_s2.iter().map(|sa| sa.ln()).collect();
-        self.filter(accel, |bin| {
-            start_amplitude(bin.place.interpolate(&ln_sa).exp(), bin.frequency_hz)
-        });
-    }
-
-    /// Noise that is `slow` at low frequencies and `fast` at high ones.
-    pub(super) fn blend(&mut self, fast: &mut [f64], slow: &[f64], corner_hz: f64) {
-        self.transform.forward(slow);
-        let slow = self.transform.bins.clone();
-        self.transform.forward(fast);
-        for ((bin, slow), at) in self
-            .transform
-            .bins
-            .iter_mut()
-            .zip(slow)
-            .zip(&self.layout.bins)
-        {
-            let share = 1.0 / (1.0 + (at.frequency_hz / corner_hz).powi(4));
-            *bin = *bin * (1.0 - share * share).sqrt() + slow * share;
-        }
-        self.transform.inverse(fast);
-    }
-
-    /// A fixed number of passes, then the factor that takes the mean of ln PSA/target over the
-    /// periods of `over_s` to 0.
-    pub(super) fn follow(
-        &mut self,
-        mut accel: Vec<f64>,
-        passes: usize,
-        over_s: &RangeInclusive<f64>,
-    ) -> Result<Motion, SynthesisError> {
-        for _ in 0..passes {
-            let ln_ratios = self.ln_ratios(&accel);
-            self.pass(&mut accel, &ln_ratios);
-        }
-        let ln_ratios = self.ln_ratios(&accel);
-        let of_mean: Vec<f64> = ln_ratios
-            .into_iter()
-            .zip(&self.layout.periods_s)
-            .filter(|(_, period_s)| over_s.contains(period_s))
-            .map(|(ln_ratio, _)| ln_ratio)
-            .collect();
-        let mean = of_mean.iter().sum::<f64>() / of_mean.len() as f64;
-        accel.iter_mut().for_each(|a| *a *= (-mean).exp());
-        Ok(Motion::new(self.layout.dt_s, accel)?)
+    /// off outside its periods.
+    pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
+        let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
+        self.filter(
+            accel,
+            |Bin {
+                 frequency_hz,
+                 place,
+             }| {
+                let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
+                let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
+                place.interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
+                    * low
+                    * high
+            },
+        );
     }
 
     pub(super) fn run(
@@ -189,10 +123,10 @@ impl<'a> Matcher<'a> {
         mut accel: Vec<f64>,
         passes: usize,
     ) -> Result<MatchedMotion, SynthesisError> {
-        for (a, taper) in accel.iter_mut().zip(&self.layout.frame.taper) {
+        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
             *a *= taper;
         }
-        self.layout.frame.remove_drift(&mut accel);
+        self.frame.remove_drift(&mut accel);
         // One factor first, so that pass 0 is the start at its best scale.
         let mean = self.ln_ratios(&accel).iter().sum::<f64>() / MATCHED_PERIODS as f64;
         if !mean.is_finite() {
@@ -213,7 +147,7 @@ impl<'a> Matcher<'a> {
                 self.pass(&mut accel, &ln_ratios);
             }
         }
-        let motion = Motion::new(self.layout.dt_s, best)?;
+        let motion = Motion::new(self.dt_s, best)?;
         let misfit = self.described(&motion, &best_ln);
         Ok(MatchedMotion {
             motion,
@@ -242,8 +176,8 @@ impl<'a> Matcher<'a> {
     }
 
     fn described(&self, motion: &Motion, ln_ratios: &[f64]) -> Misfit {
-        let (mut worst_ratio, mut worst_period_s) = (0.0_f64, self.layout.periods_s[0]);
-        for (ln_ratio, &period_s) in ln_ratios.iter().zip(&self.layout.periods_s) {
+        let (mut worst_ratio, mut worst_period_s) = (0.0_f64, self.periods_s[0]);
+        for (ln_ratio, &period_s) in ln_ratios.iter().zip(&self.periods_s) {
             if ln_ratio.exp_m1().abs() > worst_ratio.abs() {
                 (worst_ratio, worst_period_s) = (ln_ratio.exp_m1(), period_s);
             }
@@ -262,27 +196,21 @@ impl<'a> Matcher<'a> {
 
     /// ln(PSA/target) at the matched periods, of the motion that is linear between its samples.
     fn ln_ratios(&mut self, accel: &[f64]) -> Vec<f64> {
-        let Layout {
-            substeps,
-            bank,
-            periods_s,
-            ..
-        } = self.layout;
-        let looked_at = if *substeps == 1 {
+        let looked_at = if self.substeps == 1 {
             accel
         } else {
             self.fine.clear();
             for (a, b) in accel.iter().zip(accel.iter().skip(1)) {
-                let at = |step: usize| a + (b - a) * (step as f64 / *substeps as f64);
-                self.fine.extend((0..*substeps).map(at));
+                let at = |step: usize| a + (b - a) * (step as f64 / self.substeps as f64);
+                self.fine.extend((0..self.substeps).map(at));
             }
             self.fine.extend(accel.last());
             &self.fine
         };
-        let sd_m = bank.peaks_m(looked_at);
+        let sd_m = self.bank.peaks_m(looked_at);
         let psa = sd_m
             .iter()
-            .zip(periods_s)
+            .zip(&self.periods_s)
             .map(|(sd, t)| sd * (TAU / t) * (TAU / t));
         psa.zip(&self.target_m_s2)
             .map(|(psa, target)| (psa / target).ln())
@@ -292,22 +220,21 @@ impl<'a> Matcher<'a> {
     /// Multiplies the Fourier amplitudes by the gain of their bin, drops the mean, tapers the ends
     /// and removes the drift.
     fn filter(&mut self, accel: &mut [f64], gain: impl Fn(Bin) -> f64) {
-        let Layout { frame, bins, .. } = self.layout;
         self.transform.forward(accel);
-        self.transform.multiply(|k| gain(bins[k]));
+        self.transform.multiply(|k| gain(self.bins[k]));
         self.transform.inverse(accel);
-        for (a, taper) in accel.iter_mut().zip(&frame.taper) {
+        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
             *a *= taper;
         }
-        frame.remove_drift(accel);
+        self.frame.remove_drift(accel);
     }
 }
 
-/// Fourier amplitude of the start at a frequency \[Hz\] whose period has the spectrum `sa`.
-pub(super) fn start_amplitude(sa: f64, frequency_hz: f64) -> f64 {
-    let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
-    let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
-    sa / frequency_hz.max(1.0 / LONGEST_PERIOD_S) * low * high
+/// A bin of the Fourier transform.
+#[derive(Clone, Copy)]
+struct Bin {
+    frequency_hz: f64,
+    place: Place,
 }
 
 /// The position of a frequency among the matched periods: between `index` and the next one, at

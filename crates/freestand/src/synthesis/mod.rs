@@ -48,7 +48,6 @@ mod matching;
 mod noise;
 mod pairs;
 mod point_source;
-mod quick;
 mod simulation;
 mod site_amplification;
 mod transform;
@@ -68,9 +67,7 @@ use crate::measures::husid;
 use crate::motion::{Motion, MotionError};
 use crate::oscillator::OscillatorError;
 use frame::Frame;
-pub use quick::QuickMatcher;
-
-use matching::{Gain, Layout, Matcher};
+use matching::{Gain, Matcher};
 use noise::noise;
 use thiserror::Error;
 
@@ -237,12 +234,6 @@ impl Default for SynthesisOptions {
     }
 }
 
-impl SynthesisOptions {
-    fn samples(&self, time_s: f64) -> usize {
-        (time_s / self.dt_s).round() as usize
-    }
-}
-
 /// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and its intensity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {
@@ -314,48 +305,31 @@ pub fn synthesize(
 
 fn from_noise(
     target_sa_g: impl Fn(f64) -> f64,
-    noise: impl FnMut() -> f64,
-    options: &SynthesisOptions,
-) -> Result<MatchedMotion, SynthesisError> {
-    let layout = shaking_layout(options)?;
-    let mut matcher = Matcher::new(&layout, &target_sa_g, Gain::AtPeriod)?;
-    let [mut accel] = windowed_noise(noise, options, [options.envelope_s]);
-    let target_m_s2 = matcher.target_m_s2.clone();
-    matcher.shape_noise(&mut accel, &target_m_s2);
-    matcher.run(accel, options.passes)
-}
-
-/// The layout of motions that are made from noise.
-fn shaking_layout(options: &SynthesisOptions) -> Result<Layout, SynthesisError> {
-    check_options(options)?;
-    let start = options.samples(options.lead_in_s);
-    let end = start + options.samples(options.shaking_s);
-    let frame = Frame::new(
-        end + options.samples(options.tail_s) + 1,
-        start,
-        end,
-        options.samples(TAPER_START_S),
-        options.samples(TAPER_END_S),
-    );
-    Layout::new(options.dt_s, frame)
-}
-
-/// Noise under the windows of some durations, between the quiet of the options.
-fn windowed_noise<const N: usize>(
     mut noise: impl FnMut() -> f64,
     options: &SynthesisOptions,
-    envelopes_s: [f64; N],
-) -> [Vec<f64>; N] {
-    let start = options.samples(options.lead_in_s);
-    let end = start + options.samples(options.shaking_s);
-    let mut all = [(); N].map(|()| vec![0.0; end + options.samples(options.tail_s) + 1]);
-    for k in start..=end {
-        let noise = noise();
-        for (accel, envelope_s) in all.iter_mut().zip(envelopes_s) {
-            accel[k] = noise * Window::Lam.at((k - start) as f64 * options.dt_s / envelope_s);
-        }
+) -> Result<MatchedMotion, SynthesisError> {
+    check_options(options)?;
+    let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
+    let (start, shaking, tail) = (
+        samples(options.lead_in_s),
+        samples(options.shaking_s),
+        samples(options.tail_s),
+    );
+    let end = start + shaking;
+    let mut accel = vec![0.0; end + tail + 1];
+    for (k, a) in accel[start..=end].iter_mut().enumerate() {
+        *a = noise() * Window::Lam.at(k as f64 * options.dt_s / options.envelope_s);
     }
-    all
+    let frame = Frame::new(
+        accel.len(),
+        start,
+        end,
+        samples(TAPER_START_S),
+        samples(TAPER_END_S),
+    );
+    let mut matcher = Matcher::new(&target_sa_g, options.dt_s, frame, Gain::AtPeriod)?;
+    matcher.shape_noise(&mut accel);
+    matcher.run(accel, options.passes)
 }
 
 /// The motion `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) with
@@ -427,8 +401,7 @@ fn match_record(
     }
     let taper = ((n as f64 * RECORD_TAPER_RATIO) as usize).max(1);
     let frame = Frame::new(n, 0, n - 1, taper, taper);
-    let layout = Layout::new(seed.dt_s(), frame)?;
-    let mut matcher = Matcher::new(&layout, target_sa_g, gain)?;
+    let mut matcher = Matcher::new(target_sa_g, seed.dt_s(), frame, gain)?;
     matcher.run(seed.accel_m_s2().to_vec(), passes)
 }
 
@@ -438,8 +411,13 @@ fn match_record(
 /// A target that is not positive and finite.
 pub fn misfit(motion: &Motion, target_sa_g: impl Fn(f64) -> f64) -> Result<Misfit, SynthesisError> {
     let n = motion.accel_m_s2().len();
-    let layout = Layout::new(motion.dt_s(), Frame::new(n, 0, n - 1, 1, 1))?;
-    Ok(Matcher::new(&layout, &target_sa_g, Gain::AtPeriod)?.misfit(motion))
+    Ok(Matcher::new(
+        &target_sa_g,
+        motion.dt_s(),
+        Frame::new(n, 0, n - 1, 1, 1),
+        Gain::AtPeriod,
+    )?
+    .misfit(motion))
 }
 
 /// The motion with its peak acceleration scaled to `pga_g`: every half-cycle above it is scaled

@@ -5,10 +5,11 @@ use rand_distr::{Distribution, StandardNormal};
 use super::correlation::spectral_correlation_ratio;
 use super::streams::{Group, world_stream};
 use super::{WorldError, within};
-use crate::motion::Motion;
+use crate::G0_M_S2;
+use crate::oscillator::{DAMPING_RATIO, response_spectrum};
 use crate::synthesis::{
-    LONGEST_PERIOD_S, MATCHED_PERIODS, QuickMatcher, SHORTEST_PERIOD_S, SynthesisError,
-    matched_periods_s, stream, synthesize,
+    LONGEST_PERIOD_S, MATCHED_PERIODS, MatchedMotion, SHORTEST_PERIOD_S, SynthesisError,
+    SynthesisOptions, matched_periods_s, misfit, stream, synthesize,
 };
 
 /// The periods over which the mean deviation is removed \[s\].
@@ -270,10 +271,24 @@ pub(super) fn factor(periods_s: &[f64]) -> Vec<Vec<f64>> {
 /// The motion of a component of a world, matched to the target PSA `target_sa_g` (period \[s\] to g,
 /// 5 % damping) with its deviation.
 ///
-/// The phases of a component are those of motion number `world` of its [`stream`]: of earthquake
-/// number 0 for x, 1 for y and 2 for vertical, and three numbers further for each repetition.
-/// Without deviations the motion is that of [`synthesize`]; with them it follows its spectrum by the
-/// passes of [`QuickMatcher`].
+/// The passes and the envelope are those of [`synthesize`], the phases of a component those of
+/// motion number `world` of its [`stream`]: of earthquake number 0 for x, 1 for y and 2 for
+/// vertical, and three numbers further for each repetition. So without spreads x is the motion that
+/// [`synthesize`] gives for this seed and index.
+///
+/// A spectrum with deviations is rougher than that of any motion, whose valleys the passes leave
+/// too high. One factor then takes the mean of ln PSA over 0.2 to 3 s to that of the spectrum.
+///
+/// # Accuracy
+/// With the defaults ln PSA misses the drawn spectrum by 0.08 (root mean square over 0.2–3 s), and
+/// in the mean of 320 motions by −0.015 to 0.02 (0.03 at 2.7 s).
+///
+/// # Limitation
+/// How often a block overturns depends on the number of passes and does not converge with it, although
+/// the distributions of PSA, PGA and PGV do: each pass lengthens the shaking at long periods. Of 640
+/// motions on the ground (AS 1170.4, class De), eight blocks of 0.8 to 3 m overturn 0.81 times as
+/// often after 15 passes as after 30, 1.11 times after 60 and 1.19 times after 120 (geometric means,
+/// each to within 0.05).
 ///
 /// # Errors
 /// Those of [`synthesize`].
@@ -282,19 +297,33 @@ pub fn world_motion(
     spectra: &WorldSpectra,
     component: Component,
     (seed, world, repetition): (u64, u32, u32),
-    matcher: &QuickMatcher,
-) -> Result<Motion, SynthesisError> {
+    options: &SynthesisOptions,
+) -> Result<MatchedMotion, SynthesisError> {
     let deviation = spectra.of(component);
     let number = component.number() + COMPONENTS * repetition;
-    let stream = stream(number, world);
     let of_world = |t: f64| deviation.sa_g(t, target_sa_g(t));
+    let matched = synthesize(of_world, seed, stream(number, world), options)?;
     if deviation.ln_ratios.iter().all(|ln| *ln == 0.0) {
-        return Ok(synthesize(of_world, seed, stream, matcher.options())?.motion);
+        return Ok(matched);
     }
-    matcher.motion(
-        of_world,
-        matcher.options().envelope_s,
-        &MEAN_OVER_S,
-        (seed, stream),
-    )
+    let periods_s: Vec<f64> = matched_periods_s()
+        .into_iter()
+        .filter(|t| MEAN_OVER_S.contains(t))
+        .collect();
+    let spectrum = response_spectrum(&matched.motion, DAMPING_RATIO, &periods_s)?;
+    let missed = |(psa, &t): (&f64, &f64)| (psa / G0_M_S2 / of_world(t)).ln();
+    let mean = spectrum
+        .psa_m_s2
+        .iter()
+        .zip(&periods_s)
+        .map(missed)
+        .sum::<f64>()
+        / periods_s.len() as f64;
+    let motion = matched.motion.scaled((-mean).exp())?;
+    let misfit = misfit(&motion, of_world)?;
+    Ok(MatchedMotion {
+        motion,
+        misfit,
+        pass: matched.pass,
+    })
 }

@@ -2,7 +2,6 @@ use rand::RngExt;
 use strum::VariantArray;
 
 use super::*;
-use crate::synthesis::QuickMatcher;
 
 fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
@@ -335,22 +334,17 @@ fn without_spreads_the_target_is_the_spectrum_of_the_code() {
         passes: 2,
         ..Default::default()
     };
-    let matcher = QuickMatcher::new(&options).unwrap();
-    let motion = |component, repetition| {
-        world_motion(code, &spectra, component, (1, 4, repetition), &matcher).unwrap()
-    };
-    let x = motion(Component::X, 0);
+    let x = world_motion(code, &spectra, Component::X, (1, 4, 0), &options).unwrap();
     assert_eq!(
         x,
-        crate::synthesis::synthesize(code, 1, 4, &options)
-            .unwrap()
-            .motion
+        crate::synthesis::synthesize(code, 1, 4, &options).unwrap()
     );
-    let y = motion(Component::Y, 0);
-    let again = motion(Component::X, 1);
+    let y = world_motion(code, &spectra, Component::Y, (1, 4, 0), &options).unwrap();
+    let again = world_motion(code, &spectra, Component::X, (1, 4, 1), &options).unwrap();
     // Independent phases: a correlation of some 1/√(2·10 s·bandwidth), 0.2 at most.
     for other in [&y, &again] {
-        let like = crate::synthesis::Resemblance::between(&x, other).correlation_ratio;
+        let like =
+            crate::synthesis::Resemblance::between(&x.motion, &other.motion).correlation_ratio;
         assert!(like.abs() < 0.3, "{like}");
     }
 }
@@ -462,9 +456,9 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
         .map(|i| 0.2 * 15_f64.powf(f64::from(i) / 29.0))
         .collect();
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let (building, matcher) = (
+    let (building, options) = (
         five_storeys(),
-        QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap(),
+        crate::synthesis::SynthesisOptions::default(),
     );
     let worlds: Vec<_> = (0..160_u32)
         .into_par_iter()
@@ -476,9 +470,9 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                 .with_factors(drawn.period_factor, drawn.damping_factor)
                 .unwrap();
             [Component::X, Component::Y].map(|component| {
-                let motion =
-                    world_motion(code, &spectra, component, (1, world, 0), &matcher).unwrap();
-                let psa = response_spectrum(&motion, 0.05, &periods_s)
+                let matched =
+                    world_motion(code, &spectra, component, (1, world, 0), &options).unwrap();
+                let psa = response_spectrum(&matched.motion, 0.05, &periods_s)
                     .unwrap()
                     .psa_m_s2;
                 let ln: Vec<f64> = psa
@@ -487,7 +481,7 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                     .map(|(sa, t)| (sa / crate::G0_M_S2 / code(*t)).ln())
                     .collect();
                 let roof = |building| {
-                    floor_motion(&motion, building, 1.0)
+                    floor_motion(&matched.motion, building, 1.0)
                         .unwrap()
                         .peak_m_s2()
                         .ln()
@@ -503,7 +497,7 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                     missed,
                     roof(&building),
                     roof(&other),
-                    motion.peak_m_s2().ln(),
+                    matched.motion.peak_m_s2().ln(),
                 )
             })
         })
@@ -572,14 +566,15 @@ fn the_spread_of_restitution_hardly_changes_how_often_objects_overturn() {
     use crate::rocking::{Base, Outcome, Restitution, RockingOptions, Until, rock};
     use rayon::prelude::*;
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let matcher = QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap();
+    let synthesis = crate::synthesis::SynthesisOptions::default();
     let worlds = 300_u32;
     let motions: Vec<_> = (0..worlds)
         .into_par_iter()
         .map(|world| {
             let spectra = spread.spectra(2, world, 0);
-            let ground =
-                world_motion(code, &spectra, Component::X, (2, world, 0), &matcher).unwrap();
+            let ground = world_motion(code, &spectra, Component::X, (2, world, 0), &synthesis)
+                .unwrap()
+                .motion;
             let drawn = BuildingSpread::default().draw(2, world, 0);
             let building = five_storeys()
                 .with_factors(drawn.period_factor, drawn.damping_factor)
