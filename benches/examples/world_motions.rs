@@ -8,6 +8,7 @@
 //! and the share of x that overturns each block go to the standard error output.
 
 #![expect(
+    clippy::panic,
     clippy::unwrap_used,
     clippy::print_stdout,
     clippy::print_stderr,
@@ -17,9 +18,10 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
-use freestand::measures::measures;
+use freestand::measures::{integrals, measures};
 use freestand::motion::Motion;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
@@ -27,7 +29,6 @@ use freestand::synthesis::SynthesisOptions;
 use freestand::worlds::{Component, GroundSpread, SpreadOptions, world_motion};
 
 const PERIODS: i32 = 40;
-const G0_M_S2: f64 = 9.80665;
 /// Height \[m\], thickness/height and the factor on the motion.
 const BLOCKS: [(f64, f64, f64); 8] = [
     (0.8, 0.12, 1.0),
@@ -59,18 +60,16 @@ fn main() {
     let worlds: u32 = arguments[2].parse().unwrap();
     let site = match arguments[1].as_str() {
         "Be" => SiteClass::Be,
-        _ => SiteClass::De,
+        "De" => SiteClass::De,
+        other => panic!("SITE is Be or De, not {other}"),
     };
     let code = As1170_4::new(Edition::default(), site, 0.08, 500).unwrap();
     let target = |period_s: f64| code.sa_g(period_s);
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let passes = arguments
-        .get(3)
-        .map_or(30, |passes| passes.parse().unwrap());
-    let options = SynthesisOptions {
-        passes,
-        ..SynthesisOptions::default()
-    };
+    let mut options = SynthesisOptions::default();
+    if let Some(passes) = arguments.get(3) {
+        options.passes = passes.parse().unwrap();
+    }
     let periods_s: Vec<f64> = (0..PERIODS)
         .map(|k| 0.05 * 80.0_f64.powf(f64::from(k) / f64::from(PERIODS - 1)))
         .collect();
@@ -98,16 +97,14 @@ fn main() {
             let all = measures(&motion);
             let spectrum = response_spectrum(&motion, DAMPING_RATIO, &periods_s).unwrap();
             let mut row = format!("{world},{name}");
-            let dt_s = motion.dt_s();
-            let (mut v, mut u) = (0.0_f64, 0.0_f64);
-            for pair in motion.accel_m_s2().windows(2) {
-                u += dt_s * v + dt_s * dt_s * (pair[0] / 3.0 + pair[1] / 6.0);
-                v += 0.5 * dt_s * (pair[0] + pair[1]);
-            }
             for value in [all.pga_m_s2, all.pgv_m_s, all.cav_m_s, all.d5_95_s] {
                 write!(row, ",{:.6}", value.ln()).unwrap();
             }
-            write!(row, ",{v:e},{u:e},{:.6}", all.pgd_m.ln()).unwrap();
+            let left = integrals(&motion);
+            for left in [&left.velocity_m_s, &left.displacement_m] {
+                write!(row, ",{:e}", left.last().unwrap()).unwrap();
+            }
+            write!(row, ",{:.6}", all.pgd_m.ln()).unwrap();
             for (sa, &t) in spectrum.psa_m_s2.iter().zip(&periods_s) {
                 write!(row, ",{:.6}", (sa / G0_M_S2 / target(t)).ln()).unwrap();
             }

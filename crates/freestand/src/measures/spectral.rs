@@ -6,7 +6,7 @@ use rustfft::FftPlannerScalar;
 use rustfft::num_complex::Complex;
 
 use crate::motion::Motion;
-use crate::oscillator::{DAMPING_RATIO, DisplacementBank};
+use crate::oscillator::{DAMPING_RATIO, response_spectrum};
 
 /// Measures of the frequency content of a motion; 5 % damping.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,8 +59,8 @@ pub fn spectral_measures(motion: &Motion) -> SpectralMeasures {
     let periods_s: Vec<f64> = STEPS.map(period_s).collect();
     // The periods and the damping are those above and a motion's time step is positive, so there is
     // no error.
-    let sd_m = DisplacementBank::new(&periods_s, DAMPING_RATIO, motion.dt_s())
-        .map(|bank| bank.peaks_m(motion.accel_m_s2()))
+    let sd_m = response_spectrum(motion, DAMPING_RATIO, &periods_s)
+        .map(|spectrum| spectrum.sd_m)
         .unwrap_or_default();
     let power = |n: i32| -> Vec<f64> {
         periods_s
