@@ -395,7 +395,7 @@ mod tests {
             "[objects]\n",
         ] {
             let text = with_motions(study, &["motions/a.csv".to_owned()], None, None).unwrap();
-            let (options, problems) = crate::options::parse(&text, None);
+            let (options, problems) = crate::options::parse(&text, None, None);
             assert!(problems.is_empty(), "{text}: {problems}");
             assert!(
                 options

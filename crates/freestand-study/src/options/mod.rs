@@ -5,6 +5,7 @@
 
 mod assessment;
 mod building;
+mod change;
 mod cushion;
 mod ground;
 mod objects;
@@ -19,6 +20,7 @@ use toml::de::{DeTable, DeValue};
 
 use assessment::{assessment, restraint, worlds};
 use building::building;
+pub use change::Change;
 use cushion::CUSHION_KEYS;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
@@ -73,13 +75,22 @@ pub(crate) fn is_empty(text: &str) -> bool {
         .is_ok_and(|table| table.get_ref().is_empty())
 }
 
-/// Reads a study: what can be read, and all problems.
-pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
+/// Reads a study, with one value in place of its own if `change` is given: what can be read, and all
+/// problems.
+pub(crate) fn parse(
+    text: &str,
+    change: Option<&Change>,
+    source: Option<&Path>,
+) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
-    let Some(document) = reader.document(text) else {
+    let number = change.and_then(Change::number);
+    let Some(mut document) = reader.document(text) else {
         return (options, reader.problems);
     };
+    if let Some(change) = change {
+        change.put(number.as_deref(), document.get_mut());
+    }
     let mut top = Section::new(Place::Document, document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
@@ -216,7 +227,7 @@ mod tests {
     use super::*;
 
     fn problems(text: &str) -> Vec<String> {
-        let (_, problems) = parse(text, Some(Path::new("s.toml")));
+        let (_, problems) = parse(text, None, Some(Path::new("s.toml")));
         problems
             .problems
             .iter()
@@ -229,6 +240,7 @@ mod tests {
         let (options, problems) = parse(
             "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = \
              [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
+            None,
             None,
         );
         assert!(problems.is_empty(), "{problems}");
@@ -269,7 +281,8 @@ mod tests {
             ("\"500, 1000\"", &[0.5, 1.0]),
             ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
         ] {
-            let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
+            let (options, problems) =
+                parse(&format!("[objects]\nheights_mm = {value}\n"), None, None);
             assert!(problems.is_empty(), "{problems}");
             assert_eq!(
                 options.objects.heights_m.unwrap().value,

@@ -16,7 +16,7 @@ mod suite;
 use std::path::{Path, PathBuf};
 
 use crate::building::GivenStoreys;
-use crate::options::{self, GroundOptions, Options};
+use crate::options::{self, Change, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 use crate::target::Target;
@@ -56,6 +56,8 @@ pub struct Overrides {
     /// Step between the directions in which objects are tried, for motions with two components
     /// \[degrees\].
     pub rotation_step_deg: Option<f64>,
+    /// One value in place of the study's.
+    pub change: Option<Change>,
 }
 
 /// The built-in study as TOML, with comments.
@@ -237,7 +239,7 @@ fn resolve_as(
         Text::None(values) => ("", Some(values)),
     };
     let (options, problems) = match values {
-        None => options::parse(text, source),
+        None => options::parse(text, overrides.change.as_ref(), source),
         Some(values) => (values.options(), Problems::default()),
     };
     let is_complete = problems.is_empty();

@@ -376,7 +376,7 @@ fn the_lists_of_words_agree() {
     // A study reads each of them as a word of the spectrum.
     for key in known {
         let (options, problems) =
-            crate::options::parse(&format!("[ground]\n{key} = \"1\"\n"), None);
+            crate::options::parse(&format!("[ground]\n{key} = \"1\"\n"), None, None);
         let read: Vec<&str> = options
             .ground
             .target

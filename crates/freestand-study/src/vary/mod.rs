@@ -1,7 +1,7 @@
 //! How the result depends on the assumptions: the study again, with one value changed at a time.
 //!
-//! A change is written into the study's text, which is then resolved like any other study: so any
-//! value of a study can be varied, and contradictions are refused in the same words. A change that
+//! A change takes the place of what the study states before it is resolved like any other: so any value
+//! of a study can be varied, and contradictions are refused in the same words. A change that
 //! does not affect the model is not run: its row would suggest that the result does not depend on
 //! the value.
 
@@ -10,7 +10,6 @@ mod request;
 
 use std::path::Path;
 
-use crate::rerun::with_value;
 use crate::resolve::{Overrides, resolve_with};
 use crate::result::{NoResult, Sensitivity, StudyResult, VariedLevel};
 use crate::run::{Progress, run};
@@ -18,8 +17,9 @@ use crate::study::Study;
 use crate::summary::{LevelSummary, level_summary};
 use freestand_input::problem::Problems;
 
+pub use crate::options::Change;
 use model::is_same_model;
-pub use request::{Change, Variation, changes, default_variations, parse_variation};
+pub use request::{Variation, changes, default_variations, parse_variation};
 
 /// A shock ratio is computed where the mean shock of the compared objects in the base is at least
 /// this \[g\]: a ratio to almost no shock is meaningless.
@@ -99,13 +99,6 @@ fn result_of(
 }
 
 fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result<Study, Problems> {
-    let toml = with_value(
-        &study.toml,
-        change.table,
-        change.key,
-        &change.value,
-        change.in_place_of,
-    )?;
     let base_dir = study
         .source
         .as_deref()
@@ -118,11 +111,12 @@ fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result
         overrides.seed
     };
     resolve_with(
-        &toml,
+        &study.toml,
         study.source.as_deref(),
         base_dir,
         &Overrides {
             seed,
+            change: Some(change.clone()),
             ..overrides.clone()
         },
     )

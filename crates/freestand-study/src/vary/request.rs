@@ -3,6 +3,7 @@
 use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
 
+use crate::options::Change;
 use crate::resolve::Overrides;
 use crate::study::{Ground, Study};
 use freestand_input::problem::Problem;
@@ -71,28 +72,6 @@ static KEYS: [Key; 23] = [
 
 /// The keys that are varied where none is named.
 const DEFAULT_KEYS: [&str; 5] = ["damping", "period", "shear_flexure", "seed", "site"];
-
-/// One value in place of the study's.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Change {
-    /// Table of the study.
-    pub table: &'static str,
-    /// Key in it.
-    pub key: &'static str,
-    /// The value, as a study writes it.
-    pub value: String,
-    /// Keys that it replaces.
-    pub in_place_of: &'static [&'static str],
-    /// The value is one of the default values and was not stated by the user.
-    pub is_default: bool,
-}
-
-impl Change {
-    /// `damping = 2 %`.
-    pub fn words(&self) -> String {
-        format!("{} = {}", self.key, self.value)
-    }
-}
 
 /// Damping, period, shear-flexure ratio, seed and site class, each with its default values.
 pub fn default_variations() -> Vec<Variation> {

@@ -371,7 +371,7 @@ static TEMPLATES: LazyLock<[Vec<u8>; 3]> = LazyLock::new(|| {
 });
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
     fn changed_bytes_never_break_the_reader(

@@ -793,7 +793,7 @@ fn without_a_sensitivity_the_way_out_is_said() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
     fn what_is_packed_is_unpacked(samples in prop::collection::vec(any::<i32>(), 1..200), is_big in any::<bool>()) {

@@ -193,7 +193,7 @@ fn sac_in_text_is_told() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
     fn damaged_files_are_read_or_refused(
