@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use freestand::motion::Motion;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
+use freestand_study::recorded::ReadMotion;
 
 /// Where the files that a request names come from.
 #[derive(Debug, Clone, Default)]
@@ -31,8 +31,8 @@ pub struct Sent {
 pub enum Content {
     /// A file that was put here.
     At(PathBuf),
-    /// A motion in memory, with its name.
-    Motion(String, Motion),
+    /// A motion that has been read, or is made of samples.
+    Motion(Box<ReadMotion>),
     /// The text of a file in memory.
     Text(String),
 }
@@ -69,7 +69,7 @@ impl Files {
     pub fn path(&self, name: &str) -> Result<PathBuf, Problem> {
         match self.find(name)? {
             Content::At(path) => Ok(path),
-            Content::Motion(..) | Content::Text(_) => Err(not_sent(name)),
+            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
         }
     }
 }

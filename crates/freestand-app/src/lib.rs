@@ -7,6 +7,7 @@ pub mod request;
 pub mod rock;
 pub mod schema;
 pub mod shock;
+pub mod shock_spectrum;
 pub mod spectrum;
 
 mod block;

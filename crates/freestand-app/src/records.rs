@@ -197,8 +197,18 @@ pub struct OneMotion {
     pub processing: Vec<String>,
     /// The second horizontal component of its file.
     across: Option<Motion>,
-    /// Its file.
-    path: Option<PathBuf>,
+}
+
+impl From<ReadMotion> for OneMotion {
+    fn from(ReadMotion { motion, notes, .. }: ReadMotion) -> Self {
+        Self {
+            name: motion.name,
+            motion: motion.motion,
+            across: motion.across.map(|across| across.motion),
+            notes,
+            processing: motion.processing,
+        }
+    }
 }
 
 /// The motions of a request.
@@ -238,7 +248,7 @@ impl Records {
             read.note(
                 &keys,
                 format!("{named}: there is no record to read"),
-                "name the record with `motion`",
+                "name the record, or leave it out",
             );
         }
         let own = vertical_words(&words, (vertical, how_vertical), read);
@@ -344,24 +354,44 @@ impl NamedRecords<'_> {
         };
         let across: Vec<String> = across.map(str::to_owned).into_iter().collect();
         let mut problems = Problems::default();
-        let horizontal = problems.keep(self.motions("motion", &self.horizontal, &how));
-        let across = problems.keep(self.motions("motion_y", &across, &self.how));
-        let vertical = problems.keep(self.motions("vertical", &self.vertical, &self.upward));
-        let ((horizontal, across), vertical) =
-            problems.finish(horizontal.zip(across).zip(vertical))?;
+        let of = |motions: Vec<ReadMotion>| motions.into_iter().map(OneMotion::from).collect();
+        let horizontal = problems.keep(self.motions("motion", &self.horizontal, &how).map(of));
+        let second = problems.keep(self.motions("motion_y", &across, &self.how).map(of));
+        let vertical = problems.keep(
+            self.motions("vertical", &self.vertical, &self.upward)
+                .map(of),
+        );
+        let ((horizontal, second), vertical): ((Vec<OneMotion>, Vec<OneMotion>), _) =
+            problems.finish(horizontal.zip(second).zip(vertical))?;
         let last = horizontal.last().and_then(|one| one.across.clone());
+        let names = self.horizontal.iter().chain(&across).chain(&self.vertical);
         Ok(ReadMotions {
-            inputs: horizontal
-                .iter()
-                .chain(&across)
-                .chain(&vertical)
-                .filter_map(|one| one.path.clone())
-                .collect(),
-            across: across.first().map(|one| one.motion.clone()).or(last),
-            second: across,
+            inputs: self.paths_of(names),
+            across: second.first().map(|one| one.motion.clone()).or(last),
+            second,
             horizontal,
             vertical,
         })
+    }
+
+    /// The motions as shocks, which may have larger peaks than those of any floor, in any direction.
+    pub(crate) fn shocks(&self) -> Result<Vec<ReadMotion>, Problems> {
+        let mut how = self.how.clone();
+        how.read.is_shock = true;
+        how.vertical = Upward::Itself("component");
+        self.motions("motion", &self.horizontal, &how)
+    }
+
+    /// The files of the horizontal records.
+    pub(crate) fn paths(&self) -> Vec<PathBuf> {
+        self.paths_of(&self.horizontal)
+    }
+
+    fn paths_of<'n>(&self, names: impl IntoIterator<Item = &'n String>) -> Vec<PathBuf> {
+        let names = names.into_iter();
+        names
+            .filter_map(|name| self.files.path(name).ok())
+            .collect()
     }
 
     /// The motions that a request calls by these names.
@@ -370,41 +400,25 @@ impl NamedRecords<'_> {
         key: &'static str,
         names: &[String],
         how: &MotionFiles,
-    ) -> Result<Vec<OneMotion>, Problems> {
-        let (mut in_memory, mut paths) = (Vec::new(), Vec::new());
+    ) -> Result<Vec<ReadMotion>, Problems> {
+        let (mut read, mut paths) = (Vec::new(), Vec::new());
         let mut problems = Problems::default();
         for name in names {
             match problems.keep_named(key, self.files.find(name)) {
-                Some(Content::Motion(name, motion)) => in_memory.push(OneMotion {
-                    name,
-                    motion,
-                    across: None,
-                    notes: Vec::new(),
-                    processing: Vec::new(),
-                    path: None,
-                }),
+                Some(Content::Motion(motion)) => read.push(*motion),
                 Some(Content::At(path)) => paths.push(path),
                 Some(Content::Text(_)) => problems.push(not_sent(name).named(key)),
                 None => {}
             }
         }
         problems.finish(Some(()))?;
-        if paths.is_empty() {
-            return Ok(in_memory);
+        if !paths.is_empty() {
+            read.extend(read_all(&MotionFiles {
+                paths,
+                ..how.clone()
+            })?);
         }
-        let one = |ReadMotion { motion, notes, .. }| OneMotion {
-            name: motion.name,
-            motion: motion.motion,
-            across: motion.across.map(|across| across.motion),
-            notes,
-            processing: motion.processing,
-            path: Some(motion.path),
-        };
-        let read = read_all(&MotionFiles {
-            paths,
-            ..how.clone()
-        })?;
-        Ok(read.into_iter().map(one).collect())
+        Ok(read)
     }
 }
 

@@ -8,13 +8,15 @@ use std::str::FromStr;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
+
+use crate::files::Files;
 
 /// Keys that a request does not know; the message names them.
 pub type Unknown = BTreeMap<String, IgnoredAny>;
@@ -29,6 +31,26 @@ pub trait Request: Args + DeserializeOwned {
         let mut words = Words::default();
         self.write(&mut words);
         words
+    }
+}
+
+/// A question: a request that is asked as it is.
+pub trait Question: Request {
+    /// What is asked, in SI.
+    type Meant;
+
+    /// What the request means.
+    ///
+    /// # Errors
+    /// All its problems, each under its key.
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems>;
+
+    /// What is wrong with the request, as far as that is known before any work.
+    ///
+    /// # Errors
+    /// As [`Question::resolve`], but for what is in records.
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.resolve(files).map(drop)
     }
 }
 
@@ -195,6 +217,9 @@ struct Name {
     value: String,
 }
 
+/// What people call the files of a command that takes them without a flag.
+const FILES: [&str; 5] = ["file", "files", "motions", "record", "records"];
+
 /// The names of the values of a request.
 fn names<R: Request>() -> Vec<Name> {
     let command = R::augment_args(Command::new("request"));
@@ -204,7 +229,8 @@ fn names<R: Request>() -> Vec<Name> {
         let value = value.map(ToString::to_string).unwrap_or_default();
         let aliases = arg.get_all_aliases().unwrap_or_default();
         let long = arg.get_long().into_iter().chain(aliases);
-        let others = long.map(|name| name.replace('-', "_"));
+        let files = FILES.iter().filter(|_| arg.is_positional()).copied();
+        let others = long.chain(files).map(|name| name.replace('-', "_"));
         std::iter::once(key.clone())
             .chain(others)
             .map(move |name| Name {
@@ -244,7 +270,7 @@ const ENDINGS: [(&str, &str, &[&str]); 16] = [
     ("_n_m", "N/m", &["STIFFNESS"]),
     ("_n_s_m", "N s/m", &["DAMPING"]),
     ("_s_m", "s/m", &["DISSIPATION"]),
-    ("_hz", "Hz", &["FREQUENCY"]),
+    ("_hz", "Hz", &["FREQUENCY", "GRID"]),
     ("_rad", "rad", &["ANGLE"]),
     ("_deg", "deg", &["ANGLE"]),
     ("_rad_s", "rad/s", &["ANGULAR-VELOCITY"]),

@@ -15,7 +15,7 @@ use serde::Deserialize;
 use crate::block::{GeneralBlock, block, gravity, point, sizes};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
-use crate::request::{Request, Unknown, one_of, request, unknown};
+use crate::request::{Question, Request, Unknown, one_of, request, unknown};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock/1";
@@ -134,83 +134,84 @@ pub struct Meant {
     pub inputs: Vec<PathBuf>,
 }
 
-/// What a request means.
-///
-/// # Errors
-/// All its problems, each under its key; what contradicts each other is found where the landing is calculated.
-pub fn resolve(request: &Shock, files: &Files) -> Result<Meant, Problems> {
-    let words = request.words();
-    let mut read = WordReader::new(&words);
-    unknown::<Shock>(&request.unknown).for_each(|problem| read.problems.push(problem));
-    let size = sizes(&mut read);
-    if !read.has("mass") {
-        read.missing(
-            &["mass"],
-            "`mass` is missing",
-            "give the mass of the object, such as `mass = \"140 kg\"`",
-        );
+/// What contradicts each other is found where the landing is calculated.
+impl Question for Shock {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let size = sizes(&mut read);
+        if !read.has("mass") {
+            read.missing(
+                &["mass"],
+                "`mass` is missing",
+                "give the mass of the object, such as `mass = \"140 kg\"`",
+            );
+        }
+        let mass = read.positive("mass", Dimension::Mass);
+        let block = block(&mut read, size, mass);
+        let cushion = self.pad.described(&mut read, files);
+        // Wrong values are told with the others; missing and contradictory ones where the landing is calculated.
+        if let Some(words) = &cushion
+            && ["law", "stiffness", "pad_stiffness"]
+                .iter()
+                .any(|key| words.get(key).is_some())
+        {
+            self.pad.of_words(words, &mut read, mass, files);
+        }
+        let energy = energy(&mut read);
+        let tests = tests(&mut read, files);
+        let (acceleration, length) = (Dimension::Acceleration, Dimension::Length);
+        let contact_stiffness_n_m = read.positive("contact_stiffness", Dimension::Stiffness);
+        let drop_acceleration_m_s2 = read.positive("drop_acceleration", acceleration);
+        let scenario = read.choice("scenario", SCENARIOS).unwrap_or_default();
+        let model = read.choice("model", MODELS);
+        let gap_m = read.positive("gap", length);
+        let obstacle_height_m = read.positive("obstacle_height", length);
+        let at_m = point(&mut read);
+        let friction_ratio = read.positive("friction", Dimension::Ratio);
+        let gravity_m_s2 = gravity(&mut read);
+        let tolerance_m_s2 = read.positive("tolerance", acceleration);
+        let tolerance_duration_s = read.positive("tolerance_duration", Dimension::Time);
+        let tolerance_velocity_change_m_s =
+            read.positive("tolerance_velocity_change", Dimension::Velocity);
+        let tolerance_edge_lift_m = read.positive("tolerance_edge_lift", length);
+        let component_frequency_hz = read.positive("component_frequency", Dimension::Frequency);
+        let component_capacity_m_s2 = read.positive("component_capacity", acceleration);
+        let (block, mass_kg) = read.problems.finish(block.zip(mass))?;
+        Ok(Meant {
+            landing: ShockRequest {
+                cushion: cushion.unwrap_or_default(),
+                contact_stiffness_n_m,
+                drop_acceleration_m_s2,
+                energy,
+                scenario,
+                model,
+                gap_m,
+                obstacle_height_m,
+                at_m,
+                gravity_m_s2,
+                friction_ratio,
+                tolerance_m_s2,
+                tolerance_duration_s,
+                tolerance_velocity_change_m_s,
+                boundary_tests: tests,
+                tolerance_edge_lift_m,
+                component_frequency_hz,
+                component_capacity_m_s2,
+                ..ShockRequest::new(block, mass_kg)
+            },
+            inputs: [
+                self.pad.input(files),
+                files.path_of(self.damage_boundary.as_ref()),
+            ]
+            .into_iter()
+            .flatten()
+            .collect(),
+        })
     }
-    let mass = read.positive("mass", Dimension::Mass);
-    let block = block(&mut read, size, mass);
-    let cushion = request.pad.described(&mut read, files);
-    // Wrong values are told with the others; missing and contradictory ones where the landing is calculated.
-    if let Some(words) = &cushion
-        && ["law", "stiffness", "pad_stiffness"]
-            .iter()
-            .any(|key| words.get(key).is_some())
-    {
-        request.pad.of_words(words, &mut read, mass, files);
-    }
-    let energy = energy(&mut read);
-    let tests = tests(&mut read, files);
-    let (acceleration, length) = (Dimension::Acceleration, Dimension::Length);
-    let contact_stiffness_n_m = read.positive("contact_stiffness", Dimension::Stiffness);
-    let drop_acceleration_m_s2 = read.positive("drop_acceleration", acceleration);
-    let scenario = read.choice("scenario", SCENARIOS).unwrap_or_default();
-    let model = read.choice("model", MODELS);
-    let gap_m = read.positive("gap", length);
-    let obstacle_height_m = read.positive("obstacle_height", length);
-    let at_m = point(&mut read);
-    let friction_ratio = read.positive("friction", Dimension::Ratio);
-    let gravity_m_s2 = gravity(&mut read);
-    let tolerance_m_s2 = read.positive("tolerance", acceleration);
-    let tolerance_duration_s = read.positive("tolerance_duration", Dimension::Time);
-    let tolerance_velocity_change_m_s =
-        read.positive("tolerance_velocity_change", Dimension::Velocity);
-    let tolerance_edge_lift_m = read.positive("tolerance_edge_lift", length);
-    let component_frequency_hz = read.positive("component_frequency", Dimension::Frequency);
-    let component_capacity_m_s2 = read.positive("component_capacity", acceleration);
-    let (block, mass_kg) = read.problems.finish(block.zip(mass))?;
-    Ok(Meant {
-        landing: ShockRequest {
-            cushion: cushion.unwrap_or_default(),
-            contact_stiffness_n_m,
-            drop_acceleration_m_s2,
-            energy,
-            scenario,
-            model,
-            gap_m,
-            obstacle_height_m,
-            at_m,
-            gravity_m_s2,
-            friction_ratio,
-            tolerance_m_s2,
-            tolerance_duration_s,
-            tolerance_velocity_change_m_s,
-            boundary_tests: tests,
-            tolerance_edge_lift_m,
-            component_frequency_hz,
-            component_capacity_m_s2,
-            ..ShockRequest::new(block, mass_kg)
-        },
-        inputs: [
-            request.pad.input(files),
-            files.path_of(request.damage_boundary.as_ref()),
-        ]
-        .into_iter()
-        .flatten()
-        .collect(),
-    })
 }
 
 /// The energy of the fall, of which one measure is given.

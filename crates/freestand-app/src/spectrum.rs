@@ -24,7 +24,7 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Request, Switch, Unknown, one_or_many, request, unknown};
+use crate::request::{Question, Request, Switch, Unknown, one_or_many, request, unknown};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -210,35 +210,32 @@ pub struct Processed {
     pub steps: Vec<String>,
 }
 
-/// What a request means; synthetic motions are made later, see [`Shaking::motions`].
-///
-/// # Errors
-/// All its problems, each under its key.
-pub fn resolve(request: &Spectrum, files: &Files) -> Result<Meant, Problems> {
-    let (objects, shaking, named) = judged(request, files)?;
-    let (shaking, mut inputs) = match shaking {
-        Some(shaking) => (shaking, Vec::new()),
-        None => {
-            let read = named.read(Second::None, None)?;
-            let inputs = read.inputs.clone();
-            (Shaking::Recorded(recorded(read)?), inputs)
-        }
-    };
-    inputs.extend(request.pad.input(files));
-    inputs.extend(request.records.inputs(files));
-    Ok(Meant {
-        objects,
-        shaking,
-        inputs,
-    })
-}
+/// Synthetic motions are made later, see [`Shaking::motions`].
+impl Question for Spectrum {
+    type Meant = Meant;
 
-/// As [`resolve`], without reading the records.
-///
-/// # Errors
-/// The same, but for those in the records.
-pub fn check(request: &Spectrum, files: &Files) -> Result<(), Problems> {
-    judged(request, files).map(drop)
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let (objects, shaking, named) = judged(self, files)?;
+        let (shaking, mut inputs) = match shaking {
+            Some(shaking) => (shaking, Vec::new()),
+            None => {
+                let read = named.read(Second::None, None)?;
+                let inputs = read.inputs.clone();
+                (Shaking::Recorded(recorded(read)?), inputs)
+            }
+        };
+        inputs.extend(self.pad.input(files));
+        inputs.extend(self.records.inputs(files));
+        Ok(Meant {
+            objects,
+            shaking,
+            inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        judged(self, files).map(drop)
+    }
 }
 
 /// What a request means, with records that have not been read; they shake the objects where nothing else does.

@@ -205,14 +205,6 @@ impl ReadArgs {
         self.read_as(paths, |files| files.vertical = Upward::Itself("component"))
     }
 
-    /// As [`ReadArgs::read_all`], for shocks, whose peaks may be larger than those of any floor.
-    pub(crate) fn read_shocks(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
-        self.read_as(paths, |files| {
-            files.read.is_shock = true;
-            files.vertical = Upward::Itself("component");
-        })
-    }
-
     fn read_as(
         &self,
         paths: &[PathBuf],

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-use freestand::motion::Motion;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::{Request, from_entries};
+use freestand_study::recorded::ReadMotion;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use serde_json::{Map, Number, Value};
@@ -16,10 +16,10 @@ use crate::errors::raised;
 /// Files by the keys that name them: a path, or the text of the file.
 pub(crate) type Named = HashMap<String, (Option<PathBuf>, Option<String>)>;
 
-/// A request, and what it names. A motion has the key that names it, and its own name.
+/// A request, and what it names. A motion has the key that names it.
 pub(crate) fn asked<R: Request>(
     values: &Bound<'_, PyDict>,
-    motions: impl IntoIterator<Item = (&'static str, String, Motion)>,
+    motions: impl IntoIterator<Item = (&'static str, ReadMotion)>,
     files: Named,
 ) -> PyResult<(R, Files)> {
     let entry =
@@ -29,7 +29,7 @@ pub(crate) fn asked<R: Request>(
         .map(entry)
         .collect::<PyResult<Map<String, Value>>>()?;
     let mut sent: Vec<Sent> = Vec::new();
-    for (key, name, motion) in motions {
+    for (key, motion) in motions {
         let called = format!("{key} {}", sent.len() + 1);
         let list = entries
             .entry(key)
@@ -39,7 +39,7 @@ pub(crate) fn asked<R: Request>(
         }
         sent.push(Sent {
             name: called,
-            content: Content::Motion(name, motion),
+            content: Content::Motion(Box::new(motion)),
         });
     }
     for (key, file) in files {

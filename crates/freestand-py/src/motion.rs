@@ -62,6 +62,15 @@ impl Record {
         &self.read.motion.motion
     }
 
+    /// Its samples under a name: what was said when it was read is not said again.
+    pub(crate) fn samples(&self, name: &str) -> ReadMotion {
+        let mut read = self.read.clone();
+        read.motion.name = name.to_owned();
+        read.motion.processing.clear();
+        read.notes.clear();
+        read
+    }
+
     /// The same, with other samples.
     fn with(&self, motion: Motion, steps: Vec<String>) -> Self {
         let mut read = self.read.clone();

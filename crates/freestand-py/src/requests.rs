@@ -7,12 +7,14 @@ use std::sync::atomic::Ordering;
 use freestand::G0_M_S2;
 use freestand::identify::Toe;
 use freestand::motion::Motion;
-use freestand::shock_response::ShockSpectrumOptions;
 use freestand::synthesis::SynthesisOptions;
-use freestand_app::shock::{SCHEMA, resolve};
+use freestand_app::request::Question as _;
+use freestand_app::shock::{SCHEMA as SHOCK, Shock};
+use freestand_app::shock_spectrum::{SCHEMA as SHOCK_SPECTRUM, ShockSpectrum};
 use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_input::written::Written;
 use freestand_records::formats::{ReadOptions, parse_sensitivity};
 use freestand_records::notes::grouped;
 use freestand_study::building;
@@ -25,15 +27,12 @@ use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATI
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::matched::{SynthRequest, synth as made};
 use freestand_study::shock::shock as evaluated;
-use freestand_study::shock_spectrum::{
-    DEFAULT_FREQUENCIES, KINDS, PEAKS, ShockSpectrumRequest, recorded_shock_spectra,
-};
 use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
 use freestand_study::target::{Target, code_spectrum as shown, period_code};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{Given, told};
+use crate::arguments::{Given, doubles, told};
 use crate::asked::{Named, asked};
 use crate::errors::{raised, raised_all};
 use crate::motion::{Record, unread};
@@ -42,10 +41,10 @@ use crate::work::watched;
 /// One landing.
 #[pyfunction]
 pub(crate) fn shock(request: &Bound<'_, PyDict>, files: Named) -> PyResult<String> {
-    let (request, files) = asked(request, std::iter::empty(), files)?;
-    let meant = resolve(&request, &files).map_err(raised_all)?;
+    let (request, files) = asked::<Shock>(request, std::iter::empty(), files)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
     let report = evaluated(&meant.landing).map_err(raised_all)?;
-    told(SCHEMA, &report.answer, &report.warnings)
+    told(SHOCK, &report.answer, &report.warnings)
 }
 
 /// A text that must be one of these.
@@ -152,51 +151,17 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
 #[pyfunction]
 pub(crate) fn shock_spectrum(
     py: Python<'_>,
-    record: &Record,
+    record: Option<&Record>,
+    frequencies_hz: &[u8],
     values: &Bound<'_, PyDict>,
 ) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let (damping, q) = (given.non_negative("damping_ratio"), given.positive("q"));
-    if damping.is_some() && q.is_some() {
-        given.push(Problem::value(
-            "damping_ratio and q exclude each other",
-            "keep one of them",
-        ));
+    let motion = record.map(|record| ("motion", record.read.clone()));
+    let (mut request, files) = asked::<ShockSpectrum>(values, motion, Named::new())?;
+    if !frequencies_hz.is_empty() {
+        let all = doubles(frequencies_hz).into_iter().map(Written::Number);
+        request.frequencies = Some(Written::List(all.collect()));
     }
-    let damping_ratio = damping
-        .or(q.map(|q| 0.5 / q))
-        .unwrap_or(ShockSpectrumOptions::default().damping_ratio);
-    if damping_ratio >= 1.0 {
-        let message = format!("a damping ratio of {damping_ratio} is not below 1");
-        given.push(Problem::value(
-            message,
-            "give a damping_ratio below 1, or a q above 0.5",
-        ));
-    }
-    let frequencies_hz = match given.numbers("frequencies_hz") {
-        Some(frequencies_hz) => frequencies_hz,
-        None => given
-            .keep(parse_grid(DEFAULT_FREQUENCIES, Dimension::Frequency))
-            .unwrap_or_default(),
-    };
-    if let Some(wrong) = frequencies_hz
-        .iter()
-        .find(|frequency| !(frequency.is_finite() && **frequency > 0.0))
-    {
-        given.push(Problem::value(
-            format!("frequencies_hz holds {wrong}"),
-            "give frequencies above 0",
-        ));
-    }
-    let request = ShockSpectrumRequest {
-        kind: given.choice("kind", KINDS).unwrap_or_default(),
-        peak: given.choice("peak", PEAKS).unwrap_or_default(),
-        damping_ratio,
-        frequencies_hz,
-        upsample: given.optional_flag("upsample").unwrap_or(true),
-    };
-    given.finish()?;
-    let motions = [record.read.clone()];
+    let meant = request.resolve(&files).map_err(raised_all)?;
     let report = watched(py, None, |stop| {
         let go_on = || {
             if stop.load(Ordering::Relaxed) {
@@ -205,10 +170,10 @@ pub(crate) fn shock_spectrum(
                 Ok(())
             }
         };
-        recorded_shock_spectra(&motions, &request, go_on)
+        meant.spectra(go_on)
     })?
     .map_err(raised)?;
-    told("freestand.shock-spectrum/1", &report, &report.warnings)
+    told(SHOCK_SPECTRUM, &report, &report.warnings)
 }
 
 /// The spectrum of a code.

@@ -1,6 +1,7 @@
 //! One object under one motion: rocking, on cushions, sliding.
 
-use freestand_app::rock::{Asked, Meant, Results, Rock, SCHEMA, resolve};
+use freestand_app::request::Question as _;
+use freestand_app::rock::{Asked, Meant, Results, Rock, SCHEMA};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -28,14 +29,12 @@ pub(crate) fn rock<'py>(
     files: Named,
     history: bool,
 ) -> PyResult<Answer<'py>> {
-    let one = |key, record: Option<&Record>| {
-        record.map(|record| (key, "motion".to_owned(), record.motion().clone()))
-    };
+    let one = |key, record: Option<&Record>| record.map(|record| (key, record.samples("motion")));
     let motions = one("motion", motion)
         .into_iter()
         .chain(one("vertical", vertical));
     let (rock, files) = asked::<Rock>(request, motions, files)?;
-    let meant = resolve(&rock, &files).map_err(raised_all)?;
+    let meant = rock.resolve(&files).map_err(raised_all)?;
     let is_long = is_long(&meant);
     let follow = move || meant.follow(0, history);
     let followed = if is_long {

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand_app::spectrum::{Spectrum, resolve};
+use freestand_app::request::Question as _;
+use freestand_app::spectrum::Spectrum;
 use freestand_input::problem::Problem;
 use freestand_input::written::Written;
 use freestand_output::facts::{Facts, Value};
@@ -222,7 +223,7 @@ pub(crate) fn spectrum<'py>(
     threads: Option<usize>,
 ) -> PyResult<Answer<'py>> {
     let named = motions.iter().flat_map(|(name, horizontal, vertical)| {
-        let one = |key, record: &Record| (key, name.clone(), record.motion().clone());
+        let one = |key, record: &Record| (key, record.samples(name));
         let upward = vertical.as_ref().map(|record| one("vertical", record));
         std::iter::once(one("motion", horizontal)).chain(upward)
     });
@@ -238,7 +239,7 @@ pub(crate) fn spectrum<'py>(
             ));
         }
     }
-    let meant = resolve(&request, &files).map_err(raised_all)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
     drop((request, files));
     let request = meant.objects;
     let shaken = meant.shaking.motions(&LastGround::default(), || Ok(()));

@@ -19,6 +19,8 @@ def test_every_request_has_the_problems_of_the_table() -> None:
                 _freestand.rock(line["request"], None, None, {}, False)
             elif line["command"] == "shock":
                 _freestand.shock(line["request"], {})
+            elif line["command"] == "shock-spectrum":
+                _freestand.shock_spectrum(None, b"", line["request"])
             else:
                 _freestand.spectrum([], b"", b"", line["request"], {}, 1)
         told = [problem.message for problem in caught.value.problems]

@@ -17,7 +17,7 @@ use crate::sliding::Sliding;
 use crate::walls::Walls;
 
 pub use answer::{Answer, Followed, OfMotion, Results};
-pub use resolve::{Asked, Meant, check, resolve};
+pub use resolve::{Asked, Meant};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.rock/1";

@@ -24,7 +24,7 @@ use freestand_study::spatial::{
 use super::{BASES, BaseName, Rock};
 use crate::files::Files;
 use crate::records::{NamedRecords, ReadMotions, components};
-use crate::request::{Request, unknown};
+use crate::request::{Question, Request, unknown};
 use crate::{block, sliding, walls};
 
 /// What is asked, in SI.
@@ -177,25 +177,21 @@ struct Object {
     settings: Settings,
 }
 
-/// What a request means.
-///
-/// # Errors
-/// All its problems, each under its key.
-pub fn resolve(request: &Rock, files: &Files) -> Result<Meant, Problems> {
-    let (asked, named, second) = judged(request, files)?;
-    let across = request.space.motion_y.as_ref().map(Written::text);
-    let mut motions = named.read(second, across.as_deref())?;
-    motions.inputs.extend(request.pad.input(files));
-    motions.inputs.extend(request.records.inputs(files));
-    Ok(Meant { asked, motions })
-}
+impl Question for Rock {
+    type Meant = Meant;
 
-/// As [`resolve`], without reading the records.
-///
-/// # Errors
-/// The same, but for those in the records.
-pub fn check(request: &Rock, files: &Files) -> Result<(), Problems> {
-    judged(request, files).map(drop)
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let (asked, named, second) = judged(self, files)?;
+        let across = self.space.motion_y.as_ref().map(Written::text);
+        let mut motions = named.read(second, across.as_deref())?;
+        motions.inputs.extend(self.pad.input(files));
+        motions.inputs.extend(self.records.inputs(files));
+        Ok(Meant { asked, motions })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        judged(self, files).map(drop)
+    }
 }
 
 /// What a request means, with records that have not been read.

@@ -4,13 +4,14 @@
 use std::fmt::Write as _;
 
 use freestand_app::files::Files;
-use freestand_app::request::{from_entries, keys};
-use freestand_app::rock::{self, Rock};
-use freestand_app::shock::{self, Shock};
-use freestand_app::spectrum::{self, Spectrum};
+use freestand_app::request::{Question, from_entries, keys};
+use freestand_app::rock::Rock;
+use freestand_app::shock::Shock;
+use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::spectrum::Spectrum;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/requests.jsonl");
 
@@ -57,6 +58,10 @@ fn good() -> Vec<Asked> {
             "cg_rise": "16 mm"}),
         ),
         (
+            "shock-spectrum",
+            json!({"pulse": "half-sine", "peak_acceleration": "30 g", "duration": "11 ms"}),
+        ),
+        (
             "spectrum",
             json!({"heights": "1 m, 2 m", "thicknesses": "0.4 m", "place": "Melbourne"}),
         ),
@@ -73,6 +78,7 @@ fn keys_of(command: &str) -> Vec<String> {
     match command {
         "rock" => keys::<Rock>(),
         "shock" => keys::<Shock>(),
+        "shock-spectrum" => keys::<ShockSpectrum>(),
         _ => keys::<Spectrum>(),
     }
 }
@@ -122,6 +128,14 @@ fn of_programs() -> Vec<Asked> {
             json!({"height": [2.3], "thickness": 0.6, "nope": 1, "tolerance_g": "x"}),
         ),
         (
+            "shock-spectrum",
+            json!({"files": "/etc/passwd", "column": 2, "q": 0.4, "frequencies_hz": [0, 20], "csv": "/tmp/x"}),
+        ),
+        (
+            "shock-spectrum",
+            json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),
+        ),
+        (
             "spectrum",
             json!({"heights": [1, "x"], "thicknesses": 0.4, "motion": ["/etc/passwd"]}),
         ),
@@ -145,19 +159,18 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
     let Value::Object(entries) = request else {
         return None;
     };
-    let files = Files::Sent(Vec::new());
     let done = match *command {
-        "rock" => from_entries(entries)
-            .map_err(Problems::from)
-            .and_then(|request| rock::resolve(&request, &files).map(drop)),
-        "shock" => from_entries(entries)
-            .map_err(Problems::from)
-            .and_then(|request| shock::resolve(&request, &files).map(drop)),
-        _ => from_entries(entries)
-            .map_err(Problems::from)
-            .and_then(|request| spectrum::resolve(&request, &files).map(drop)),
+        "rock" => asked::<Rock>(entries),
+        "shock" => asked::<Shock>(entries),
+        "shock-spectrum" => asked::<ShockSpectrum>(entries),
+        _ => asked::<Spectrum>(entries),
     };
     done.err().map(|problems| problems.problems)
+}
+
+fn asked<Q: Question>(entries: &Map<String, Value>) -> Result<(), Problems> {
+    let request: Q = from_entries(entries)?;
+    request.resolve(&Files::Sent(Vec::new())).map(drop)
 }
 
 /// A line of the table.

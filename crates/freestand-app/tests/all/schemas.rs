@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
+use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
@@ -21,6 +22,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "shock.response.json",
             of_response("shock", shock::SCHEMA, &[ShockAnswer::properties()]),
+        ),
+        (
+            "shock-spectrum.request.json",
+            of_request::<ShockSpectrum>("shock-spectrum", &[]),
         ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (

@@ -29,6 +29,8 @@ mod tolerance;
 mod validate;
 
 use clap::{Parser, Subcommand};
+use freestand_app::files::Files as Sources;
+use freestand_app::request::Question;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -46,6 +48,30 @@ impl Done {
     pub(crate) const OK: Self = Self {
         criterion_met: true,
     };
+}
+
+/// A command that is asked by a struct.
+pub(crate) trait Tell: Question {
+    /// The files that it writes beside those of `--out`; the page asks for none.
+    type Output: Default;
+
+    /// Answers what is meant, writes the files and prints the result.
+    fn tell(
+        meant: Self::Meant,
+        output: &Self::Output,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure>;
+
+    /// Answers what a person typed.
+    fn run(
+        &self,
+        output: &Self::Output,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        Self::tell(self.resolve(&Sources::Disk)?, output, global, printer)
+    }
 }
 
 /// How hard an earthquake knocks a free-standing object, and whether it falls.
@@ -115,9 +141,9 @@ impl Command {
             Self::Shard(args) => shard::run(args, global, printer),
             Self::Object(args) => object::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
-            Self::Shock(args) => shock::run(args, global, printer),
-            Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),
-            Self::Rock(args) => rock::run(args, global, printer),
+            Self::Shock(args) => args.request.run(&(), global, printer),
+            Self::ShockSpectrum(args) => args.request.run(&args.output, global, printer),
+            Self::Rock(args) => args.request.run(&args.output, global, printer),
             Self::Spectrum(args) => spectrum::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Cushion(args) => cushion::run(args, global, printer),

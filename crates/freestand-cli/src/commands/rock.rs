@@ -3,14 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_app::files::Files as Sources;
-use freestand_app::rock::{Answer, Asked, Meant, OfMotion, Results, Rock, SCHEMA, resolve};
+use freestand_app::rock::{Answer, Asked, Meant, OfMotion, Results, Rock, SCHEMA};
 use freestand_output::facts::Facts;
 use freestand_study::drawn::DrawnHistory;
 use serde::Serialize;
 
-use super::Done;
 use super::motion::plot::{PlotArgs, place};
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs, write_table};
@@ -53,9 +52,9 @@ Examples:
       --interface-stiffness \"300 N/mm\"")]
 pub(crate) struct RockArgs {
     #[command(flatten)]
-    request: Rock,
+    pub(super) request: Rock,
     #[command(flatten)]
-    output: Output,
+    pub(super) output: Output,
 }
 
 /// The files that are written.
@@ -106,94 +105,88 @@ const SLIDING: [Column; 6] = [
     ("clearance_speed_m_s", "at the clearance [m/s]", 4),
 ];
 
-pub(crate) fn run(
-    args: &RockArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let meant = resolve(&args.request, &Sources::Disk)?;
-    tell(&meant, &args.output, global, printer)
-}
+impl Tell for Rock {
+    type Output = Output;
 
-/// Follows the object, writes the files and prints the result.
-pub(crate) fn tell(
-    meant: &Meant,
-    output: &Output,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let (count, motions) = (meant.count(), &meant.motions);
-    if count > 1 && output.history.is_some() {
-        return Err(Failure::usage(
-            "--history names one file, but there are several motions",
-            "name a folder with --out: it gets the history of each",
-        ));
-    }
-    let target = output.plot.target(global)?;
-    if let Some(target) = &target {
-        target.check(count)?;
-    }
-    let files = Files::with_tables(global, &motions.inputs, &output.tables, SCHEMA, None)?;
-    let session = printer
-        .session()
-        .filter(|session| session.wants_history() && count == 1);
-    let is_sampled =
-        output.history.is_some() || files.wanted() || target.is_some() || session.is_some();
-    let (mut answers, mut plots) = (Vec::new(), Vec::new());
-    let mut warnings = motions.warnings();
-    for index in 0..count {
-        let followed = meant.follow(index, is_sampled)?;
-        let name = &followed.name;
-        let file = match count {
-            1 => "history".to_owned(),
-            _ => format!("history-{:02}-{name}", index + 1),
-        };
-        files.table(&file, || Ok(followed.history()))?;
-        if let Some(path) = &output.history {
-            write_table(path, followed.history(), SCHEMA, &motions.inputs)?;
+    fn tell(
+        meant: Meant,
+        output: &Output,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let (count, motions) = (meant.count(), &meant.motions);
+        if count > 1 && output.history.is_some() {
+            return Err(Failure::usage(
+                "--history names one file, but there are several motions",
+                "name a folder with --out: it gets the history of each",
+            ));
         }
-        if let Some((session, history)) = session.zip(followed.drawn()) {
-            session.beside(&Beside { history });
+        let target = output.plot.target(global)?;
+        if let Some(target) = &target {
+            target.check(count)?;
         }
-        if let Some(target) = &target
-            && let Some((figure_name, figure)) = followed.figure()?
-        {
-            let figure_name = if count == 1 {
-                figure_name.to_owned()
-            } else {
-                file
+        let files = Files::with_tables(global, &motions.inputs, &output.tables, SCHEMA, None)?;
+        let session = printer
+            .session()
+            .filter(|session| session.wants_history() && count == 1);
+        let is_sampled =
+            output.history.is_some() || files.wanted() || target.is_some() || session.is_some();
+        let (mut answers, mut plots) = (Vec::new(), Vec::new());
+        let mut warnings = motions.warnings();
+        for index in 0..count {
+            let followed = meant.follow(index, is_sampled)?;
+            let name = &followed.name;
+            let file = match count {
+                1 => "history".to_owned(),
+                _ => format!("history-{:02}-{name}", index + 1),
             };
-            plots.extend(place(
-                target,
-                vec![(figure_name, figure)],
-                &files,
-                &motions.inputs,
-            )?);
+            files.table(&file, || Ok(followed.history()))?;
+            if let Some(path) = &output.history {
+                write_table(path, followed.history(), SCHEMA, &motions.inputs)?;
+            }
+            if let Some((session, history)) = session.zip(followed.drawn()) {
+                session.beside(&Beside { history });
+            }
+            if let Some(target) = &target
+                && let Some((figure_name, figure)) = followed.figure()?
+            {
+                let figure_name = if count == 1 {
+                    figure_name.to_owned()
+                } else {
+                    file
+                };
+                plots.extend(place(
+                    target,
+                    vec![(figure_name, figure)],
+                    &files,
+                    &motions.inputs,
+                )?);
+            }
+            // The landings on cushions are drawn without being asked for.
+            if target.is_none()
+                && files.wanted()
+                && matches!(meant.asked, Asked::OnPads(_))
+                && let Some((figure_name, figure)) = followed.figure()?
+            {
+                files.drawn(figure_name, &figure)?;
+            }
+            let told = followed.warnings().iter().map(|warning| match count {
+                1 => warning.clone(),
+                _ => format!("{name}: {warning}"),
+            });
+            warnings.extend(told);
+            answers.push((name.clone(), followed.answer()));
         }
-        // The landings on cushions are drawn without being asked for.
-        if target.is_none()
-            && files.wanted()
-            && matches!(meant.asked, Asked::OnPads(_))
-            && let Some((figure_name, figure)) = followed.figure()?
-        {
-            files.drawn(figure_name, &figure)?;
-        }
-        let told = followed.warnings().iter().map(|warning| match count {
-            1 => warning.clone(),
-            _ => format!("{name}: {warning}"),
-        });
-        warnings.extend(told);
-        answers.push((name.clone(), followed.answer()));
+        let document = Document {
+            plots: (target.is_some() || count > 1).then_some(plots),
+            results: Results::of(answers),
+            processing: motions.processing(),
+        };
+        files.print(printer, SCHEMA, &document, &warnings, || {
+            text(&document.results)
+        })?;
+        Ok(Done::OK)
     }
-    let document = Document {
-        plots: (target.is_some() || count > 1).then_some(plots),
-        results: Results::of(answers),
-        processing: motions.processing(),
-    };
-    files.print(printer, SCHEMA, &document, &warnings, || {
-        text(&document.results)
-    })?;
-    Ok(Done::OK)
 }
 
 /// The result for people.

@@ -1,12 +1,11 @@
 //! `freestand shock`: one landing.
 
 use clap::Args;
-use freestand_app::files::Files as Sources;
-use freestand_app::shock::{Meant, SCHEMA, Shock, resolve};
+use freestand_app::shock::{Meant, SCHEMA, Shock};
 use freestand_output::answer::Answer;
 use freestand_study::shock::{Verdict, shock};
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -34,30 +33,30 @@ Examples:
       --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
     #[command(flatten)]
-    request: Shock,
+    pub(super) request: Shock,
 }
 
-pub(crate) fn run(
-    args: &ShockArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    tell(&resolve(&args.request, &Sources::Disk)?, global, printer)
-}
+impl Tell for Shock {
+    type Output = ();
 
-/// Calculates the landing, writes the files and prints the result.
-pub(crate) fn tell(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let files = Files::begin(global, &meant.inputs)?;
-    let report = shock(&meant.landing)?;
-    if let Some(boundary) = report.damage_boundary {
-        let tests = meant.landing.boundary_tests.as_ref();
-        files.figure("damage-boundary", || boundary.figure(tests))?;
+    fn tell(
+        meant: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::begin(global, &meant.inputs)?;
+        let report = shock(&meant.landing)?;
+        if let Some(boundary) = report.damage_boundary {
+            let tests = meant.landing.boundary_tests.as_ref();
+            files.figure("damage-boundary", || boundary.figure(tests))?;
+        }
+        let answer = &report.answer;
+        files.print(printer, SCHEMA, answer, &report.warnings, || {
+            lines(&answer.facts())
+        })?;
+        Ok(Done {
+            criterion_met: report.verdict != Verdict::Exceeded,
+        })
     }
-    let answer = &report.answer;
-    files.print(printer, SCHEMA, answer, &report.warnings, || {
-        lines(&answer.facts())
-    })?;
-    Ok(Done {
-        criterion_met: report.verdict != Verdict::Exceeded,
-    })
 }

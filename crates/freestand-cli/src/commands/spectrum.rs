@@ -6,8 +6,7 @@ use std::sync::LazyLock;
 use clap::Args;
 use freestand::respond::{HistoryOptions, RigidHistory};
 use freestand::rocking::Base;
-use freestand_app::files::Files as Sources;
-use freestand_app::spectrum::{Meant, Processed, SCHEMA, Spectrum, resolve};
+use freestand_app::spectrum::{Meant, Processed, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::written::Written;
@@ -20,8 +19,8 @@ use freestand_study::spectrum::{
 use freestand_study::unsolved;
 use serde::Serialize;
 
-use super::Done;
 use super::spectrum_text::Seen;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -94,79 +93,81 @@ pub(crate) fn run(
         seed,
         ..args.request.clone()
     };
-    let meant = resolve(&request, &Sources::Disk)?;
-    tell(meant, &args.output, global, printer)
+    request.run(&args.output, global, printer)
 }
 
-/// Calculates the rows, writes the files and prints the result.
-pub(crate) fn tell(
-    meant: Meant,
-    output: &Output,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let Meant {
-        objects: request,
-        shaking,
-        inputs,
-    } = meant;
-    let stop = printer.stop();
-    let shaken = shaking.motions(&LAST, || {
-        if stop.wanted() {
-            Err(Problem::stopped().into())
-        } else {
-            Ok(())
-        }
-    })?;
-    let (motions, mut warnings) = (shaken.motions, shaken.warnings);
-    let files = Files::begin(global, &inputs)?;
-    let paths = (output.csv.as_deref(), output.parquet.as_deref());
-    let mut rows = Rows::begin(SCHEMA, printer, &files, paths, &inputs)?;
-    let total = request.grid.objects() * motions.len();
-    if let Some(session) = printer.session() {
-        session.check_histories(total)?;
-    }
-    if let Some((session, follow)) = printer
-        .session()
-        .and_then(|session| Some((session, session.follow()?)))
-    {
-        session.beside(&followed(&request, &motions, &follow)?);
-    }
-    let mut seen = Seen::new(motions.len(), total, &request);
-    let bar = printer.progress_bar(printer.json());
-    bar.set_length(total as u64);
-    bar.set_message("rocking histories");
-    let solved = spectrum(&request, &motions, chunk_objects, |chunk| {
-        rows.write(chunk)?;
-        seen.add(chunk);
-        bar.inc(chunk.objects() as u64);
-        if stop.wanted() {
-            Err(Failure::Stopped {
-                printed: printer.json(),
-            })
-        } else {
-            Ok(())
-        }
-    });
-    bar.finish_and_clear();
-    let timing = solved?;
+impl Tell for Spectrum {
+    type Output = Output;
 
-    warnings.extend(request.warnings(&seen.tallies));
-    let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
-    let place = paths
-        .0
-        .or(paths.1)
-        .map(path_text)
-        .or_else(|| files.path(ROWS));
-    let text = || seen.text(&motions, place.as_deref(), &timing);
-    let others = Others {
-        processing: shaken.processing,
-        timing,
-    };
-    rows.finish(files, printer, &others, &warnings, text)?;
-    Ok(Done {
-        criterion_met: !failed,
-    })
+    fn tell(
+        meant: Meant,
+        output: &Output,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let Meant {
+            objects: request,
+            shaking,
+            inputs,
+        } = meant;
+        let stop = printer.stop();
+        let shaken = shaking.motions(&LAST, || {
+            if stop.wanted() {
+                Err(Problem::stopped().into())
+            } else {
+                Ok(())
+            }
+        })?;
+        let (motions, mut warnings) = (shaken.motions, shaken.warnings);
+        let files = Files::begin(global, &inputs)?;
+        let paths = (output.csv.as_deref(), output.parquet.as_deref());
+        let mut rows = Rows::begin(SCHEMA, printer, &files, paths, &inputs)?;
+        let total = request.grid.objects() * motions.len();
+        if let Some(session) = printer.session() {
+            session.check_histories(total)?;
+        }
+        if let Some((session, follow)) = printer
+            .session()
+            .and_then(|session| Some((session, session.follow()?)))
+        {
+            session.beside(&followed(&request, &motions, &follow)?);
+        }
+        let mut seen = Seen::new(motions.len(), total, &request);
+        let bar = printer.progress_bar(printer.json());
+        bar.set_length(total as u64);
+        bar.set_message("rocking histories");
+        let solved = spectrum(&request, &motions, chunk_objects, |chunk| {
+            rows.write(chunk)?;
+            seen.add(chunk);
+            bar.inc(chunk.objects() as u64);
+            if stop.wanted() {
+                Err(Failure::Stopped {
+                    printed: printer.json(),
+                })
+            } else {
+                Ok(())
+            }
+        });
+        bar.finish_and_clear();
+        let timing = solved?;
+
+        warnings.extend(request.warnings(&seen.tallies));
+        let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
+        let place = paths
+            .0
+            .or(paths.1)
+            .map(path_text)
+            .or_else(|| files.path(ROWS));
+        let text = || seen.text(&motions, place.as_deref(), &timing);
+        let others = Others {
+            processing: shaken.processing,
+            timing,
+        };
+        rows.finish(files, printer, &others, &warnings, text)?;
+        Ok(Done {
+            criterion_met: !failed,
+        })
+    }
 }
 
 /// What the page gets next to the document to draw the history of an object.

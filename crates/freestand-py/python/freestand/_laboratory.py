@@ -6,6 +6,8 @@ import json
 from collections.abc import Iterable
 from typing import TypeAlias
 
+import numpy as np
+
 from . import _freestand
 from ._convert import Numbers, PathLike, bad, data, given, paths_text, warn
 from ._motion import Motion
@@ -199,9 +201,10 @@ def shock_spectrum(
     else:
         motion = Motion(accel, dt_s)
     values = given(
-        frequencies_hz=data("frequencies_hz", frequencies_hz), damping_ratio=damping_ratio, q=q, kind=kind, peak=peak,
-        upsample=upsample,
+        damping_ratio=damping_ratio, q=q, kind=kind, peak=peak,
+        no_upsample=not upsample if isinstance(upsample, (bool, np.bool_)) else upsample,
     )  # fmt: skip
-    result = ShockSpectrumResult._of(_freestand.shock_spectrum(motion._record, values))
+    frequencies = data("frequencies_hz", frequencies_hz) or b""
+    result = ShockSpectrumResult._of(_freestand.shock_spectrum(motion._record, frequencies, values))
     warn(result.warnings)
     return result

@@ -8,9 +8,12 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
-use freestand_app as app;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::from_entries;
+use freestand_app::rock::Rock;
+use freestand_app::shock::Shock;
+use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::spectrum::Spectrum;
 use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
@@ -29,7 +32,7 @@ use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
 use crate::args::GlobalArgs;
-use crate::commands::{Cli, rock, shock, spectrum};
+use crate::commands::{Cli, Done, Tell};
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
@@ -208,20 +211,10 @@ fn kind(path: &Path) -> Kind {
 fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
     let read = || -> Result<(), Wrong> {
-        match request.command.as_str() {
-            "rock" => {
-                let (entries, files) = written(request)?;
-                return Ok(app::rock::check(&from_entries(&entries)?, &files)?);
-            }
-            "spectrum" => {
-                let (entries, files) = written(request)?;
-                return Ok(app::spectrum::check(&from_entries(&entries)?, &files)?);
-            }
-            _ => {}
+        if let Some(command) = by_struct(request) {
+            return (command.check)(request);
         }
-        if !matches!(asked(request)?, Asked::Typed(_)) {
-            return Ok(());
-        }
+        parsed(request)?;
         let studies = request
             .files
             .iter()
@@ -238,7 +231,6 @@ fn check(request: &Request) -> Result<(), Refusal> {
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
     let run = || -> Result<Reply, Wrong> {
-        let asked = asked(request)?;
         let follow = match &request.history {
             History::Of { motion } => Some(Follow::Named(motion.clone())),
             other => other.is_wanted().then_some(Follow::Telling),
@@ -266,59 +258,63 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         let session = Arc::new(session.with_rows(rows));
         let printer = Printer::keeping(Arc::clone(&session));
         let global = GlobalArgs::of_request(request.folder.clone());
-        let done = match asked {
-            Asked::Rock(meant) => rock::tell(&meant, &rock::Output::default(), &global, &printer),
-            Asked::Shock(meant) => shock::tell(&meant, &global, &printer),
-            Asked::Spectrum(meant) => {
-                spectrum::tell(*meant, &spectrum::Output::default(), &global, &printer)
-            }
-            Asked::Typed(mut cli) => {
+        let done = match by_struct(request) {
+            Some(command) => (command.tell)(request, &global, &printer),
+            None => {
+                let mut cli = parsed(request)?;
                 let scratch = scratch(request, &mut cli)?;
                 let done = cli.command.run(&cli.global, &printer);
                 drop(scratch);
-                done
+                done.map_err(Wrong::from)
             }
         };
         let kept = session.take();
         match done {
-            Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(reply(request, kept, &seen)?),
-            Err(failure) => Err(failure.into()),
+            Ok(_)
+            | Err(Wrong {
+                failure: Failure::StoppedAfterWriting,
+                ..
+            }) => Ok(reply(request, kept, &seen)?),
+            Err(wrong) => Err(wrong),
         }
     };
     run().map_err(|wrong| seen.refusal(&wrong))
 }
 
-/// What a request asks.
-enum Asked {
-    /// `rock`.
-    Rock(Box<app::rock::Meant>),
-    /// `shock`.
-    Shock(Box<app::shock::Meant>),
-    /// `spectrum`.
-    Spectrum(Box<app::spectrum::Meant>),
-    /// A command whose request is the line that a person would type.
-    Typed(Box<Cli>),
+/// A command that is asked by a struct.
+struct ByStruct {
+    name: &'static str,
+    check: fn(&Request) -> Result<(), Wrong>,
+    tell: fn(&Request, &GlobalArgs, &Printer) -> Result<Done, Wrong>,
 }
 
-fn asked(request: &Request) -> Result<Asked, Wrong> {
-    let (entries, files) = match request.command.as_str() {
-        "rock" | "shock" | "spectrum" => written(request)?,
-        _ => return Ok(Asked::Typed(Box::new(parsed(request)?))),
-    };
-    Ok(match request.command.as_str() {
-        "rock" => {
-            let rock = from_entries(&entries)?;
-            Asked::Rock(Box::new(app::rock::resolve(&rock, &files)?))
+/// The commands that are asked by structs; the others by the line that a person would type.
+const BY_STRUCTS: [ByStruct; 4] = [
+    ByStruct::of::<Rock>("rock"),
+    ByStruct::of::<Shock>("shock"),
+    ByStruct::of::<ShockSpectrum>("shock-spectrum"),
+    ByStruct::of::<Spectrum>("spectrum"),
+];
+
+impl ByStruct {
+    const fn of<Q: Tell>(name: &'static str) -> Self {
+        Self {
+            name,
+            check: |request| {
+                let (entries, files) = written(request)?;
+                Ok(from_entries::<Q>(&entries)?.check(&files)?)
+            },
+            tell: |request, global, printer| {
+                let (entries, files) = written(request)?;
+                let meant = from_entries::<Q>(&entries)?.resolve(&files)?;
+                Ok(Q::tell(meant, &Q::Output::default(), global, printer)?)
+            },
         }
-        "spectrum" => {
-            let spectrum = from_entries(&entries)?;
-            Asked::Spectrum(Box::new(app::spectrum::resolve(&spectrum, &files)?))
-        }
-        _ => {
-            let shock = from_entries(&entries)?;
-            Asked::Shock(Box::new(app::shock::resolve(&shock, &files)?))
-        }
-    })
+    }
+}
+
+fn by_struct(request: &Request) -> Option<&'static ByStruct> {
+    BY_STRUCTS.iter().find(|one| one.name == request.command)
 }
 
 /// What was written, and the files that were sent with it: it names no others.

@@ -1,0 +1,227 @@
+//! `shock-spectrum`: what a component feels, of records and of classical pulses.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand::shock_response::{Pulse, ShockSpectrumOptions};
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::recorded::ReadMotion;
+use freestand_study::shock_spectrum::{
+    DEFAULT_FREQUENCIES, KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest,
+    acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
+};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::records::Records;
+use crate::request::{Question, Request, Switch, Unknown, one_of, one_or_many, request, unknown};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.shock-spectrum/1";
+
+/// The shock response spectrum of records or of a pulse.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+// A laboratory file has columns, not components.
+#[command(mut_arg("component", |arg| arg.visible_alias("column")))]
+pub struct ShockSpectrum {
+    /// Record files
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub motion: Vec<Written>,
+    /// A classical pulse instead of files
+    #[arg(long, value_name = "PULSE", value_parser = one_of(SHAPES), help_heading = "A pulse")]
+    pub pulse: Option<Written>,
+    /// Peak of the pulse; the spectrum has the same unit
+    #[arg(long, value_name = "ACCELERATION", help_heading = "A pulse")]
+    pub peak_acceleration: Option<Written>,
+    /// Duration of the pulse
+    #[arg(long, value_name = "TIME", help_heading = "A pulse")]
+    pub duration: Option<Written>,
+    /// Damping ratio of the oscillators [default: 5 %]
+    #[arg(long, value_name = "RATIO")]
+    pub damping: Option<Written>,
+    /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
+    #[arg(long, value_name = "RATIO")]
+    pub q: Option<Written>,
+    /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list [default: 1 Hz:10 kHz:12/oct]
+    #[arg(long, value_name = "GRID")]
+    pub frequencies: Option<Written>,
+    /// Response of the oscillators [default: absolute-acceleration]
+    #[arg(long, value_name = "KIND", value_parser = one_of(KINDS))]
+    pub kind: Option<Written>,
+    /// Peak of that response [default: maximax]
+    #[arg(long, value_name = "PEAK", value_parser = one_of(PEAKS))]
+    pub peak: Option<Written>,
+    /// Find peaks at the samples only, not on the band-limited curve through them
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub no_upsample: Switch,
+    /// How the records are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(ShockSpectrum {
+    motion, pulse, peak_acceleration, duration, damping, q, frequencies, kind, peak, no_upsample;
+    records, unknown
+});
+
+/// What is asked, in SI.
+#[derive(Debug)]
+pub struct Meant {
+    /// The spectrum.
+    pub spectrum: ShockSpectrumRequest,
+    /// What shakes the oscillators.
+    pub shock: Shock,
+}
+
+/// What shakes the oscillators.
+#[derive(Debug)]
+pub enum Shock {
+    /// A pulse, and the unit that its peak was given in.
+    Pulse(Pulse, &'static str),
+    /// Records, and the files that were read.
+    Recorded(Vec<ReadMotion>, Vec<PathBuf>),
+}
+
+impl Meant {
+    /// The spectra. `go_on` is asked now and then.
+    ///
+    /// # Errors
+    /// A record or a pulse that the method cannot answer, and what `go_on` returns.
+    pub fn spectra(
+        &self,
+        go_on: impl Fn() -> Result<(), Problem>,
+    ) -> Result<ShockSpectrumReport, Problem> {
+        match &self.shock {
+            Shock::Pulse(pulse, unit) => pulse_shock_spectrum(pulse, unit, &self.spectrum, go_on),
+            Shock::Recorded(motions, _) => recorded_shock_spectra(motions, &self.spectrum, go_on),
+        }
+    }
+
+    /// The files that were read.
+    pub fn inputs(&self) -> &[PathBuf] {
+        match &self.shock {
+            Shock::Pulse(..) => &[],
+            Shock::Recorded(_, inputs) => inputs,
+        }
+    }
+}
+
+impl Question for ShockSpectrum {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let spectrum = spectrum(&mut read);
+        let pulse = pulse(&mut read);
+        read.exclusive("pulse", "no_upsample");
+        if read.has("pulse") && read.has("motion") {
+            read.note(
+                &["pulse", "motion"],
+                "a pulse and a record exclude each other",
+                "keep one of them",
+            );
+        }
+        if !read.has("motion") && !read.has("pulse") {
+            read.missing(
+                &["motion"],
+                "there is neither a record nor a pulse",
+                "name a record, or give `pulse`, `peak_acceleration` and `duration`",
+            );
+        }
+        let named = self
+            .records
+            .named(&mut read, &self.motion, (&[], &Default::default()), files);
+        let spectrum = read.problems.finish(spectrum)?;
+        let shock = match pulse {
+            Some((pulse, unit)) => Shock::Pulse(pulse, unit),
+            None => {
+                let mut inputs = named.paths();
+                inputs.extend(self.records.inputs(files));
+                Shock::Recorded(named.shocks()?, inputs)
+            }
+        };
+        Ok(Meant { spectrum, shock })
+    }
+}
+
+fn spectrum(read: &mut WordReader<'_>) -> Option<ShockSpectrumRequest> {
+    read.exclusive("damping", "q");
+    let damping = read.non_negative("damping", Dimension::Ratio);
+    let q = read.positive("q", Dimension::Ratio);
+    let damping_ratio = damping
+        .or(q.map(|q| 0.5 / q))
+        .unwrap_or(ShockSpectrumOptions::default().damping_ratio);
+    if damping_ratio >= 1.0 {
+        let key = if q.is_some() { "q" } else { "damping" };
+        read.note(
+            &[key],
+            format!("`{key}`: a damping ratio of {damping_ratio} is not below 1"),
+            "give a damping below 100 %, or a Q above 0.5; 5 %, which is Q = 10, is usual",
+        );
+    }
+    let frequencies_hz = if read.has("frequencies") {
+        read.grid("frequencies", Dimension::Frequency)
+    } else {
+        read.keep(
+            "frequencies",
+            parse_grid(DEFAULT_FREQUENCIES, Dimension::Frequency),
+        )
+    };
+    let wrong = frequencies_hz.iter().flatten().find(|f| **f <= 0.0);
+    if let Some(wrong) = wrong {
+        read.note(
+            &["frequencies"],
+            format!("`frequencies`: {wrong} Hz is not above zero"),
+            "give frequencies such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"",
+        );
+    }
+    Some(ShockSpectrumRequest {
+        kind: read.choice("kind", KINDS).unwrap_or_default(),
+        peak: read.choice("peak", PEAKS).unwrap_or_default(),
+        damping_ratio,
+        frequencies_hz: frequencies_hz?,
+        upsample: !read.flag("no_upsample"),
+    })
+}
+
+/// The pulse, and the unit that its peak is given in.
+fn pulse(read: &mut WordReader<'_>) -> Option<(Pulse, &'static str)> {
+    let shape = read.choice("pulse", SHAPES);
+    let peak_m_s2 = read.quantity("peak_acceleration", Dimension::Acceleration);
+    let unit = acceleration_unit(read.text("peak_acceleration").unwrap_or_default());
+    let duration_s = read.positive("duration", Dimension::Time);
+    for key in ["peak_acceleration", "duration"] {
+        match (read.has("pulse"), read.has(key)) {
+            (true, false) => read.missing(
+                &[key],
+                format!("a pulse needs `{key}`"),
+                "give a peak and a duration, such as \"30 g\" and \"11 ms\"",
+            ),
+            (false, true) => read.note(
+                &[key],
+                format!("`{key}` is that of a pulse"),
+                "name its shape with `pulse`, or leave it out",
+            ),
+            _ => {}
+        }
+    }
+    let pulse = Pulse::new(shape?, peak_m_s2?, duration_s?).map_err(|error| {
+        let hint = "give a peak and a duration, such as \"30 g\" and \"11 ms\"";
+        Problem::value(error.to_string(), hint)
+    });
+    Some((read.keep("pulse", pulse)?, unit))
+}
