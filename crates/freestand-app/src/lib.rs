@@ -2,6 +2,7 @@
 //! in the same way. `resolve` alone knows defaults, units, choices and what may be combined, and tells
 //! all problems at once; what it returns is in SI and asks the models.
 
+pub mod drop_test;
 pub mod files;
 pub mod request;
 pub mod rock;
@@ -9,6 +10,7 @@ pub mod schema;
 pub mod shock;
 pub mod shock_spectrum;
 pub mod spectrum;
+pub mod static_test;
 
 mod block;
 mod cushion;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::ffi::OsStr;
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::builder::{PossibleValue, TypedValueParser};
@@ -10,6 +11,7 @@ use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
+use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -52,6 +54,9 @@ pub trait Question: Request {
     fn check(&self, files: &Files) -> Result<(), Problems> {
         self.resolve(files).map(drop)
     }
+
+    /// Takes the seed of a shell, if random numbers are drawn.
+    fn draw(&mut self, _seed: Option<Written>) {}
 }
 
 /// Lists the fields of a request: values, then `;` and the parts that it consists of.
@@ -139,6 +144,11 @@ pub(crate) fn one_of<T: Clone + Send + Sync + 'static>(choices: Choices<T>) -> O
     OneOf(choices.iter().map(value).collect())
 }
 
+/// As [`one_of`], of names that need no explanation.
+pub(crate) fn one_of_names(names: &[&'static str]) -> OneOf {
+    OneOf(names.iter().map(PossibleValue::new).collect())
+}
+
 #[derive(Debug, Clone)]
 pub(crate) struct OneOf(Vec<PossibleValue>);
 
@@ -218,7 +228,7 @@ struct Name {
 }
 
 /// What people call the files of a command that takes them without a flag.
-const FILES: [&str; 5] = ["file", "files", "motions", "record", "records"];
+const FILES: [&str; 6] = ["file", "files", "motion", "motions", "record", "records"];
 
 /// The names of the values of a request.
 fn names<R: Request>() -> Vec<Name> {
@@ -286,6 +296,37 @@ pub(crate) fn unit_endings() -> Vec<&'static str> {
 fn unit(ending: &str) -> Option<(&'static str, &'static [&'static str])> {
     let found = ENDINGS.iter().find(|(name, ..)| *name == ending);
     found.map(|(_, unit, values)| (*unit, *values))
+}
+
+/// The files that a request names; it must name one.
+pub(crate) fn paths(
+    read: &mut WordReader<'_>,
+    key: &'static str,
+    names: &[Written],
+    files: &Files,
+) -> Vec<PathBuf> {
+    read.pass(&[key]);
+    if names.is_empty() {
+        read.missing(&[key], "no file is named", "name one or more files");
+    }
+    // In the command line they have no flag that a message could name.
+    let path = |name: &Written| {
+        files
+            .path(&name.text())
+            .map_err(|problem| problem.of(&[key]))
+    };
+    let found = names.iter().map(path);
+    found
+        .filter_map(|path| read.problems.keep(path.map_err(Problems::from)))
+        .collect()
+}
+
+/// The seed of random numbers.
+pub(crate) fn seed(read: &mut WordReader<'_>) -> Option<u64> {
+    read.read("seed", |text| {
+        let wrong = |_| Problem::value(format!("{text} is not a seed"), "give a whole number");
+        text.parse::<u64>().map_err(wrong)
+    })
 }
 
 /// A problem for each key that the request does not know.

@@ -7,7 +7,7 @@ use freestand::block::Block;
 use freestand::respond::Settings;
 use freestand::rocking::{Base, Restitution, RockingModel};
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
@@ -24,7 +24,7 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, Unknown, one_or_many, request, unknown};
+use crate::request::{Question, Request, Switch, Unknown, one_or_many, request, seed, unknown};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -236,6 +236,10 @@ impl Question for Spectrum {
     fn check(&self, files: &Files) -> Result<(), Problems> {
         judged(self, files).map(drop)
     }
+
+    fn draw(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
 }
 
 /// What a request means, with records that have not been read; they shake the objects where nothing else does.
@@ -277,10 +281,7 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
     let mut place = Words::default();
     request.place.write(&mut place);
     let keys: Vec<&'static str> = place.entries().map(|(key, _)| key).collect();
-    let seed = read.read("seed", |text| {
-        let wrong = |_| Problem::value(format!("{text} is not a seed"), "give a whole number");
-        text.parse::<u64>().map_err(wrong)
-    });
+    let seed = seed(read);
     if !request.motion.is_empty() {
         read.pass(&keys);
         if let Some(key) = keys.first() {

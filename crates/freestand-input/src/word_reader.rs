@@ -243,6 +243,12 @@ impl<'w> WordReader<'w> {
         self.one_of(key, &known)
     }
 
+    /// One of the known names.
+    pub fn name(&mut self, key: &'static str, known: &[&'static str]) -> Option<String> {
+        let known: Vec<(&str, &str)> = known.iter().map(|&name| (name, name)).collect();
+        self.one_of(key, &known).map(str::to_owned)
+    }
+
     /// One of the known words; capitals are ignored.
     pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
         let text = self.one(key)?;

@@ -148,17 +148,6 @@ impl<'a, 'py> Given<'a, 'py> {
         path
     }
 
-    pub(crate) fn paths(&mut self, name: &str) -> Vec<PathBuf> {
-        let Some(value) = self.value(name) else {
-            return Vec::new();
-        };
-        let paths = value.extract::<Vec<PathBuf>>().ok();
-        if paths.is_none() {
-            self.wrong(name, "a list of paths");
-        }
-        paths.unwrap_or_default()
-    }
-
     pub(crate) fn texts(&mut self, name: &str, example: &str) -> Vec<String> {
         let texts = self.value(name).map(|value| value.extract::<Vec<String>>());
         if matches!(texts, Some(Err(_))) {

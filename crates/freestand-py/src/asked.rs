@@ -16,18 +16,24 @@ use crate::errors::raised;
 /// Files by the keys that name them: a path, or the text of the file.
 pub(crate) type Named = HashMap<String, (Option<PathBuf>, Option<String>)>;
 
+/// A request whose files are on the disk.
+pub(crate) fn typed<R: Request>(values: &Bound<'_, PyDict>) -> PyResult<R> {
+    from_entries(&entries(values)?).map_err(raised)
+}
+
+fn entries(values: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
+    let entry =
+        |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
+    values.iter().map(entry).collect()
+}
+
 /// A request, and what it names. A motion has the key that names it.
 pub(crate) fn asked<R: Request>(
     values: &Bound<'_, PyDict>,
     motions: impl IntoIterator<Item = (&'static str, ReadMotion)>,
     files: Named,
 ) -> PyResult<(R, Files)> {
-    let entry =
-        |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
-    let mut entries = values
-        .iter()
-        .map(entry)
-        .collect::<PyResult<Map<String, Value>>>()?;
+    let mut entries = entries(values)?;
     let mut sent: Vec<Sent> = Vec::new();
     for (key, motion) in motions {
         let called = format!("{key} {}", sent.len() + 1);

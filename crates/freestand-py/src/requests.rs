@@ -4,27 +4,23 @@ use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use freestand::G0_M_S2;
-use freestand::identify::Toe;
 use freestand::motion::Motion;
 use freestand::synthesis::SynthesisOptions;
+use freestand_app::drop_test::{DropTests, SCHEMA as DROP};
+use freestand_app::files::Files;
 use freestand_app::request::Question as _;
 use freestand_app::shock::{SCHEMA as SHOCK, Shock};
 use freestand_app::shock_spectrum::{SCHEMA as SHOCK_SPECTRUM, ShockSpectrum};
+use freestand_app::static_test::{SCHEMA as STATIC, StaticTests};
 use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::written::Written;
-use freestand_records::formats::{ReadOptions, parse_sensitivity};
 use freestand_records::notes::grouped;
 use freestand_study::building;
 use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
-use freestand_study::laboratory::drop_test::{
-    DropRequest, LAWS, cushion_toml, drop_tests, loop_table,
-};
-use freestand_study::laboratory::static_curve::{StaticRequest, static_tests};
-use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
-use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
+use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
+use freestand_study::laboratory::static_curve::static_tests;
 use freestand_study::matched::{SynthRequest, synth as made};
 use freestand_study::shock::shock as evaluated;
 use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
@@ -33,7 +29,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::{Given, doubles, told};
-use crate::asked::{Named, asked};
+use crate::asked::{Named, asked, typed};
 use crate::errors::{raised, raised_all};
 use crate::motion::{Record, unread};
 use crate::work::watched;
@@ -47,68 +43,16 @@ pub(crate) fn shock(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Strin
     told(SHOCK, &report.answer, &report.warnings)
 }
 
-/// A text that must be one of these.
-fn one_of(given: &mut Given<'_, '_>, name: &str, known: &[&str]) -> Option<String> {
-    let text = given.text(name)?;
-    if !known.contains(&text.as_str()) {
-        let hint = format!("give one of {}", known.join(", "));
-        given.push(Problem::value(
-            format!("{name} \"{text}\" is not known"),
-            hint,
-        ));
-    }
-    Some(text)
-}
-
 /// The document, the pad as the text of a cushion file, the loops as CSV.
 type Pad = (String, Option<String>, Vec<String>);
 
 /// A pad from its drop tests.
 #[pyfunction]
 pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Pad> {
-    let mut given = Given::new(values);
-    let unit = given
-        .text("unit")
-        .map(|unit| freestand_records::formats::parse_unit(&unit));
-    let sensitivity = given
-        .text("sensitivity")
-        .map(|text| parse_sensitivity(&text));
-    let request = DropRequest {
-        files: given.paths("files"),
-        mass_kg: given.positive("mass_kg"),
-        height_m: given.positive("height_m"),
-        impact_velocity_m_s: given.positive("impact_velocity_m_s"),
-        velocity_error_ratio: given
-            .positive("velocity_error_ratio")
-            .unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
-        gravity_m_s2: given.non_negative("gravity_m_s2").unwrap_or(G0_M_S2),
-        filter_corner_hz: given.positive("corner_hz"),
-        law: given.choice("law", LAWS),
-        read: ReadOptions {
-            unit: unit.and_then(|unit| given.keep(unit)),
-            sensitivity: sensitivity.and_then(|sensor| given.keep(sensor)),
-            dt_s: given.positive("dt_s"),
-            ..ReadOptions::default()
-        },
-        component: given.text("component"),
-        inverted: given.flag("inverted"),
-        impactor: one_of(&mut given, "impactor", &IMPACTORS),
-        sphere_radius_m: given.positive("sphere_radius_m"),
-        boundary: one_of(&mut given, "boundary", &BOUNDARIES),
-        thickness_m: given.positive("pad_thickness_m"),
-        seed: given.whole("seed", 0).unwrap_or(DEFAULT_SEED),
-    };
-    if request.height_m.is_some() && request.impact_velocity_m_s.is_some() {
-        let message = "height_m and impact_velocity_m_s exclude each other";
-        given.push(Problem::value(message, "keep one of them"));
-    }
-    given.finish()?;
+    let request = typed::<DropTests>(values)?.resolve(&Files::Disk);
+    let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
-    let text = told(
-        "freestand.cushion-drop/1",
-        &report.facts(),
-        &report.warnings,
-    )?;
+    let text = told(DROP, &report.facts(), &report.warnings)?;
     let loops = report
         .tests
         .iter()
@@ -120,31 +64,10 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
 /// Static tests of a pad.
 #[pyfunction]
 pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let sensitivities = given.texts("sensitivity", "2 mV/N");
-    let request = StaticRequest {
-        files: given.paths("files"),
-        load_n: given.positive("load_n"),
-        machine_stiffness_n_m: given.positive("machine_stiffness_n_m"),
-        toe: given
-            .optional_flag("cut_toe")
-            .map(|cuts| if cuts { Toe::Slack } else { Toe::Keep }),
-        inverted: given.flag("inverted"),
-        sensitivities: sensitivities
-            .iter()
-            .filter_map(|text| given.keep(parse_sensitivity(text)))
-            .collect(),
-        impactor: one_of(&mut given, "impactor", &IMPACTORS),
-        boundary: one_of(&mut given, "boundary", &BOUNDARIES),
-        dynamic_stiffness_n_m: given.positive("dynamic_stiffness_n_m"),
-    };
-    given.finish()?;
+    let request = typed::<StaticTests>(values)?.resolve(&Files::Disk);
+    let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| static_tests(&request))?.map_err(raised_all)?;
-    told(
-        "freestand.cushion-static/1",
-        &report.facts(),
-        &report.warnings,
-    )
+    told(STATIC, &report.facts(), &report.warnings)
 }
 
 /// The shock response spectrum of a motion.

@@ -14,6 +14,9 @@ def test_every_request_has_the_problems_of_the_table() -> None:
     lines = [json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines()]
     assert len(lines) > 300
     for line in lines:
+        # These files are on the disk, where one that is not there has another message.
+        if line["command"].startswith("cushion") and {"file", "files"} & line["request"].keys():
+            continue
         with pytest.raises(fs.FreestandError) as caught:
             if line["command"] == "rock":
                 _freestand.rock(line["request"], None, None, {}, False)
@@ -21,6 +24,10 @@ def test_every_request_has_the_problems_of_the_table() -> None:
                 _freestand.shock(line["request"], {})
             elif line["command"] == "shock-spectrum":
                 _freestand.shock_spectrum(None, b"", line["request"])
+            elif line["command"] == "cushion drop":
+                _freestand.drop_test(line["request"])
+            elif line["command"] == "cushion static":
+                _freestand.static_test(line["request"])
             else:
                 _freestand.spectrum([], b"", b"", line["request"], {}, 1)
         told = [problem.message for problem in caught.value.problems]

@@ -3,12 +3,14 @@
 
 use std::fmt::Write as _;
 
+use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
+use freestand_app::static_test::StaticTests;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use serde_json::{Map, Value, json};
@@ -73,12 +75,25 @@ fn good() -> Vec<Asked> {
     ]
 }
 
+/// What would be answered but for its files.
+fn without_files() -> Vec<Asked> {
+    vec![
+        (
+            "cushion drop",
+            json!({"mass": "0.365 kg", "height": "100 mm"}),
+        ),
+        ("cushion static", json!({"load": "350 N"})),
+    ]
+}
+
 /// The keys of a command.
 fn keys_of(command: &str) -> Vec<String> {
     match command {
         "rock" => keys::<Rock>(),
         "shock" => keys::<Shock>(),
         "shock-spectrum" => keys::<ShockSpectrum>(),
+        "cushion drop" => keys::<DropTests>(),
+        "cushion static" => keys::<StaticTests>(),
         _ => keys::<Spectrum>(),
     }
 }
@@ -88,6 +103,7 @@ fn typed() -> Vec<Asked> {
     let values = ["abc", "-3 parsec", ""];
     let each = good()
         .into_iter()
+        .chain(without_files())
         .enumerate()
         .flat_map(|(index, (command, request))| {
             let value = values[index % values.len()];
@@ -132,6 +148,14 @@ fn of_programs() -> Vec<Asked> {
             json!({"files": "/etc/passwd", "column": 2, "q": 0.4, "frequencies_hz": [0, 20], "csv": "/tmp/x"}),
         ),
         (
+            "cushion drop",
+            json!({"file": ["a.csv", "/etc/passwd"], "height_m": 0.1, "impact_velocity_m_s": 1.4, "velocity_error": 0.6}),
+        ),
+        (
+            "cushion static",
+            json!({"load_n": 0, "sensitivity": ["2 mV/N", 3], "toe": true, "out": "/tmp/x"}),
+        ),
+        (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),
         ),
@@ -163,6 +187,8 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
         "rock" => asked::<Rock>(entries),
         "shock" => asked::<Shock>(entries),
         "shock-spectrum" => asked::<ShockSpectrum>(entries),
+        "cushion drop" => asked::<DropTests>(entries),
+        "cushion static" => asked::<StaticTests>(entries),
         _ => asked::<Spectrum>(entries),
     };
     done.err().map(|problems| problems.problems)

@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use freestand_app::drop_test::DropTests;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
+use freestand_app::static_test::StaticTests;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -26,6 +28,14 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "shock-spectrum.request.json",
             of_request::<ShockSpectrum>("shock-spectrum", &[]),
+        ),
+        (
+            "cushion-drop.request.json",
+            of_request::<DropTests>("cushion drop", &["seed"]),
+        ),
+        (
+            "cushion-static.request.json",
+            of_request::<StaticTests>("cushion static", &[]),
         ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (

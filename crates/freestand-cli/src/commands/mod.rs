@@ -31,6 +31,7 @@ mod validate;
 use clap::{Parser, Subcommand};
 use freestand_app::files::Files as Sources;
 use freestand_app::request::Question;
+use freestand_input::written::Written;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -51,7 +52,7 @@ impl Done {
 }
 
 /// A command that is asked by a struct.
-pub(crate) trait Tell: Question {
+pub(crate) trait Tell: Question + Clone {
     /// The files that it writes beside those of `--out`; the page asks for none.
     type Output: Default;
 
@@ -70,7 +71,9 @@ pub(crate) trait Tell: Question {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        Self::tell(self.resolve(&Sources::Disk)?, output, global, printer)
+        let mut request = self.clone();
+        request.draw(global.seed.map(|seed| Written::Text(seed.to_string())));
+        Self::tell(request.resolve(&Sources::Disk)?, output, global, printer)
     }
 }
 
@@ -144,7 +147,7 @@ impl Command {
             Self::Shock(args) => args.request.run(&(), global, printer),
             Self::ShockSpectrum(args) => args.request.run(&args.output, global, printer),
             Self::Rock(args) => args.request.run(&args.output, global, printer),
-            Self::Spectrum(args) => spectrum::run(args, global, printer),
+            Self::Spectrum(args) => args.request.run(&args.output, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),

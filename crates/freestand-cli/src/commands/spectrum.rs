@@ -9,7 +9,6 @@ use freestand::rocking::Base;
 use freestand_app::spectrum::{Meant, Processed, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
-use freestand_input::written::Written;
 use freestand_study::at_place::LastGround;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::rock::edge_landings;
@@ -57,9 +56,9 @@ Examples:
 Rows are written as they are calculated: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
     #[command(flatten)]
-    request: Spectrum,
+    pub(super) request: Spectrum,
     #[command(flatten)]
-    output: Output,
+    pub(super) output: Output,
 }
 
 /// The files that are written.
@@ -81,19 +80,6 @@ static LAST: LazyLock<LastGround> = LazyLock::new(LastGround::default);
 struct Others {
     processing: Vec<Processed>,
     timing: SpectrumTiming,
-}
-
-pub(crate) fn run(
-    args: &SpectrumArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let seed = global.seed.map(|seed| Written::Text(seed.to_string()));
-    let request = Spectrum {
-        seed,
-        ..args.request.clone()
-    };
-    request.run(&args.output, global, printer)
 }
 
 impl Tell for Spectrum {

@@ -46,6 +46,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "station_xml",
         "scale_to_spectrum",
         "damage_boundary",
+        "files",
     ];
     for line in requests {
         let request = line["request"].as_object().unwrap();
@@ -66,6 +67,8 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "casters",
             "brakes",
             "no_slip",
+            "no_upsample",
+            "invert",
             "keep_mean",
             "pairs",
             "sensitivity",
@@ -77,7 +80,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             continue;
         }
         let output = Command::new(PROGRAM)
-            .arg(line["command"].as_str().unwrap())
+            .args(line["command"].as_str().unwrap().split(' '))
             .args(arguments)
             .output()
             .unwrap();

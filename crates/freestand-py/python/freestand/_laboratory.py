@@ -88,7 +88,7 @@ def drop_test(
         files=_files(files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
         velocity_error_ratio=velocity_error_ratio, law=law, pad_thickness_m=pad_thickness_m, impactor=impactor,
         sphere_radius_m=sphere_radius_m, boundary=boundary, corner_hz=corner_hz, gravity_m_s2=gravity_m_s2,
-        inverted=inverted or None, unit=unit, sensitivity=sensitivity, dt_s=dt_s,
+        invert=inverted, unit=unit, sensitivity=sensitivity, dt_s=dt_s,
         component=component, seed=seed,
     )  # fmt: skip
     text, toml, loops = _freestand.drop_test(values)
@@ -143,9 +143,10 @@ def static_test(
     """
     sensors = [sensitivity] if isinstance(sensitivity, str) else sensitivity
     values = given(
-        files=_files(files), load_n=load_n, machine_stiffness_n_m=machine_stiffness_n_m, cut_toe=cut_toe,
-        inverted=inverted or None, sensitivity=None if sensors is None else list(sensors), impactor=impactor,
-        boundary=boundary, dynamic_stiffness_n_m=dynamic_stiffness_n_m,
+        files=_files(files), load_n=load_n, machine_compliance=machine_stiffness_n_m,
+        toe=("keep", "cut")[bool(cut_toe)] if isinstance(cut_toe, (bool, np.bool_)) else cut_toe, invert=inverted,
+        sensitivity=None if sensors is None else list(sensors), impactor=impactor,
+        boundary=boundary, dynamic=dynamic_stiffness_n_m,
     )  # fmt: skip
     result = StaticTestResult._of(_freestand.static_test(values))
     warn(result.warnings)

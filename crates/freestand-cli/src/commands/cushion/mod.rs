@@ -9,7 +9,7 @@ mod static_curve;
 
 use clap::{Args, Subcommand};
 
-use super::Done;
+use super::{Done, Tell as _};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
@@ -46,8 +46,8 @@ pub(crate) fn run(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     match &args.command {
-        CushionCommand::Drop(args) => drop::run(args, global, printer),
-        CushionCommand::Static(args) => static_curve::run(args, global, printer),
+        CushionCommand::Drop(args) => args.request.run(&args.output, global, printer),
+        CushionCommand::Static(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
         CushionCommand::Recovery(args) => recovery::run(args, global, printer),
         CushionCommand::Curve(args) => curve::run(args, global, printer),

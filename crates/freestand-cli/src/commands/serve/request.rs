@@ -8,12 +8,14 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::from_entries;
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
+use freestand_app::static_test::StaticTests;
 use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
@@ -289,7 +291,9 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 4] = [
+const BY_STRUCTS: [ByStruct; 6] = [
+    ByStruct::of::<DropTests>("cushion drop"),
+    ByStruct::of::<StaticTests>("cushion static"),
     ByStruct::of::<Rock>("rock"),
     ByStruct::of::<Shock>("shock"),
     ByStruct::of::<ShockSpectrum>("shock-spectrum"),

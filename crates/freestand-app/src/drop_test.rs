@@ -1,0 +1,155 @@
+//! `cushion drop`: drop tests of a pad.
+
+use clap::{ArgAction, Args};
+use freestand::G0_M_S2;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_records::formats::{ReadOptions, parse_sensitivity, parse_unit};
+use freestand_records::processing::read_step;
+use freestand_study::laboratory::drop_test::{DropRequest, LAWS};
+use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
+use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
+use freestand_study::study::DEFAULT_SEED;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{
+    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, request, seed,
+    unknown,
+};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.cushion-drop/1";
+
+/// Drop tests of a pad: the acceleration of a mass that falls onto it.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct DropTests {
+    /// Files with drops on one pad
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub files: Vec<Written>,
+    /// Mass of the impactor
+    #[arg(long, value_name = "MASS")]
+    pub mass: Option<Written>,
+    /// Drop height
+    #[arg(long, value_name = "LENGTH")]
+    pub height: Option<Written>,
+    /// Velocity at the first touch [default: from the drop height, or from the pulse itself]
+    #[arg(long, value_name = "VELOCITY")]
+    pub impact_velocity: Option<Written>,
+    /// Standard deviation of the impact velocity, as a share of it [default: 1 %]
+    #[arg(long, value_name = "RATIO")]
+    pub velocity_error: Option<Written>,
+    /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
+    #[arg(long, value_name = "ACCELERATION")]
+    pub gravity: Option<Written>,
+    /// Corner frequency of the low-pass filter before the A/D converter, behind which the laws are fitted
+    #[arg(long, value_name = "FREQUENCY")]
+    pub corner: Option<Written>,
+    /// Fit only this law [default: the simplest one that no other clearly improves on]
+    #[arg(long, value_name = "LAW", value_parser = one_of(LAWS))]
+    pub law: Option<Written>,
+    /// Thickness of the pad, used in warnings only
+    #[arg(long, value_name = "LENGTH")]
+    pub pad_thickness: Option<Written>,
+    /// Shape of the impactor; replaces what the files state
+    #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
+    pub impactor: Option<Written>,
+    /// Radius of a spherical impactor
+    #[arg(long, value_name = "LENGTH")]
+    pub sphere_radius: Option<Written>,
+    /// Boundary of the pad; replaces what the files state
+    #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
+    pub boundary: Option<Written>,
+    /// Change the sign of all samples, for a sensor that is mounted upside down
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub invert: Switch,
+    /// Unit of acceleration of a file that does not state it
+    #[arg(long, value_name = "UNIT")]
+    pub unit: Option<Written>,
+    /// Sensitivity of the accelerometer of a column in volts, such as "10 mV/g"
+    #[arg(long, value_name = "SENSITIVITY")]
+    pub sensitivity: Option<Written>,
+    /// Time step of a file without a column of times
+    #[arg(long, value_name = "TIME")]
+    pub dt: Option<Written>,
+    /// Step to which unevenly spaced samples are interpolated on straight lines [default: they are refused]
+    #[arg(long, value_name = "TIME")]
+    pub resample: Option<Written>,
+    /// Column of accelerations, by name or by number (from 1)
+    #[arg(long, value_name = "NAME")]
+    pub component: Option<Written>,
+
+    /// Seed of the random numbers of the intervals.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(DropTests {
+    files, mass, height, impact_velocity, velocity_error, gravity, corner, law, pad_thickness, impactor,
+    sphere_radius, boundary, invert, unit, sensitivity, dt, resample, component, seed;
+    unknown
+});
+
+impl Question for DropTests {
+    type Meant = DropRequest;
+
+    fn resolve(&self, files: &Files) -> Result<DropRequest, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        read.exclusive("height", "impact_velocity");
+        read.exclusive("unit", "sensitivity");
+        let request = DropRequest {
+            files: paths(&mut read, "files", &self.files, files),
+            mass_kg: read.positive("mass", Dimension::Mass),
+            height_m: read.positive("height", Dimension::Length),
+            impact_velocity_m_s: read.positive("impact_velocity", Dimension::Velocity),
+            velocity_error_ratio: velocity_error(&mut read),
+            gravity_m_s2: read
+                .non_negative("gravity", Dimension::Acceleration)
+                .unwrap_or(G0_M_S2),
+            filter_corner_hz: read.positive("corner", Dimension::Frequency),
+            law: read.choice("law", LAWS),
+            read: ReadOptions {
+                unit: read.read("unit", parse_unit),
+                sensitivity: read.read("sensitivity", parse_sensitivity),
+                dt_s: read_step(&mut read, "dt"),
+                uneven_dt_s: read_step(&mut read, "resample"),
+                ..ReadOptions::default()
+            },
+            component: read.one("component").map(str::to_owned),
+            inverted: read.flag("invert"),
+            thickness_m: read.positive("pad_thickness", Dimension::Length),
+            impactor: read.name("impactor", &IMPACTORS),
+            sphere_radius_m: read.positive("sphere_radius", Dimension::Length),
+            boundary: read.name("boundary", &BOUNDARIES),
+            seed: seed(&mut read).unwrap_or(DEFAULT_SEED),
+        };
+        read.problems.finish(Some(request))
+    }
+
+    fn draw(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+fn velocity_error(read: &mut WordReader<'_>) -> f64 {
+    let given = read.positive("velocity_error", Dimension::Ratio);
+    if given.is_some_and(|ratio| ratio > 0.5) {
+        read.note(
+            &["velocity_error"],
+            "`velocity_error` must be at most 50 %",
+            "leave `height` and `impact_velocity` out: the velocity is then found from the pulse",
+        );
+    }
+    given.unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO)
+}

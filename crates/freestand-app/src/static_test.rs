@@ -1,0 +1,109 @@
+//! `cushion static`: static tests of a pad.
+
+use clap::{ArgAction, Args};
+use freestand::identify::Toe;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::Choices;
+use freestand_input::written::Written;
+use freestand_records::formats::parse_sensitivity;
+use freestand_study::laboratory::static_curve::StaticRequest;
+use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{
+    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, request, unknown,
+};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.cushion-static/1";
+
+const TOES: Choices<Toe> = &[
+    (
+        Toe::Slack,
+        "cut",
+        "The displacement before the pad is touched is cut off",
+    ),
+    (
+        Toe::Tangent,
+        "tangent",
+        "All before the tangent at the working load meets zero force is cut off (ASTM D695)",
+    ),
+    (Toe::Keep, "keep", "The toe is kept"),
+];
+
+/// Static tests of a pad: force against displacement.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct StaticTests {
+    /// Files with tests of one pad
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub files: Vec<Written>,
+    /// Working load [default: half of the largest force]
+    #[arg(long, value_name = "FORCE")]
+    pub load: Option<Written>,
+    /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
+    #[arg(long, value_name = "STIFFNESS")]
+    pub machine_compliance: Option<Written>,
+    /// What to cut off the toe of the curve [default: cut, but keep for a sphere]
+    #[arg(long, value_name = "WHAT", value_parser = one_of(TOES))]
+    pub toe: Option<Written>,
+    /// Reverse the signs of force and displacement, for a press that writes compression as negative
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub invert: Switch,
+    /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
+    /// once for each such sensor
+    #[arg(long, value_name = "SENSITIVITY")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub sensitivity: Vec<Written>,
+    /// Shape of the impactor; replaces what the files state
+    #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
+    pub impactor: Option<Written>,
+    /// Boundary of the pad; replaces what the files state
+    #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
+    pub boundary: Option<Written>,
+    /// Dynamic stiffness from a drop test, to compare with the secant stiffness
+    #[arg(long, value_name = "STIFFNESS")]
+    pub dynamic: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(StaticTests {
+    files, load, machine_compliance, toe, invert, sensitivity, impactor, boundary, dynamic;
+    unknown
+});
+
+impl Question for StaticTests {
+    type Meant = StaticRequest;
+
+    fn resolve(&self, files: &Files) -> Result<StaticRequest, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        read.pass(&["sensitivity"]);
+        let sensitivities = self.sensitivity.iter().map(Written::text);
+        let sensitivities = sensitivities
+            .filter_map(|text| read.keep("sensitivity", parse_sensitivity(&text)))
+            .collect();
+        let request = StaticRequest {
+            files: paths(&mut read, "files", &self.files, files),
+            load_n: read.positive("load", Dimension::Force),
+            machine_stiffness_n_m: read.positive("machine_compliance", Dimension::Stiffness),
+            toe: read.choice("toe", TOES),
+            inverted: read.flag("invert"),
+            impactor: read.name("impactor", &IMPACTORS),
+            boundary: read.name("boundary", &BOUNDARIES),
+            sensitivities,
+            dynamic_stiffness_n_m: read.positive("dynamic", Dimension::Stiffness),
+        };
+        read.problems.finish(Some(request))
+    }
+}
