@@ -4,6 +4,7 @@
 
 pub mod drop_test;
 pub mod files;
+pub mod motion;
 pub mod request;
 pub mod rock;
 pub mod schema;

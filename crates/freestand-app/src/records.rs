@@ -337,6 +337,11 @@ impl NamedRecords<'_> {
         self.horizontal.is_empty() && self.vertical.is_empty()
     }
 
+    /// How the horizontal records are read.
+    pub(crate) fn how(&self) -> &MotionFiles {
+        &self.how
+    }
+
     /// The number of horizontal records.
     pub(crate) fn count(&self) -> usize {
         self.horizontal.len()

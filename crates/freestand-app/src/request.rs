@@ -321,6 +321,22 @@ pub(crate) fn paths(
         .collect()
 }
 
+/// A whole number from 1.
+pub(crate) fn whole(read: &mut WordReader<'_>, key: &'static str, most: u16) -> Option<u16> {
+    let count = read.whole(key)?;
+    let found = u16::try_from(count)
+        .ok()
+        .filter(|count| (1..=most).contains(count));
+    if found.is_none() {
+        read.note(
+            &[key],
+            format!("`{key}` must be 1 to {most}, not {count}"),
+            "give another number",
+        );
+    }
+    found
+}
+
 /// The seed of random numbers.
 pub(crate) fn seed(read: &mut WordReader<'_>) -> Option<u64> {
     read.read("seed", |text| {

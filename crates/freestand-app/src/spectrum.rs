@@ -24,7 +24,9 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, Unknown, one_or_many, request, seed, unknown};
+use crate::request::{
+    Question, Request, Switch, Unknown, one_or_many, request, seed, unknown, whole,
+};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -320,22 +322,6 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         read.note(&["level_ratio"], message, hint);
     }
     Some(Shaking::AtPlace(Box::new(values), level_ratio))
-}
-
-/// A whole number from 1.
-fn whole(read: &mut WordReader<'_>, key: &'static str, most: u16) -> Option<u16> {
-    let count = read.whole(key)?;
-    let found = u16::try_from(count)
-        .ok()
-        .filter(|count| (1..=most).contains(count));
-    if found.is_none() {
-        read.note(
-            &[key],
-            format!("`{key}` must be 1 to {most}, not {count}"),
-            "give another number",
-        );
-    }
-    found
 }
 
 /// The objects; `None` if something is missing or wrong.

@@ -14,6 +14,9 @@ def test_every_request_has_the_problems_of_the_table() -> None:
     lines = [json.loads(line) for line in TABLE.read_text(encoding="utf-8").splitlines()]
     assert len(lines) > 300
     for line in lines:
+        # A motion of Python has been read before it is asked.
+        if line["command"].startswith("motion "):
+            continue
         # These files are on the disk, where one that is not there has another message.
         if line["command"].startswith("cushion") and {"file", "files"} & line["request"].keys():
             continue

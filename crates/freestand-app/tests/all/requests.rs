@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
+use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
@@ -83,6 +84,12 @@ fn without_files() -> Vec<Asked> {
             json!({"mass": "0.365 kg", "height": "100 mm"}),
         ),
         ("cushion static", json!({"load": "350 N"})),
+        (
+            "motion info",
+            json!({"height": "2 m", "thickness": "0.5 m"}),
+        ),
+        ("motion spectrum", json!({"damping": "2 %, 5 %"})),
+        ("motion convert", json!({"to": "csv"})),
     ]
 }
 
@@ -93,6 +100,9 @@ fn keys_of(command: &str) -> Vec<String> {
         "shock" => keys::<Shock>(),
         "shock-spectrum" => keys::<ShockSpectrum>(),
         "cushion drop" => keys::<DropTests>(),
+        "motion info" => keys::<MotionInfo>(),
+        "motion spectrum" => keys::<MotionSpectrum>(),
+        "motion convert" => keys::<MotionConvert>(),
         "cushion static" => keys::<StaticTests>(),
         _ => keys::<Spectrum>(),
     }
@@ -188,6 +198,9 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
         "shock" => asked::<Shock>(entries),
         "shock-spectrum" => asked::<ShockSpectrum>(entries),
         "cushion drop" => asked::<DropTests>(entries),
+        "motion info" => asked::<MotionInfo>(entries),
+        "motion spectrum" => asked::<MotionSpectrum>(entries),
+        "motion convert" => asked::<MotionConvert>(entries),
         "cushion static" => asked::<StaticTests>(entries),
         _ => asked::<Spectrum>(entries),
     };

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use freestand_app::drop_test::DropTests;
+use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
@@ -36,6 +37,18 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "cushion-static.request.json",
             of_request::<StaticTests>("cushion static", &[]),
+        ),
+        (
+            "motion-info.request.json",
+            of_request::<MotionInfo>("motion info", &[]),
+        ),
+        (
+            "motion-spectrum.request.json",
+            of_request::<MotionSpectrum>("motion spectrum", &[]),
+        ),
+        (
+            "motion-convert.request.json",
+            of_request::<MotionConvert>("motion convert", &[]),
         ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (

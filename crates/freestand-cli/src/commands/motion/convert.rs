@@ -1,10 +1,11 @@
 //! `freestand motion convert`: records to CSV or AT2.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::measures::{Integrals, integrals};
 use freestand::motion::Motion;
+use freestand_app::motion::{CONVERT, Format, Meant, MotionConvert};
 use freestand_records::formats::{write_at2, write_csv};
 use freestand_records::notes::grouped;
 use freestand_study::recorded::ReadMotion;
@@ -13,11 +14,11 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
-use crate::reading::{ReadArgs, path_text};
+use crate::reading::path_text;
 
 /// Convert records to CSV (m/s², exact) or PEER AT2 (g, 8 digits)
 ///
@@ -28,23 +29,8 @@ Examples:
   freestand motion convert record.AT2 --to csv > record.csv
   freestand motion convert a.csv b.csv --to at2 --out converted")]
 pub(crate) struct ConvertArgs {
-    /// Records
-    #[arg(value_name = "FILE", required = true)]
-    files: Vec<PathBuf>,
-    /// Format to write
-    #[arg(long, value_enum)]
-    to: Target,
     #[command(flatten)]
-    read: ReadArgs,
-}
-
-/// A format that is written.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum Target {
-    /// time_s,accel_m_s2
-    Csv,
-    /// PEER AT2
-    At2,
+    pub(super) request: MotionConvert,
 }
 
 #[derive(Debug, Serialize)]
@@ -89,80 +75,88 @@ impl From<Integrals> for Traces {
     }
 }
 
-pub(crate) fn run(
-    args: &ConvertArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let read = args.read.read_any(&args.files)?;
-    if global.out.is_none() && !global.json && read.len() > 1 {
-        return Err(Failure::usage(
-            "several files cannot share standard output",
-            "name a folder with --out",
-        ));
-    }
-    let files = Files::begin(global, &args.read.inputs(&args.files))?;
-    let starts = read
-        .iter()
-        .filter_map(|one| Some((one.motion.name.as_str(), one.start_note.as_ref()?)));
-    let warnings = grouped(read.iter().flat_map(ReadMotion::named_notes).chain(starts));
-    let mut motions = Vec::new();
-    for one in &read {
-        let RecordedMotion {
-            name,
-            path,
-            motion,
-            processing,
-            scale_ratio,
-            ..
-        } = &one.motion;
-        motions.push(
-            args.to
-                .write(&files, (path, name), motion, processing, *scale_ratio)?,
-        );
-    }
-    if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        let traces: Vec<Traces> = read
+impl Tell for MotionConvert {
+    type Output = ();
+
+    fn tell(
+        Meant {
+            asked: (read, format),
+            inputs,
+        }: Self::Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        if global.out.is_none() && !global.json && read.len() > 1 {
+            return Err(Failure::usage(
+                "several files cannot share standard output",
+                "name a folder with --out",
+            ));
+        }
+        let files = Files::begin(global, &inputs)?;
+        let starts = read
             .iter()
-            .map(|one| integrals(&one.motion.motion).into())
-            .collect();
-        session.beside(&json!({ "traces": traces }));
+            .filter_map(|one| Some((one.motion.name.as_str(), one.start_note.as_ref()?)));
+        let warnings = grouped(read.iter().flat_map(ReadMotion::named_notes).chain(starts));
+        let mut motions = Vec::new();
+        for one in &read {
+            let RecordedMotion {
+                name,
+                path,
+                motion,
+                processing,
+                scale_ratio,
+                ..
+            } = &one.motion;
+            motions.push(write(
+                format,
+                &files,
+                (path, name),
+                motion,
+                processing,
+                *scale_ratio,
+            )?);
+        }
+        if let Some(session) = printer.session().filter(|session| session.wants_history()) {
+            let traces: Vec<Traces> = read
+                .iter()
+                .map(|one| integrals(&one.motion.motion).into())
+                .collect();
+            session.beside(&json!({ "traces": traces }));
+        }
+        let report = ConvertReport { motions };
+        files.finish(CONVERT, &report, &warnings)?;
+        printer.result(CONVERT, &report, &warnings, || {
+            report.motions.iter().map(Converted::shown).collect()
+        })?;
+        Ok(Done::OK)
     }
-    let report = ConvertReport { motions };
-    const SCHEMA: &str = "freestand.motion-convert/1";
-    files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || {
-        report.motions.iter().map(Converted::shown).collect()
-    })?;
-    Ok(Done::OK)
 }
 
-impl Target {
-    /// Writes a motion to `--out`, or keeps its text for standard output.
-    pub(super) fn write(
-        self,
-        files: &Files,
-        (source, name): (&Path, &str),
-        motion: &Motion,
-        processing: &[String],
-        scale_ratio: f64,
-    ) -> Result<Converted, Failure> {
-        let (text, extension, format) = match self {
-            Self::Csv => (write_csv(motion), "csv", "csv"),
-            Self::At2 => (write_at2(motion, name), "AT2", "at2"),
-        };
-        let path = files.write(&format!("{name}.{extension}"), || text.clone())?;
-        Ok(Converted {
-            source: path_text(source),
-            text: path.is_none().then_some(text),
-            path,
-            format,
-            dt_s: motion.dt_s(),
-            npts: motion.accel_m_s2().len(),
-            processing: processing.to_vec(),
-            scale_ratio,
-        })
-    }
+/// Writes a motion to `--out`, or keeps its text for standard output.
+pub(super) fn write(
+    format: Format,
+    files: &Files,
+    (source, name): (&Path, &str),
+    motion: &Motion,
+    processing: &[String],
+    scale_ratio: f64,
+) -> Result<Converted, Failure> {
+    let (text, extension, format) = match format {
+        Format::Csv => (write_csv(motion), "csv", "csv"),
+        Format::At2 => (write_at2(motion, name), "AT2", "at2"),
+    };
+    let path = files.write(&format!("{name}.{extension}"), || text.clone())?;
+    Ok(Converted {
+        source: path_text(source),
+        text: path.is_none().then_some(text),
+        path,
+        format,
+        dt_s: motion.dt_s(),
+        npts: motion.accel_m_s2().len(),
+        processing: processing.to_vec(),
+        scale_ratio,
+    })
 }
 
 impl Converted {

@@ -1,24 +1,18 @@
 //! `freestand motion info`: what is in record files.
 
-use std::path::PathBuf;
-
 use clap::Args;
-use freestand::block::Block;
-use freestand_input::problem::Problem;
-use freestand_input::quantity::Dimension;
+use freestand_app::motion::{INFO, Meant, MotionInfo};
 use freestand_output::facts::Facts;
 use freestand_output::figure::Figure;
-use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
+use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo as Told, info};
 use rayon::prelude::*;
 
 use super::plot::{PlotArgs, place};
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
-use crate::reading::ReadArgs;
-use crate::values::{Given, Reads, Values};
 
 /// Show the content of records: peaks, intensities, durations and periods of every component
 #[derive(Debug, Args)]
@@ -32,84 +26,57 @@ Examples:
 Measures are those of the processed motion. In JSON, the first and last values, mean and sum are
 those of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after
 processing. A file that cannot be read is listed after the others, and the exit status is 1.")]
-// Components are measured without rotation: the flag is known only to be refused with a hint.
-#[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
-    /// Records
-    #[arg(value_name = "FILE", required = true)]
-    files: Vec<PathBuf>,
-    /// Height of a block, to see what the motions mean to it; needs --thickness
-    #[arg(long, positive = Dimension::Length, requires = "thickness")]
-    height: Option<Given>,
-    /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
-    #[arg(long, positive = Dimension::Length, requires = "height")]
-    thickness: Option<Given>,
     #[command(flatten)]
-    plot: PlotArgs,
+    pub(super) request: MotionInfo,
     #[command(flatten)]
-    tables: TableArgs,
-    #[command(flatten)]
-    read: ReadArgs,
+    pub(super) output: Output,
 }
 
-const SCHEMA: &str = "freestand.motion-info/1";
-
-pub(crate) fn run(
-    args: &InfoArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let mut values = Values::default();
-    let files = args.read.files(&args.files, &mut values);
-    let block = block(args, &mut values);
-    values.finish()?;
-    let target = args.plot.target(global)?;
-    if let Some(target) = target.as_ref().filter(|_| args.files.len() > 1) {
-        target.check(args.files.len())?;
-    }
-    let report = info(&InfoRequest {
-        files,
-        block,
-        keep_motions: target.is_some(),
-    })?;
-    let out = Files::with_tables(
-        global,
-        &args.read.inputs(&args.files),
-        &args.tables,
-        SCHEMA,
-        None,
-    )?;
-    let mut plots = Vec::new();
-    if let Some(target) = target {
-        target.check(report.motions.len())?;
-        plots = place(
-            &target,
-            figures(&report)?,
-            &out,
-            &args.read.inputs(&args.files),
-        )?;
-    }
-    out.table("measures", || report.measures_table())?;
-    // The figures that were written.
-    let facts = report.facts().key("plots", plots);
-    out.print(printer, SCHEMA, &facts, &report.warnings, || {
-        text(&report, block.is_some())
-    })?;
-    printer.failed(&report.failed);
-    Ok(Done {
-        criterion_met: report.failed.is_empty(),
-    })
+/// The files that are written.
+#[derive(Debug, Default, Args)]
+pub(crate) struct Output {
+    #[command(flatten)]
+    pub(super) plot: PlotArgs,
+    #[command(flatten)]
+    pub(super) tables: TableArgs,
 }
 
-fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
-    let height_m = values.read(&args.height)?;
-    let thickness_m = values.read(&args.thickness)?;
-    let block = Block::uniform(height_m, thickness_m);
-    values.take(
-        block.map_err(|error| {
-            Problem::value(error.to_string(), "check the dimensions of the object")
-        }),
-    )
+impl Tell for MotionInfo {
+    type Output = Output;
+
+    fn tell(
+        Meant { asked, inputs }: Meant<InfoRequest>,
+        output: &Output,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let target = output.plot.target(global)?;
+        let (count, has_block) = (asked.files.paths.len(), asked.block.is_some());
+        if let Some(target) = target.as_ref().filter(|_| count > 1) {
+            target.check(count)?;
+        }
+        let report = info(&InfoRequest {
+            keep_motions: target.is_some(),
+            ..asked
+        })?;
+        let out = Files::with_tables(global, &inputs, &output.tables, INFO, None)?;
+        let mut plots = Vec::new();
+        if let Some(target) = target {
+            target.check(report.motions.len())?;
+            plots = place(&target, figures(&report)?, &out, &inputs)?;
+        }
+        out.table("measures", || report.measures_table())?;
+        // The figures that were written.
+        let facts = report.facts().key("plots", plots);
+        out.print(printer, INFO, &facts, &report.warnings, || {
+            text(&report, has_block)
+        })?;
+        printer.failed(&report.failed);
+        Ok(Done {
+            criterion_met: report.failed.is_empty(),
+        })
+    }
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
@@ -126,7 +93,7 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
 }
 
 fn text(report: &InfoReport, has_block: bool) -> String {
-    let motions: Vec<Facts> = report.motions.iter().map(MotionInfo::facts).collect();
+    let motions: Vec<Facts> = report.motions.iter().map(Told::facts).collect();
     let columns = if has_block {
         &COLUMNS[..]
     } else {

@@ -16,7 +16,7 @@ use clap::{Args, Subcommand};
 use freestand_study::resolve::MAX_MOTIONS;
 use freestand_study::target::usual_periods_s;
 
-use super::Done;
+use super::{Done, Tell as _};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
@@ -53,9 +53,9 @@ pub(crate) fn run(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     match &args.command {
-        MotionCommand::Info(args) => info::run(args, global, printer),
-        MotionCommand::Spectrum(args) => spectrum::run(args, global, printer),
-        MotionCommand::Convert(args) => convert::run(args, global, printer),
+        MotionCommand::Info(args) => args.request.run(&args.output, global, printer),
+        MotionCommand::Spectrum(args) => args.request.run(&args.output, global, printer),
+        MotionCommand::Convert(args) => args.request.run(&(), global, printer),
         MotionCommand::Rotate(args) => rotate::run(args, global, printer),
         MotionCommand::Rotd(args) => rotd::run(args, global, printer),
         MotionCommand::Synth(args) => synth::run(args, global, printer),

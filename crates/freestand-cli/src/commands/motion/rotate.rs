@@ -1,19 +1,20 @@
 //! `freestand motion rotate`: the motion in another direction.
 
 use clap::Args;
+use freestand_app::motion::{FORMATS, Format};
 use freestand_input::quantity::Dimension;
 use freestand_records::processing::azimuth_deg;
 use freestand_study::pair::{RotateRequest, read_pair, rotate};
 use serde::Serialize;
 
-use super::convert::{Converted, Target};
+use super::convert::{Converted, write};
 use super::pair::{PairArgs, azimuths};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
-use crate::values::{Given, Reads, Values};
+use crate::values::{Given, Reads, Values, choice, name_of};
 
 /// Rotate two horizontal components to the one at another azimuth
 ///
@@ -34,8 +35,8 @@ pub(crate) struct RotateArgs {
     #[arg(long, value_name = "ANGLE, ANGLE", read = azimuths)]
     azimuths: Option<Given<(f64, f64)>>,
     /// Format to write
-    #[arg(long, value_enum, default_value = "csv")]
-    format: Target,
+    #[arg(long, value_parser = choice(FORMATS), default_value = name_of(FORMATS, Format::Csv))]
+    format: Format,
 }
 
 #[derive(Debug, Serialize)]
@@ -66,7 +67,8 @@ pub(crate) fn run(
     )?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let done = &turned.processed;
-    let motion = args.format.write(
+    let motion = write(
+        args.format,
         &files,
         (&turned.path, &turned.name),
         &done.motion,

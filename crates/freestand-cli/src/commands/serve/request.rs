@@ -10,6 +10,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
+use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::request::from_entries;
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
@@ -291,7 +292,10 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 6] = [
+const BY_STRUCTS: [ByStruct; 9] = [
+    ByStruct::of::<MotionConvert>("motion convert"),
+    ByStruct::of::<MotionInfo>("motion info"),
+    ByStruct::of::<MotionSpectrum>("motion spectrum"),
     ByStruct::of::<DropTests>("cushion drop"),
     ByStruct::of::<StaticTests>("cushion static"),
     ByStruct::of::<Rock>("rock"),

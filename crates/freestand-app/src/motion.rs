@@ -1,0 +1,278 @@
+//! `motion info`, `motion spectrum` and `motion convert`: what is in records.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand::block::Block;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::Choices;
+use freestand_input::written::Written;
+use freestand_study::inspect::{InfoRequest, SpectrumRequest};
+use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
+use freestand_study::target::usual_periods_s;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::records::{Records, VerticalRecords};
+use crate::request::{
+    Question, Request, Unknown, one_of, one_or_many, paths, request, unknown, whole,
+};
+
+/// The schema of the response of `motion info`.
+pub const INFO: &str = "freestand.motion-info/1";
+/// The schema of the response of `motion spectrum`.
+pub const SPECTRUM: &str = "freestand.motion-spectrum/1";
+/// The schema of the response of `motion convert`.
+pub const CONVERT: &str = "freestand.motion-convert/1";
+
+/// The contents and the measures of records.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+// Components are measured without rotation: the flag is known only to be refused with a hint.
+#[command(mut_arg("azimuth", |arg| arg.hide(true)))]
+pub struct MotionInfo {
+    /// Records
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub motion: Vec<Written>,
+    /// Height of a block, to see what the motions mean to it; needs --thickness
+    #[arg(long, value_name = "LENGTH")]
+    pub height: Option<Written>,
+    /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
+    #[arg(long, value_name = "LENGTH")]
+    pub thickness: Option<Written>,
+    /// How the records are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(MotionInfo { motion, height, thickness; records, unknown });
+
+/// The response spectrum of a record.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct MotionSpectrum {
+    /// Record
+    #[arg(value_name = "FILE")]
+    pub motion: Option<Written>,
+    /// Damping ratio, or a list of ratios [default: 5 %]
+    #[arg(long, value_name = "RATIO")]
+    pub damping: Option<Written>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+    #[arg(long, value_name = "GRID")]
+    pub periods: Option<Written>,
+    /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
+    /// than ten time steps [default: 1]
+    #[arg(long, value_name = "N")]
+    pub upsample: Option<Written>,
+    /// How the record is read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(MotionSpectrum { motion, damping, periods, upsample; records, unknown });
+
+/// Records in another format.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct MotionConvert {
+    /// Records
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub motion: Vec<Written>,
+    /// Format to write
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+    pub to: Option<Written>,
+    /// How the records are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(MotionConvert { motion, to; records, unknown });
+
+/// A format that is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// time_s,accel_m_s2
+    Csv,
+    /// PEER AT2
+    At2,
+}
+
+/// The formats by name.
+pub const FORMATS: Choices<Format> = &[
+    (Format::Csv, "csv", "time_s,accel_m_s2"),
+    (Format::At2, "at2", "PEER AT2"),
+];
+
+/// What is asked of records, and the files that are read.
+#[derive(Debug)]
+pub struct Meant<T> {
+    /// What is asked.
+    pub asked: T,
+    /// The files.
+    pub inputs: Vec<PathBuf>,
+}
+
+impl Question for MotionInfo {
+    type Meant = Meant<InfoRequest>;
+
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let (files, inputs) = recorded(&mut read, &self.motion, &self.records, files);
+        let block = block(&mut read);
+        let asked = InfoRequest {
+            files,
+            block,
+            keep_motions: false,
+        };
+        read.problems.finish(Some(Meant { asked, inputs }))
+    }
+}
+
+impl Question for MotionSpectrum {
+    type Meant = Meant<(ReadMotion, SpectrumRequest)>;
+
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
+        let ((files, inputs), request) = self.judged(files)?;
+        let one = read_any(&files)?.pop().ok_or_else(|| {
+            Problem::new(
+                ProblemKind::Computation,
+                "the file was read but contains no motion",
+            )
+        })?;
+        Ok(Meant {
+            asked: (one, request),
+            inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.judged(files).map(drop)
+    }
+}
+
+impl MotionSpectrum {
+    fn judged(&self, files: &Files) -> Result<(Recorded, SpectrumRequest), Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let recorded = recorded(&mut read, self.motion.as_slice(), &self.records, files);
+        let damping_ratios = read.grid("damping", Dimension::Ratio);
+        if let Some(negative) = damping_ratios.iter().flatten().find(|ratio| **ratio < 0.0) {
+            read.note(
+                &["damping"],
+                format!("`damping`: {negative} is below zero"),
+                "give a damping from 0 to below 1",
+            );
+        }
+        let request = SpectrumRequest {
+            damping_ratios: damping_ratios.unwrap_or_else(|| vec![DAMPING_RATIO]),
+            periods_s: read
+                .grid("periods", Dimension::Time)
+                .unwrap_or_else(usual_periods_s),
+            upsample: whole(&mut read, "upsample", u16::MAX).map_or(1, usize::from),
+        };
+        read.problems.finish(Some((recorded, request)))
+    }
+}
+
+impl Question for MotionConvert {
+    type Meant = Meant<(Vec<ReadMotion>, Format)>;
+
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
+        let ((files, inputs), format) = self.judged(files)?;
+        Ok(Meant {
+            asked: (read_any(&files)?, format),
+            inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.judged(files).map(drop)
+    }
+}
+
+impl MotionConvert {
+    fn judged(&self, files: &Files) -> Result<(Recorded, Format), Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let recorded = recorded(&mut read, &self.motion, &self.records, files);
+        if !read.has("to") {
+            read.missing(&["to"], "`to` is missing", "give a format: csv or at2");
+        }
+        let format = read.choice("to", FORMATS);
+        read.problems
+            .finish(format.map(|format| (recorded, format)))
+    }
+}
+
+/// Records that have not been read, and the files that they need.
+type Recorded = (MotionFiles, Vec<PathBuf>);
+
+fn recorded(
+    read: &mut WordReader<'_>,
+    motion: &[Written],
+    records: &Records,
+    files: &Files,
+) -> Recorded {
+    let named = records.named(read, motion, (&[], &VerticalRecords::default()), files);
+    let how = named.how().clone();
+    let paths = paths(read, "motion", motion, files);
+    let mut inputs = paths.clone();
+    inputs.extend(records.inputs(files));
+    (MotionFiles { paths, ..how }, inputs)
+}
+
+/// Reads motions in any direction.
+fn read_any(files: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
+    read_all(&MotionFiles {
+        vertical: Upward::Itself("component"),
+        ..files.clone()
+    })
+}
+
+/// The block of the rocking measures; it needs both sizes.
+fn block(read: &mut WordReader<'_>) -> Option<Block> {
+    for (key, other) in [("height", "thickness"), ("thickness", "height")] {
+        if read.has(key) && !read.has(other) {
+            read.missing(
+                &[other],
+                format!("`{key}` needs `{other}`"),
+                "give both sizes of the block, or none",
+            );
+        }
+    }
+    let height_m = read.positive("height", Dimension::Length);
+    let thickness_m = read.positive("thickness", Dimension::Length);
+    let block = Block::uniform(height_m?, thickness_m?)
+        .map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object"));
+    read.keep("height", block)
+}
