@@ -2,6 +2,7 @@
 //! in the same way. `resolve` alone knows defaults, units, choices and what may be combined, and tells
 //! all problems at once; what it returns is in SI and asks the models.
 
+pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
 pub mod motion;
@@ -17,10 +18,12 @@ mod block;
 mod cushion;
 mod records;
 mod sliding;
+mod target;
 mod walls;
 
 pub use block::{GeneralBlock, Rocking};
 pub use cushion::CushionUnder;
 pub use records::{OneMotion, ReadMotions, Records, VerticalRecords};
 pub use sliding::Sliding;
+pub use target::TargetKeys;
 pub use walls::Walls;

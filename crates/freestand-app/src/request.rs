@@ -272,7 +272,7 @@ const ENDINGS: [(&str, &str, &[&str]); 16] = [
     ("_ratio", "", &["RATIO", "DAMPING"]),
     ("_m", "m", &["LENGTH", "X, Z", "GRID"]),
     ("_kg", "kg", &["MASS"]),
-    ("_s", "s", &["TIME"]),
+    ("_s", "s", &["TIME", "GRID", "LIST"]),
     ("_g", "g", &["ACCELERATION"]),
     ("_m_s2", "m/s2", &["ACCELERATION"]),
     ("_m_s", "m/s", &["VELOCITY"]),

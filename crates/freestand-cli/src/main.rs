@@ -13,7 +13,6 @@ mod reading;
 mod rows;
 mod session;
 mod stop;
-mod target;
 mod values;
 
 use std::process::ExitCode;

@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 
 use freestand::motion::Motion;
 use freestand::synthesis::SynthesisOptions;
+use freestand_app::code_spectrum::{CodeSpectrum, SCHEMA as CODE_SPECTRUM};
 use freestand_app::drop_test::{DropTests, SCHEMA as DROP};
 use freestand_app::files::Files;
 use freestand_app::request::Question as _;
@@ -24,7 +25,7 @@ use freestand_study::laboratory::static_curve::static_tests;
 use freestand_study::matched::{SynthRequest, synth as made};
 use freestand_study::shock::shock as evaluated;
 use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
-use freestand_study::target::{Target, code_spectrum as shown, period_code};
+use freestand_study::target::{Target, period_code};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -101,22 +102,15 @@ pub(crate) fn shock_spectrum(
 
 /// The spectrum of a code.
 #[pyfunction]
-pub(crate) fn code_spectrum(values: &Bound<'_, PyDict>) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let words = given.words("words");
-    let periods_s = given.numbers("periods_s");
-    let building = (
-        given.positive("building_height_m"),
-        given.positive("building_period_s"),
-    );
-    let parts = given.flag("parts");
-    let target = given.keep(Target::resolve(&words, Path::new("")));
-    given.finish()?;
-    let Some(target) = target else {
-        return Err(raised_all(Problems::default()));
-    };
-    let report = shown(&target, periods_s, parts.then_some(building)).map_err(raised_all)?;
-    told("freestand.code-spectrum/1", &report, &target.warnings)
+pub(crate) fn code_spectrum(periods_s: &[u8], values: &Bound<'_, PyDict>) -> PyResult<String> {
+    let mut request = typed::<CodeSpectrum>(values)?;
+    if !periods_s.is_empty() {
+        let all = doubles(periods_s).into_iter().map(Written::Number);
+        request.periods = Some(Written::List(all.collect()));
+    }
+    let meant = request.resolve(&Files::Disk).map_err(raised_all)?;
+    let report = meant.report().map_err(raised_all)?;
+    told(CODE_SPECTRUM, &report, &meant.target.warnings)
 }
 
 /// Motions that fit a target: the document, and the motions.

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
@@ -65,6 +66,10 @@ fn good() -> Vec<Asked> {
             json!({"pulse": "half-sine", "peak_acceleration": "30 g", "duration": "11 ms"}),
         ),
         (
+            "motion code-spectrum",
+            json!({"place": "Melbourne", "site": "De", "parts": true, "building_height": "96 m"}),
+        ),
+        (
             "spectrum",
             json!({"heights": "1 m, 2 m", "thicknesses": "0.4 m", "place": "Melbourne"}),
         ),
@@ -100,6 +105,7 @@ fn keys_of(command: &str) -> Vec<String> {
         "shock" => keys::<Shock>(),
         "shock-spectrum" => keys::<ShockSpectrum>(),
         "cushion drop" => keys::<DropTests>(),
+        "motion code-spectrum" => keys::<CodeSpectrum>(),
         "motion info" => keys::<MotionInfo>(),
         "motion spectrum" => keys::<MotionSpectrum>(),
         "motion convert" => keys::<MotionConvert>(),
@@ -166,6 +172,10 @@ fn of_programs() -> Vec<Asked> {
             json!({"load_n": 0, "sensitivity": ["2 mV/N", 3], "toe": true, "out": "/tmp/x"}),
         ),
         (
+            "motion code-spectrum",
+            json!({"spectrum": "/etc/passwd", "building_height_m": 30, "sds": 1, "out": "/tmp/x"}),
+        ),
+        (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),
         ),
@@ -198,6 +208,7 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
         "shock" => asked::<Shock>(entries),
         "shock-spectrum" => asked::<ShockSpectrum>(entries),
         "cushion drop" => asked::<DropTests>(entries),
+        "motion code-spectrum" => asked::<CodeSpectrum>(entries),
         "motion info" => asked::<MotionInfo>(entries),
         "motion spectrum" => asked::<MotionSpectrum>(entries),
         "motion convert" => asked::<MotionConvert>(entries),

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::rock::{Results, Rock, SCHEMA};
@@ -49,6 +50,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "motion-convert.request.json",
             of_request::<MotionConvert>("motion convert", &[]),
+        ),
+        (
+            "code-spectrum.request.json",
+            of_request::<CodeSpectrum>("motion code-spectrum", &[]),
         ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (

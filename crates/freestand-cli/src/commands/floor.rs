@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand::synthesis::DAMPING_RATIO;
+use freestand_app::TargetKeys;
+use freestand_app::files::Files as Sources;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::words::{counted, number};
@@ -26,7 +28,6 @@ use freestand_output::facts::Facts;
 use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Column, Printer, facts_table};
 use crate::reading::{ReadArgs, SecondArgs};
-use crate::target::TargetArgs;
 use crate::values::{Given, Reads, Values};
 
 /// Calculate the motions of the floors of a building
@@ -92,7 +93,7 @@ pub(crate) struct FloorArgs {
     #[command(flatten)]
     tables: TableArgs,
     #[command(flatten)]
-    target: TargetArgs,
+    target: TargetKeys,
 }
 
 #[derive(Debug, Clone)]
@@ -222,7 +223,7 @@ pub(crate) fn run(
     let building = values.finish_with(building)?;
     let is_storeys = levels.is_none();
     let target = if args.target.is_given() {
-        Some(args.target.target()?)
+        Some(args.target.resolved(&Sources::Disk)?)
     } else {
         None
     };
@@ -257,7 +258,7 @@ pub(crate) fn run(
             .iter()
             .map(|(_, table)| table.file.path.clone()),
     );
-    inputs.extend(args.target.inputs());
+    inputs.extend(args.target.inputs(&Sources::Disk));
     let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));

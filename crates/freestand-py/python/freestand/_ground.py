@@ -91,10 +91,11 @@ def code_spectrum(
     if not parts and (building_height_m is not None or building_period_s is not None):
         raise bad("the building has no effect: it is that of the parts", "add parts=True, or leave it out")
     values = given(
-        words=target_words(target), periods_s=data("periods_s", periods_s), parts=parts or None, building_height_m=building_height_m,
+        **(target_words(target) or {}), parts=parts, building_height_m=building_height_m,
         building_period_s=building_period_s,
     )  # fmt: skip
-    result = CodeSpectrumResult._of(_freestand.code_spectrum(values))
+    periods = data("periods_s", periods_s) or b""
+    result = CodeSpectrumResult._of(_freestand.code_spectrum(periods, values))
     warn(result.warnings)
     return result
 

@@ -2,16 +2,14 @@
 //! floors.
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
-use freestand_study::target::{CodeSpectrumReport, code_spectrum, code_spectrum_figure};
+use freestand_app::code_spectrum::{CodeSpectrum, Meant, SCHEMA};
+use freestand_study::target::{CodeSpectrumReport, code_spectrum_figure};
 
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
-use crate::target::TargetArgs;
-use crate::values::{Given, Reads, Values};
 
 /// Show the elastic response spectrum of a design code, for 5 % damping
 #[derive(Debug, Args)]
@@ -26,44 +24,28 @@ Examples:
     --building-height \"30 m\" --out wellington")]
 pub(crate) struct CodeSpectrumArgs {
     #[command(flatten)]
-    target: TargetArgs,
-    /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
-    #[arg(long, grid = Dimension::Time)]
-    periods: Option<Given<Vec<f64>>>,
-    /// Add the acceleration that the code prescribes for a rigid part on each floor
-    #[arg(long, help_heading = "Parts and components")]
-    parts: bool,
-    /// Height of the building; needed by AS 1170.4 and NZS 1170.5
-    #[arg(long, positive = Dimension::Length, requires = "parts", help_heading = "Parts and components")]
-    building_height: Option<Given>,
-    /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
-    #[arg(long, positive = Dimension::Time, requires = "parts", help_heading = "Parts and components")]
-    building_period: Option<Given>,
+    pub(super) request: CodeSpectrum,
     #[command(flatten)]
-    tables: TableArgs,
+    pub(super) output: TableArgs,
 }
 
-const SCHEMA: &str = "freestand.code-spectrum/1";
+impl Tell for CodeSpectrum {
+    type Output = TableArgs;
 
-pub(crate) fn run(
-    args: &CodeSpectrumArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let target = args.target.target()?;
-    let mut values = Values::default();
-    let periods_s = values.read(&args.periods);
-    let building = (
-        values.read(&args.building_height),
-        values.read(&args.building_period),
-    );
-    values.finish()?;
-    let report = code_spectrum(&target, periods_s, args.parts.then_some(building))?;
-    let files = Files::with_tables(global, &args.target.inputs(), &args.tables, SCHEMA, None)?;
-    files.table("spectrum", || report.table())?;
-    files.figure("spectrum", || code_spectrum_figure(&report))?;
-    files.print(printer, SCHEMA, &report, &target.warnings, || text(&report))?;
-    Ok(Done::OK)
+    fn tell(
+        meant: Meant,
+        tables: &TableArgs,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let report = meant.report()?;
+        let files = Files::with_tables(global, &meant.inputs, tables, SCHEMA, None)?;
+        files.table("spectrum", || report.table())?;
+        files.figure("spectrum", || code_spectrum_figure(&report))?;
+        let warnings = &meant.target.warnings;
+        files.print(printer, SCHEMA, &report, warnings, || text(&report))?;
+        Ok(Done::OK)
+    }
 }
 
 fn text(report: &CodeSpectrumReport) -> String {

@@ -61,7 +61,7 @@ pub(crate) fn run(
         MotionCommand::Synth(args) => synth::run(args, global, printer),
         MotionCommand::Match(args) => synth::run_match(args, global, printer),
         MotionCommand::Simulate(args) => simulate::run(args, global, printer),
-        MotionCommand::CodeSpectrum(args) => code::run(args, global, printer),
+        MotionCommand::CodeSpectrum(args) => args.request.run(&args.output, global, printer),
     }
 }
 

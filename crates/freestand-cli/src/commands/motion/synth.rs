@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::synthesis::SynthesisOptions;
+use freestand_app::TargetKeys;
+use freestand_app::files::Files as Sources;
 use freestand_input::quantity::Dimension;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
@@ -21,7 +23,6 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, cells, headings, table};
 use crate::reading::ReadArgs;
-use crate::target::TargetArgs;
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Make synthetic motions that fit a target: the elastic spectrum of a design code, or a table
@@ -34,7 +35,7 @@ Examples:
   freestand motion synth --spectrum uhs.csv --beyond hold --out motions")]
 pub(crate) struct SynthArgs {
     #[command(flatten)]
-    target: TargetArgs,
+    target: TargetKeys,
     /// Number of motions
     #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
     count: u64,
@@ -98,7 +99,7 @@ pub(crate) struct MatchArgs {
     #[command(flatten)]
     peak: PeakArgs,
     #[command(flatten)]
-    target: TargetArgs,
+    target: TargetKeys,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -115,9 +116,9 @@ pub(crate) fn run(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let target = args.target.matched_target()?;
+    let target = args.target.matched(&Sources::Disk)?;
     let pga_g = args.peak.pga_g(&target)?;
-    let files = Files::begin(global, &args.target.inputs())?;
+    let files = Files::begin(global, &args.target.inputs(&Sources::Disk))?;
     let options = options(&args.layout)?;
     let report = synth(&SynthRequest {
         target,
@@ -149,14 +150,14 @@ pub(crate) fn run_match(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let target = args.target.matched_target()?;
+    let target = args.target.matched(&Sources::Disk)?;
     let pga_g = args.peak.pga_g(&target)?;
     let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
     let files = Files::begin(
         global,
         &args
             .read
-            .inputs(std::iter::once(&args.file).chain(&args.target.inputs())),
+            .inputs(std::iter::once(&args.file).chain(&args.target.inputs(&Sources::Disk))),
     )?;
     let name = format!("{}-matched", name_of(&args.file));
     let request = MatchRequest {

@@ -8,6 +8,7 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
@@ -292,7 +293,8 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 9] = [
+const BY_STRUCTS: [ByStruct; 10] = [
+    ByStruct::of::<CodeSpectrum>("motion code-spectrum"),
     ByStruct::of::<MotionConvert>("motion convert"),
     ByStruct::of::<MotionInfo>("motion info"),
     ByStruct::of::<MotionSpectrum>("motion spectrum"),

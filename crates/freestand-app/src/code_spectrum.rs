@@ -1,0 +1,103 @@
+//! `motion code-spectrum`: the spectrum of a code, and its accelerations of parts on floors.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::target::{CodeSpectrumReport, Target, code_spectrum};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request, Switch, Unknown, request, unknown};
+use crate::target::TargetKeys;
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.code-spectrum/1";
+
+/// The spectrum of a code.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct CodeSpectrum {
+    /// The target.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub target: TargetKeys,
+    /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
+    #[arg(long, value_name = "GRID")]
+    pub periods: Option<Written>,
+    /// Add the acceleration that the code prescribes for a rigid part on each floor
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "Parts and components")]
+    pub parts: Switch,
+    /// Height of the building; needed by AS 1170.4 and NZS 1170.5
+    #[arg(long, value_name = "LENGTH", help_heading = "Parts and components")]
+    pub building_height: Option<Written>,
+    /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
+    #[arg(long, value_name = "TIME", help_heading = "Parts and components")]
+    pub building_period: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(CodeSpectrum { periods, parts, building_height, building_period; target, unknown });
+
+/// What is asked, in SI.
+#[derive(Debug)]
+pub struct Meant {
+    /// The target.
+    pub target: Target,
+    periods_s: Option<Vec<f64>>,
+    /// Height \[m\] and period \[s\] of the building whose parts are wanted.
+    parts: Option<(Option<f64>, Option<f64>)>,
+    /// The files that were read.
+    pub inputs: Vec<PathBuf>,
+}
+
+impl Meant {
+    /// The spectrum.
+    ///
+    /// # Errors
+    /// A period beyond a table; parts that the code does not give.
+    pub fn report(&self) -> Result<CodeSpectrumReport, Problems> {
+        code_spectrum(&self.target, self.periods_s.clone(), self.parts)
+    }
+}
+
+impl Question for CodeSpectrum {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let target = self.target.target(&mut read, files);
+        let periods_s = read.grid("periods", Dimension::Time);
+        let building = (
+            read.positive("building_height", Dimension::Length),
+            read.positive("building_period", Dimension::Time),
+        );
+        let parts = read.flag("parts");
+        for key in ["building_height", "building_period"] {
+            if read.has(key) && !parts {
+                read.note(
+                    &[key],
+                    format!("`{key}` needs `parts`"),
+                    "ask for the accelerations of parts, or leave it out",
+                );
+            }
+        }
+        let target = read.problems.finish(target)?;
+        Ok(Meant {
+            target,
+            periods_s,
+            parts: parts.then_some(building),
+            inputs: self.target.inputs(files),
+        })
+    }
+}
