@@ -47,6 +47,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "scale_to_spectrum",
         "damage_boundary",
         "files",
+        "spectrum",
     ];
     for line in requests {
         let request = line["request"].as_object().unwrap();
@@ -69,6 +70,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "no_slip",
             "no_upsample",
             "invert",
+            "parts",
             "keep_mean",
             "pairs",
             "sensitivity",

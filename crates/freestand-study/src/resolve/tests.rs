@@ -203,7 +203,7 @@ shear_flexure = -1\nmodes = 51\n\
          [outputs]\nhistory = { level = \"attic\", height = \"1.5 m\", thickness = \"300 mm\" }\n",
     );
     let expected = [
-        "s.toml:3: edition must be 2007 (with Amendments 1 and 2) or 2024 (not confirmed), not 1993",
+        "s.toml:3: edition must be 2007 (with Amendments 1 and 2) or 2024 (not confirmed), not \"1993\"",
         "s.toml:4: city \"Melborne\" is not in the table of places",
         "s.toml:5: site \"X\" is not a class of AS 1170.4",
         "s.toml:6: count must be a whole number from 1 to 1000, not 0",

@@ -184,7 +184,7 @@ fn edition<T: Copy>(reader: &mut WordReader, known: &[(&str, T)], expected: &str
         .iter()
         .find(|(name, _)| *name == year || name.strip_prefix("20") == Some(year));
     if found.is_none() {
-        let message = format!("`edition` must be {expected}, not {}", shorten(text));
+        let message = format!("`edition` must be {expected}, not \"{}\"", shorten(text));
         reader.note(
             &["edition"],
             message,

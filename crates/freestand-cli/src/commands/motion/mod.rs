@@ -41,10 +41,10 @@ enum MotionCommand {
     Convert(convert::ConvertArgs),
     Rotate(rotate::RotateArgs),
     Rotd(rotd::RotdArgs),
-    Synth(synth::SynthArgs),
+    Synth(Box<synth::SynthArgs>),
     Match(Box<synth::MatchArgs>),
     Simulate(simulate::SimulateArgs),
-    CodeSpectrum(code::CodeSpectrumArgs),
+    CodeSpectrum(Box<code::CodeSpectrumArgs>),
 }
 
 pub(crate) fn run(
