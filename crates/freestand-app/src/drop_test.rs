@@ -47,7 +47,7 @@ pub struct DropTests {
     /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
     #[arg(long, value_name = "ACCELERATION")]
     pub gravity: Option<Written>,
-    /// Corner frequency of the low-pass filter before the A/D converter, behind which the laws are fitted
+    /// Corner frequency of the low-pass filter before the A/D converter, after which the laws are fitted
     #[arg(long, value_name = "FREQUENCY")]
     pub corner: Option<Written>,
     /// Fit only this law [default: the simplest one that no other clearly improves on]
@@ -137,18 +137,18 @@ impl Question for DropTests {
         read.problems.finish(Some(request))
     }
 
-    fn draw(&mut self, seed: Option<Written>) {
+    fn set_seed(&mut self, seed: Option<Written>) {
         self.seed = seed;
     }
 }
 
 fn velocity_error(read: &mut WordReader<'_>) -> f64 {
     let given = read.positive("velocity_error", Dimension::Ratio);
-    if given.is_some_and(|ratio| ratio > 0.5) {
+    if let Some(ratio) = given.filter(|ratio| *ratio > 0.5) {
         read.note(
             &["velocity_error"],
-            "`velocity_error` must be at most 50 %",
-            "leave `height` and `impact_velocity` out: the velocity is then found from the pulse",
+            format!("`velocity_error` must be at most 50 %, not {} %", 100.0 * ratio),
+            "give a smaller one; without `height` and `impact_velocity` the velocity is found from the pulse",
         );
     }
     given.unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO)

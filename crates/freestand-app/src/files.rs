@@ -77,5 +77,5 @@ impl Files {
 pub(crate) fn not_sent(name: &str) -> Problem {
     let message = format!("\"{}\" is not a file of this request", shorten(name));
     Problem::new(ProblemKind::Io, message)
-        .hint("send the file with the request: on the page, under `files`")
+        .hint("send the file with the request; on the page, under \"files\"")
 }

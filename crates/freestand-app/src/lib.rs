@@ -5,6 +5,7 @@
 pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
+pub mod floor;
 pub mod motion;
 pub mod request;
 pub mod rock;

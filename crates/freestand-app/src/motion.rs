@@ -17,9 +17,7 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{Records, VerticalRecords};
-use crate::request::{
-    Question, Request, Unknown, one_of, one_or_many, paths, request, unknown, whole,
-};
+use crate::request::{Question, Request, Unknown, from_one, one_of, one_or_many, request, unknown};
 
 /// The schema of the response of `motion info`.
 pub const INFO: &str = "freestand.motion-info/1";
@@ -183,21 +181,36 @@ impl MotionSpectrum {
         let words = self.words();
         let mut read = WordReader::new(&words);
         unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
-        let recorded = recorded(&mut read, self.motion.as_slice(), &self.records, files);
+        let records = match &self.motion {
+            Some(Written::List(all)) => all.as_slice(),
+            one => one.as_slice(),
+        };
+        if records.len() > 1 {
+            let message = format!("one record is expected, not {}", records.len());
+            read.note(&["motion"], message, "name one record");
+        }
+        let recorded = recorded(&mut read, records, &self.records, files);
         let damping_ratios = read.grid("damping", Dimension::Ratio);
-        if let Some(negative) = damping_ratios.iter().flatten().find(|ratio| **ratio < 0.0) {
+        let outside = |ratio: &&f64| !(0.0..1.0).contains(*ratio);
+        if let Some(wrong) = damping_ratios.iter().flatten().find(outside) {
             read.note(
                 &["damping"],
-                format!("`damping`: {negative} is below zero"),
-                "give a damping from 0 to below 1",
+                format!("`damping`: {wrong} is not from 0 to below 1"),
+                "give the share of critical damping, such as \"5 %\"",
+            );
+        }
+        let periods_s = read.grid("periods", Dimension::Time);
+        if let Some(wrong) = periods_s.iter().flatten().find(|period| **period < 0.0) {
+            read.note(
+                &["periods"],
+                format!("`periods`: {wrong} s is below zero"),
+                "give periods of 0 or more, such as \"0.05 s:5 s:100\"",
             );
         }
         let request = SpectrumRequest {
             damping_ratios: damping_ratios.unwrap_or_else(|| vec![DAMPING_RATIO]),
-            periods_s: read
-                .grid("periods", Dimension::Time)
-                .unwrap_or_else(usual_periods_s),
-            upsample: whole(&mut read, "upsample", u16::MAX).map_or(1, usize::from),
+            periods_s: periods_s.unwrap_or_else(usual_periods_s),
+            upsample: from_one(&mut read, "upsample").unwrap_or(1),
         };
         read.problems.finish(Some((recorded, request)))
     }
@@ -244,11 +257,16 @@ fn recorded(
     files: &Files,
 ) -> Recorded {
     let named = records.named(read, motion, (&[], &VerticalRecords::default()), files);
-    let how = named.how().clone();
-    let paths = paths(read, "motion", motion, files);
-    let mut inputs = paths.clone();
+    if motion.is_empty() {
+        read.missing(&["motion"], "no record is named", "name a record");
+    }
+    let files_of = MotionFiles {
+        paths: named.paths(),
+        ..named.how().clone()
+    };
+    let mut inputs = files_of.paths.clone();
     inputs.extend(records.inputs(files));
-    (MotionFiles { paths, ..how }, inputs)
+    (files_of, inputs)
 }
 
 /// Reads motions in any direction.

@@ -251,6 +251,13 @@ impl Records {
                 "name the record, or leave it out",
             );
         }
+        // Some commands take them without a flag that a message could name.
+        for (key, names) in [("motion", motion), ("vertical", vertical)] {
+            for name in names.iter().map(Written::text) {
+                let found = files.find(&name).map_err(|problem| problem.of(&[key]));
+                read.problems.keep(found.map_err(Problems::from));
+            }
+        }
         let own = vertical_words(&words, (vertical, how_vertical), read);
         let how = |words: &Words| {
             let mut reader = WordReader::new(words);
@@ -384,7 +391,12 @@ impl NamedRecords<'_> {
         let mut how = self.how.clone();
         how.read.is_shock = true;
         how.vertical = Upward::Itself("component");
-        self.motions("motion", &self.horizontal, &how)
+        self.read_as(&how)
+    }
+
+    /// The horizontal motions, read in this way.
+    pub(crate) fn read_as(&self, how: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
+        self.motions("motion", &self.horizontal, how)
     }
 
     /// The files of the horizontal records.

@@ -36,7 +36,7 @@ pub trait Request: Args + DeserializeOwned {
     }
 }
 
-/// A question: a request that is asked as it is.
+/// A request that has an answer of its own; others are parts of such requests.
 pub trait Question: Request {
     /// What is asked, in SI.
     type Meant;
@@ -56,7 +56,7 @@ pub trait Question: Request {
     }
 
     /// Takes the seed of a shell, if random numbers are drawn.
-    fn draw(&mut self, _seed: Option<Written>) {}
+    fn set_seed(&mut self, _seed: Option<Written>) {}
 }
 
 /// Lists the fields of a request: values, then `;` and the parts that it consists of.
@@ -335,6 +335,19 @@ pub(crate) fn whole(read: &mut WordReader<'_>, key: &'static str, most: u16) -> 
         );
     }
     found
+}
+
+/// A whole number of 1 or more.
+pub(crate) fn from_one(read: &mut WordReader<'_>, key: &'static str) -> Option<usize> {
+    let count = read.whole(key)?;
+    if count == 0 {
+        read.note(
+            &[key],
+            format!("`{key}` must be 1 or more, not 0"),
+            "give 1 or more",
+        );
+    }
+    usize::try_from(count).ok()
 }
 
 /// The seed of random numbers.

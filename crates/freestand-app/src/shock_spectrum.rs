@@ -16,7 +16,7 @@ use freestand_study::shock_spectrum::{
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::Records;
+use crate::records::{NamedRecords, Records, VerticalRecords};
 use crate::request::{Question, Request, Switch, Unknown, one_of, one_or_many, request, unknown};
 
 /// The schema of the response.
@@ -122,6 +122,32 @@ impl Question for ShockSpectrum {
     type Meant = Meant;
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let (spectrum, pulse, named) = self.judged(files)?;
+        let shock = match pulse {
+            Some((pulse, unit)) => Shock::Pulse(pulse, unit),
+            None => {
+                let mut inputs = named.paths();
+                inputs.extend(self.records.inputs(files));
+                Shock::Recorded(named.shocks()?, inputs)
+            }
+        };
+        Ok(Meant { spectrum, shock })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.judged(files).map(drop)
+    }
+}
+
+/// A spectrum, the pulse if there is one, and records that have not been read.
+type Judged<'f> = (
+    ShockSpectrumRequest,
+    Option<(Pulse, &'static str)>,
+    NamedRecords<'f>,
+);
+
+impl ShockSpectrum {
+    fn judged<'f>(&self, files: &'f Files) -> Result<Judged<'f>, Problems> {
         let words = self.words();
         let mut read = WordReader::new(&words);
         unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
@@ -142,19 +168,12 @@ impl Question for ShockSpectrum {
                 "name a record, or give `pulse`, `peak_acceleration` and `duration`",
             );
         }
+        let none = VerticalRecords::default();
         let named = self
             .records
-            .named(&mut read, &self.motion, (&[], &Default::default()), files);
+            .named(&mut read, &self.motion, (&[], &none), files);
         let spectrum = read.problems.finish(spectrum)?;
-        let shock = match pulse {
-            Some((pulse, unit)) => Shock::Pulse(pulse, unit),
-            None => {
-                let mut inputs = named.paths();
-                inputs.extend(self.records.inputs(files));
-                Shock::Recorded(named.shocks()?, inputs)
-            }
-        };
-        Ok(Meant { spectrum, shock })
+        Ok((spectrum, pulse, named))
     }
 }
 
@@ -166,13 +185,16 @@ fn spectrum(read: &mut WordReader<'_>) -> Option<ShockSpectrumRequest> {
         .or(q.map(|q| 0.5 / q))
         .unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
-        let key = if q.is_some() { "q" } else { "damping" };
+        let key = if damping.is_some() { "damping" } else { "q" };
         read.note(
             &[key],
             format!("`{key}`: a damping ratio of {damping_ratio} is not below 1"),
             "give a damping below 100 %, or a Q above 0.5; 5 %, which is Q = 10, is usual",
         );
     }
+    let upsample = !read.flag("no_upsample");
+    let kind = read.choice("kind", KINDS).unwrap_or_default();
+    let peak = read.choice("peak", PEAKS).unwrap_or_default();
     let frequencies_hz = if read.has("frequencies") {
         read.grid("frequencies", Dimension::Frequency)
     } else {
@@ -190,11 +212,11 @@ fn spectrum(read: &mut WordReader<'_>) -> Option<ShockSpectrumRequest> {
         );
     }
     Some(ShockSpectrumRequest {
-        kind: read.choice("kind", KINDS).unwrap_or_default(),
-        peak: read.choice("peak", PEAKS).unwrap_or_default(),
+        kind,
+        peak,
         damping_ratio,
         frequencies_hz: frequencies_hz?,
-        upsample: !read.flag("no_upsample"),
+        upsample,
     })
 }
 
@@ -213,7 +235,7 @@ fn pulse(read: &mut WordReader<'_>) -> Option<(Pulse, &'static str)> {
             ),
             (false, true) => read.note(
                 &[key],
-                format!("`{key}` is that of a pulse"),
+                format!("`{key}` applies only to a pulse"),
                 "name its shape with `pulse`, or leave it out",
             ),
             _ => {}

@@ -239,7 +239,7 @@ impl Question for Spectrum {
         judged(self, files).map(drop)
     }
 
-    fn draw(&mut self, seed: Option<Written>) {
+    fn set_seed(&mut self, seed: Option<Written>) {
         self.seed = seed;
     }
 }

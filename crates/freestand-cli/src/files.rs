@@ -36,6 +36,20 @@ pub(crate) struct TableArgs {
     pub(crate) parquet: bool,
 }
 
+/// Refuses two outputs in one file, of which the second would replace the first.
+pub(crate) fn refuse_one_for_two(
+    (flag, path): (&str, Option<&Path>),
+    (other_flag, other): (&str, Option<&Path>),
+) -> Result<(), Failure> {
+    match path.zip(other) {
+        Some((path, other)) if path == other => Err(Failure::usage(
+            format!("{flag} and {other_flag} name one file, {}", path.display()),
+            "give each a file of its own",
+        )),
+        _ => Ok(()),
+    }
+}
+
 impl TableArgs {
     /// Refuses the flag where no folder is named.
     fn check(&self, global: &GlobalArgs) -> Result<(), Failure> {

@@ -110,8 +110,6 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("shaking_s", "shaking", " s"),
     ("envelope_s", "envelope", " s"),
     ("pga_g", "pga", " g"),
-    ("building_height_m", "building_height", " m"),
-    ("building_period_s", "building_period", " s"),
 ];
 
 /// Keys whose arguments have the same name, and bare values.

@@ -85,6 +85,9 @@ fn written(value: &Bound<'_, PyAny>) -> Value {
     if let Ok(whole) = value.extract::<i64>() {
         return whole.into();
     }
+    if let Ok(whole) = value.extract::<u64>() {
+        return whole.into();
+    }
     if let Ok(number) = value.extract::<f64>() {
         return Number::from_f64(number).map_or_else(|| number.to_string().into(), Value::Number);
     }

@@ -9,6 +9,7 @@ use freestand::synthesis::SynthesisOptions;
 use freestand_app::code_spectrum::{CodeSpectrum, SCHEMA as CODE_SPECTRUM};
 use freestand_app::drop_test::{DropTests, SCHEMA as DROP};
 use freestand_app::files::Files;
+use freestand_app::floor::{Floor, SCHEMA as FLOOR};
 use freestand_app::request::Question as _;
 use freestand_app::shock::{SCHEMA as SHOCK, Shock};
 use freestand_app::shock_spectrum::{SCHEMA as SHOCK_SPECTRUM, ShockSpectrum};
@@ -178,58 +179,18 @@ pub(crate) fn synth(
 pub(crate) fn floor(
     py: Python<'_>,
     records: Vec<PyRef<'_, Record>>,
+    levels: &[u8],
     values: &Bound<'_, PyDict>,
     threads: Option<usize>,
 ) -> PyResult<(String, Vec<Vec<Record>>)> {
-    let mut given = Given::new(values);
-    let (words, target) = (given.words("building"), given.words("target"));
-    let building = given.keep(building::resolve(
-        &words,
-        Path::new(""),
-        period_code(&target),
-    ));
-    let target = if target.is_empty() {
-        None
-    } else {
-        given.keep(Target::resolve(&target, Path::new("")))
-    };
-    let every = given.flag("every_floor");
-    let levels = match given.numbers("levels") {
-        Some(levels) => Some(levels),
-        None => given.keep(parse_grid(DEFAULT_LEVELS, Dimension::Ratio)),
-    };
-    let levels = levels.unwrap_or_default();
-    if let Some(wrong) = levels.iter().find(|level| !(0.0..=1.0).contains(*level)) {
-        let message = format!("levels holds {wrong}, which is not a share of the height");
-        given.push(Problem::value(
-            message,
-            "give levels from 0 (the ground) to 1 (the roof)",
-        ));
+    let motions = records.iter().map(|record| ("motion", record.read.clone()));
+    let (mut asked, files) = asked::<Floor>(values, motions, Named::new())?;
+    if !levels.is_empty() {
+        let all = doubles(levels).into_iter().map(Written::Number);
+        asked.levels = Some(Written::List(all.collect()));
     }
-    let tail_s = given.non_negative("tail_s").unwrap_or(0.0);
-    let upsample = given
-        .count("upsample")
-        .and_then(NonZeroUsize::new)
-        .map_or(1, NonZeroUsize::get);
-    given.finish()?;
-    let Some(building) = building else {
-        return Err(raised_all(Problems::default()));
-    };
-    let request = FloorRequest {
-        levels_ratio: if every {
-            every_floor(&building.along, building.storeys)
-        } else {
-            levels
-        },
-        is_storeys: every,
-        tail_s,
-        upsample,
-        spectra: None,
-        vertical_amplification_ratio: None,
-        building,
-        code: target.as_ref().map(|target| target.spectrum.clone()),
-    };
-    let read: Vec<_> = records.iter().map(|record| record.read.clone()).collect();
+    let meant = asked.resolve(&files).map_err(raised_all)?;
+    let (request, read) = (meant.floors, meant.motions);
     let work = || {
         let (mut reports, mut motions) = (Vec::new(), Vec::new());
         let mut notes = Vec::new();
@@ -251,14 +212,14 @@ pub(crate) fn floor(
         Ok::<_, Problem>((reports, motions, warnings))
     };
     let (reports, motions, mut warnings) = watched(py, threads, |_| work())?.map_err(raised)?;
-    warnings.extend(target.into_iter().flat_map(|target| target.warnings));
+    warnings.extend(meant.warnings);
     let report = FloorReport::new(&request, reports, None).ok_or_else(|| {
         raised(
             Problem::new(ProblemKind::Missing, "there is no motion")
                 .hint("give at least one motion"),
         )
     })?;
-    let text = told("freestand.floor/1", &report, &warnings)?;
+    let text = told(FLOOR, &report, &warnings)?;
     let record = |(name, motion): (String, Motion)| unread(name, motion, Vec::new());
     Ok((
         text,

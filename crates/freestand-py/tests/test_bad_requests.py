@@ -27,6 +27,8 @@ def test_every_request_has_the_problems_of_the_table() -> None:
                 _freestand.shock(line["request"], {})
             elif line["command"] == "shock-spectrum":
                 _freestand.shock_spectrum(None, b"", line["request"])
+            elif line["command"] == "floor":
+                _freestand.floor([], b"", line["request"], 1)
             elif line["command"] == "motion code-spectrum":
                 _freestand.code_spectrum(b"", line["request"])
             elif line["command"] == "cushion drop":

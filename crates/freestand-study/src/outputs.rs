@@ -8,8 +8,8 @@ use serde_json::Value;
 use crate::figures::figures;
 use crate::report::{Provenance, provenance, report};
 use crate::rerun::{
-    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed,
-    with_spectrum, with_value,
+    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions,
+    with_period_code, with_seed, with_spectrum,
 };
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
@@ -181,9 +181,7 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         &study.ground,
         code.filter(|code| *code != PeriodCode::default()),
     ) {
-        (Ground::Recorded(_), Some(code)) => {
-            with_value(&toml, "building", "period_code", code.name(), &[])?
-        }
+        (Ground::Recorded(_), Some(code)) => with_period_code(&toml, code.name())?,
         _ => toml,
     };
     let names = study.ground.names(&study.levels);

@@ -95,51 +95,17 @@ pub(crate) fn with_storeys(
     Ok(study.to_string())
 }
 
-/// The text with another value of a key; keys of `in_place_of` are removed, because they state the
-/// same quantity in another way.
+/// The text with this code of the building's period.
 ///
 /// # Errors
-/// A text that is not TOML, or in which `table` is not a table.
-///
-/// # Example
-/// ```
-/// use freestand_study::rerun::with_value;
-/// let text = with_value("[building]\nframe = \"other\"\n", "building", "period", "2.5 s", &["frame"])?;
-/// assert_eq!(text, "[building]\nperiod = \"2.5 s\"\n");
-/// # Ok::<(), freestand_input::problem::Problem>(())
-/// ```
-pub fn with_value(
-    toml: &str,
-    table: &str,
-    key: &str,
-    text: &str,
-    in_place_of: &[&str],
-) -> Result<String, Problem> {
+/// A text that is not TOML, or in which `building` is not a table.
+pub fn with_period_code(toml: &str, code: &str) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let entry = study.entry(table).or_insert_with(toml_edit::table);
-    let Some(keys) = entry.as_table_like_mut() else {
-        return Err(broken(format!("{table} is not a table")));
+    let building = study.entry("building").or_insert_with(toml_edit::table);
+    let Some(building) = building.as_table_like_mut() else {
+        return Err(broken("building is not a table"));
     };
-    // `damping_percent` and the like state the unit in the key.
-    let is = |name: &str, key: &str| {
-        name.strip_prefix(key)
-            .is_some_and(|unit| unit.is_empty() || unit.starts_with('_'))
-    };
-    let goes = |name: &str| is(name, key) || in_place_of.iter().any(|other| is(name, other));
-    let old: Vec<String> = keys
-        .iter()
-        .map(|(name, _)| name.to_owned())
-        .filter(|name| goes(name))
-        .collect();
-    for name in &old {
-        keys.remove(name);
-    }
-    let item = match (text.parse::<i64>(), text.parse::<f64>()) {
-        (Ok(whole), _) => value(whole),
-        (_, Ok(number)) if number.is_finite() => value(number),
-        _ => value(text),
-    };
-    keys.insert(key, item);
+    building.insert("period_code", value(code));
     Ok(study.to_string())
 }
 
@@ -334,21 +300,6 @@ mod tests {
         let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = \
                         2\nseries_stiffness = \"4380 N/mm, 9000 N/mm\"\n";
         assert_eq!(text, expected);
-    }
-
-    /// The key that is removed may also state a unit.
-    #[test]
-    fn a_value_takes_the_place_of_others_whatever_their_units() {
-        let study = "[objects]\nmass_kg = 1\npad_stiffness_n_mm = 2190\npads_per_edge = 2\n";
-        let text = with_value(
-            study,
-            "objects",
-            "stiffness",
-            "5 kN/mm",
-            &["pad_stiffness", "pads_per_edge"],
-        )
-        .unwrap();
-        assert_eq!(text, "[objects]\nmass_kg = 1\nstiffness = \"5 kN/mm\"\n");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
+use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::rock::Rock;
@@ -95,6 +96,10 @@ fn without_files() -> Vec<Asked> {
         ),
         ("motion spectrum", json!({"damping": "2 %, 5 %"})),
         ("motion convert", json!({"to": "csv"})),
+        (
+            "floor",
+            json!({"storeys": "12", "storey_height": "3 m", "spectra": true, "levels": "0.5, 1"}),
+        ),
     ]
 }
 
@@ -105,6 +110,7 @@ fn keys_of(command: &str) -> Vec<String> {
         "shock" => keys::<Shock>(),
         "shock-spectrum" => keys::<ShockSpectrum>(),
         "cushion drop" => keys::<DropTests>(),
+        "floor" => keys::<Floor>(),
         "motion code-spectrum" => keys::<CodeSpectrum>(),
         "motion info" => keys::<MotionInfo>(),
         "motion spectrum" => keys::<MotionSpectrum>(),
@@ -176,6 +182,11 @@ fn of_programs() -> Vec<Asked> {
             json!({"spectrum": "/etc/passwd", "building_height_m": 30, "sds": 1, "out": "/tmp/x"}),
         ),
         (
+            "floor",
+            json!({"motion": "/etc/passwd", "vertical": ["a", "b"], "across": "c", "components": "both", "levels": [0.5, 2],
+                "mode_table": "/etc/passwd", "periods_s": [0.1], "vertical_amplification": 1.5, "out": "/tmp/x"}),
+        ),
+        (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),
         ),
@@ -208,6 +219,7 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
         "shock" => asked::<Shock>(entries),
         "shock-spectrum" => asked::<ShockSpectrum>(entries),
         "cushion drop" => asked::<DropTests>(entries),
+        "floor" => asked::<Floor>(entries),
         "motion code-spectrum" => asked::<CodeSpectrum>(entries),
         "motion info" => asked::<MotionInfo>(entries),
         "motion spectrum" => asked::<MotionSpectrum>(entries),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
+use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
@@ -55,6 +56,7 @@ fn the_schemas_are_those_of_the_structs() {
             "code-spectrum.request.json",
             of_request::<CodeSpectrum>("motion code-spectrum", &[]),
         ),
+        ("floor.request.json", of_request::<Floor>("floor", &[])),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (
             "rock.response.json",

@@ -53,7 +53,7 @@ impl Done {
 
 /// A command that is asked by a struct.
 pub(crate) trait Tell: Question + Clone {
-    /// The files that it writes beside those of `--out`; the page asks for none.
+    /// The flags that say which files are written; the page has none.
     type Output: Default;
 
     /// Answers what is meant, writes the files and prints the result.
@@ -72,7 +72,7 @@ pub(crate) trait Tell: Question + Clone {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let mut request = self.clone();
-        request.draw(global.seed.map(|seed| Written::Text(seed.to_string())));
+        request.set_seed(global.seed.map(|seed| Written::Text(seed.to_string())));
         Self::tell(request.resolve(&Sources::Disk)?, output, global, printer)
     }
 }
@@ -150,7 +150,7 @@ impl Command {
             Self::Spectrum(args) => args.request.run(&args.output, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Cushion(args) => cushion::run(args, global, printer),
-            Self::Floor(args) => floor::run(args, global, printer),
+            Self::Floor(args) => args.request.run(&args.output, global, printer),
             Self::Inventory(args) => inventory::run(args, global, printer),
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),

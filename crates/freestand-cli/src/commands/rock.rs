@@ -12,7 +12,7 @@ use super::motion::plot::{PlotArgs, place};
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::{Files, TableArgs, write_table};
+use crate::files::{Files, TableArgs, refuse_one_for_two, write_table};
 use crate::printer::{Column, Printer, facts_table, lines};
 
 /// Follow one object under a motion: rotation, uplift, impacts, overturning and shock
@@ -121,6 +121,8 @@ impl Tell for Rock {
                 "name a folder with --out: it gets the history of each",
             ));
         }
+        let (history, plot) = (output.history.as_deref(), output.plot.file());
+        refuse_one_for_two(("--history", history), ("--plot", plot))?;
         let target = output.plot.target(global)?;
         if let Some(target) = &target {
             target.check(count)?;

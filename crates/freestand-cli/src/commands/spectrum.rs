@@ -22,7 +22,7 @@ use super::spectrum_text::Seen;
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, refuse_one_for_two};
 use crate::printer::Printer;
 use crate::reading::path_text;
 use crate::rows::{ROWS, Rows};
@@ -91,6 +91,10 @@ impl Tell for Spectrum {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
+        refuse_one_for_two(
+            ("--csv", output.csv.as_deref()),
+            ("--parquet", output.parquet.as_deref()),
+        )?;
         let Meant {
             objects: request,
             shaking,

@@ -48,6 +48,11 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "damage_boundary",
         "files",
         "spectrum",
+        "across",
+        "storey_table",
+        "mode_table",
+        "across_storey_table",
+        "across_mode_table",
     ];
     for line in requests {
         let request = line["request"].as_object().unwrap();
@@ -71,6 +76,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "no_upsample",
             "invert",
             "parts",
+            "spectra",
             "keep_mean",
             "pairs",
             "sensitivity",

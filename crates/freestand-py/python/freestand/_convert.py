@@ -37,6 +37,13 @@ def given(**values: Any) -> Given:
     return {name: value for name, value in values.items() if value is not None}
 
 
+def flag(name: str, value: bool | None) -> bool | None:
+    """True, False or not given."""
+    if value is None or isinstance(value, bool | np.bool_):
+        return None if value is None else bool(value)
+    raise bad(f"{name} must be True or False, not {value!r}", "give one of them")
+
+
 def doubles(name: str, values: Numbers) -> Array:
     """One-dimensional, contiguous, aligned doubles in the byte order of the machine.
 

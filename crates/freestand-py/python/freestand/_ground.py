@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypedDict
 
 from . import _freestand
-from ._convert import Numbers, PathLike, bad, data, given, threads_given, warn, words
+from ._convert import Numbers, PathLike, bad, data, flag, given, threads_given, warn, words
 from ._motion import Motion, several
 from ._results import CodeSpectrumResult, FloorResult, SynthResult
 
@@ -88,10 +88,8 @@ def code_spectrum(
     >>> fs.code_spectrum([0, 1], site="Ce", hazard_factor=0.11).sa_g.shape
     (2,)
     """
-    if not parts and (building_height_m is not None or building_period_s is not None):
-        raise bad("the building has no effect: it is that of the parts", "add parts=True, or leave it out")
     values = given(
-        **(target_words(target) or {}), parts=parts, building_height_m=building_height_m,
+        **(target_words(target) or {}), parts=flag("parts", parts), building_height_m=building_height_m,
         building_period_s=building_period_s,
     )  # fmt: skip
     periods = data("periods_s", periods_s) or b""
@@ -220,16 +218,17 @@ def floor(
     ['synthfloor at 0.5', 'synthfloor at 1']
     """
     building = words(
-        storeys=storeys, storey_height_m=storey_height_m, building_height_m=building_height_m, period_s=period_s,
+        storeys=storeys, storey_height_m=storey_height_m, height=building_height_m, period_s=period_s,
         frame=frame, period_code=period_code, damping_ratio=damping_ratio, shear_flexure=shear_flexure, modes=modes,
         storey_table=storey_table, mode_table=mode_table,
     )  # fmt: skip
     values = given(
-        building=building, target=target_words(target), levels=data("levels", levels), every_floor=every_floor or None, tail_s=tail_s,
-        upsample=upsample,
+        **(building or {}), **(target_words(target) or {}), levels="all" if flag("every_floor", every_floor) else None,
+        tail_s=tail_s, upsample=upsample,
     )  # fmt: skip
+    shares = b"" if every_floor else data("levels", levels) or b""
     records = [motion._record for motion in several(motions)]
-    text, floors = _freestand.floor(records, values, threads_given(threads))
+    text, floors = _freestand.floor(records, shares, values, threads_given(threads))
     result = FloorResult(json.loads(text), [[Motion._of(record) for record in one] for one in floors])
     warn(result.warnings)
     return result

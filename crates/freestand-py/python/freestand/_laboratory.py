@@ -6,10 +6,8 @@ import json
 from collections.abc import Iterable
 from typing import TypeAlias
 
-import numpy as np
-
 from . import _freestand
-from ._convert import Numbers, PathLike, bad, data, given, paths_text, warn
+from ._convert import Numbers, PathLike, bad, data, flag, given, paths_text, warn
 from ._motion import Motion
 from ._results import DropTestResult, ShockSpectrumResult, StaticTestResult
 
@@ -88,7 +86,7 @@ def drop_test(
         files=_files(files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
         velocity_error_ratio=velocity_error_ratio, law=law, pad_thickness_m=pad_thickness_m, impactor=impactor,
         sphere_radius_m=sphere_radius_m, boundary=boundary, corner_hz=corner_hz, gravity_m_s2=gravity_m_s2,
-        invert=inverted, unit=unit, sensitivity=sensitivity, dt_s=dt_s,
+        invert=flag("inverted", inverted), unit=unit, sensitivity=sensitivity, dt_s=dt_s,
         component=component, seed=seed,
     )  # fmt: skip
     text, toml, loops = _freestand.drop_test(values)
@@ -201,9 +199,9 @@ def shock_spectrum(
         raise bad("an array needs its time step", "give dt_s in seconds")
     else:
         motion = Motion(accel, dt_s)
+    between = flag("upsample", upsample)
     values = given(
-        damping_ratio=damping_ratio, q=q, kind=kind, peak=peak,
-        no_upsample=not upsample if isinstance(upsample, (bool, np.bool_)) else upsample,
+        damping_ratio=damping_ratio, q=q, kind=kind, peak=peak, no_upsample=None if between is None else not between,
     )  # fmt: skip
     frequencies = data("frequencies_hz", frequencies_hz) or b""
     result = ShockSpectrumResult._of(_freestand.shock_spectrum(motion._record, frequencies, values))

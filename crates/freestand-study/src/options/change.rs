@@ -64,3 +64,56 @@ impl Change {
         *table = kept;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::parse;
+
+    /// The keys that it replaces may also state a unit.
+    #[test]
+    fn a_value_takes_the_place_of_others_whatever_their_units() {
+        let study = "[objects]\nmass_kg = 1\npad_stiffness_n_mm = 2190\npads_per_edge = 2\n";
+        let change = Change {
+            table: "objects",
+            key: "stiffness",
+            value: "5 kN/mm".to_owned(),
+            in_place_of: &["pad_stiffness", "pads_per_edge"],
+            is_default: false,
+        };
+        let (changed, problems) = parse(study, Some(&change), None);
+        assert!(problems.is_empty(), "{problems}");
+        let (written, _) = parse(
+            "[objects]\nmass_kg = 1\nstiffness = \"5 kN/mm\"\n",
+            None,
+            None,
+        );
+        let texts = |objects: &crate::options::ObjectsOptions| {
+            let words = &objects.cushion;
+            (
+                objects.mass_kg.as_ref().map(|mass| mass.value),
+                format!("{:?}", words.entries().collect::<Vec<_>>()),
+            )
+        };
+        assert_eq!(texts(&changed.objects), texts(&written.objects));
+    }
+
+    /// What is no number of TOML is one of the command line.
+    #[test]
+    fn numbers_are_those_of_a_person() {
+        let change = |value: &str| Change {
+            table: "ground",
+            key: "seed",
+            value: value.to_owned(),
+            in_place_of: &[],
+            is_default: false,
+        };
+        let seed = |value: &str| parse("", Some(&change(value)), None).0.ground.seed;
+        assert_eq!(seed("007").map(|seed| seed.value), Some(7));
+        assert_eq!(change(".5").number().as_deref(), Some("0.5"));
+        assert_eq!(
+            (change("2 %").number(), change("nan").number()),
+            (None, None)
+        );
+    }
+}

@@ -1,6 +1,6 @@
 //! `--plot`: the figures of motions and their files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_output::figure::Figure;
@@ -29,6 +29,11 @@ pub(crate) enum Target {
 }
 
 impl PlotArgs {
+    /// The file that is named.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.plot.as_ref()?.as_deref()
+    }
+
     /// Where the figures are written; `None`: nothing is drawn.
     pub(crate) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
         let Some(name) = &self.plot else {

@@ -11,6 +11,7 @@ use clap::{Arg, Command, CommandFactory, FromArgMatches};
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
+use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::request::from_entries;
 use freestand_app::rock::Rock;
@@ -293,7 +294,8 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 10] = [
+const BY_STRUCTS: [ByStruct; 11] = [
+    ByStruct::of::<Floor>("floor"),
     ByStruct::of::<CodeSpectrum>("motion code-spectrum"),
     ByStruct::of::<MotionConvert>("motion convert"),
     ByStruct::of::<MotionInfo>("motion info"),
