@@ -65,7 +65,7 @@ pub struct MotionSpectrum {
     #[arg(value_name = "FILE")]
     pub motion: Option<Written>,
     /// Damping ratio, or a list of ratios [default: 5 %]
-    #[arg(long, value_name = "RATIO")]
+    #[arg(long, value_name = "LIST")]
     pub damping: Option<Written>,
     /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, value_name = "GRID")]

@@ -230,6 +230,20 @@ struct Name {
 /// What people call the files of a command that takes them without a flag.
 const FILES: [&str; 6] = ["file", "files", "motion", "motions", "record", "records"];
 
+/// The names under which the value of a flag is known, its key first.
+pub(crate) fn names_of(arg: &Arg) -> Vec<String> {
+    let mut names = vec![arg.get_id().to_string()];
+    let aliases = arg.get_all_aliases().unwrap_or_default();
+    let files = FILES.iter().filter(|_| arg.is_positional()).copied();
+    for name in arg.get_long().into_iter().chain(aliases).chain(files) {
+        let name = name.replace('-', "_");
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
 /// The names of the values of a request.
 fn names<R: Request>() -> Vec<Name> {
     let command = R::augment_args(Command::new("request"));
@@ -237,12 +251,8 @@ fn names<R: Request>() -> Vec<Name> {
         let key = arg.get_id().to_string();
         let value = arg.get_value_names().and_then(|names| names.first());
         let value = value.map(ToString::to_string).unwrap_or_default();
-        let aliases = arg.get_all_aliases().unwrap_or_default();
-        let long = arg.get_long().into_iter().chain(aliases);
-        let files = FILES.iter().filter(|_| arg.is_positional()).copied();
-        let others = long.chain(files).map(|name| name.replace('-', "_"));
-        std::iter::once(key.clone())
-            .chain(others)
+        names_of(arg)
+            .into_iter()
             .map(move |name| Name {
                 name,
                 key: key.clone(),
@@ -269,7 +279,7 @@ fn known_as(given: &str, known: &[Name]) -> Option<(String, Option<&'static str>
 
 /// What the name of a number may end in, with its unit, and what such numbers are; a ratio has no unit.
 const ENDINGS: [(&str, &str, &[&str]); 16] = [
-    ("_ratio", "", &["RATIO", "DAMPING"]),
+    ("_ratio", "", &["RATIO", "DAMPING", "LIST"]),
     ("_m", "m", &["LENGTH", "X, Z", "GRID"]),
     ("_kg", "kg", &["MASS"]),
     ("_s", "s", &["TIME", "GRID", "LIST"]),

@@ -3,7 +3,7 @@
 use clap::{Arg, ArgAction, Command};
 use serde_json::{Map, Value, json};
 
-use crate::request::{Request, unit_endings};
+use crate::request::{Request, names_of, unit_endings};
 
 const DRAFT: &str = "https://json-schema.org/draft/2020-12/schema";
 
@@ -17,7 +17,12 @@ pub fn of_request<R: Request>(command: &str, others: &[&str]) -> Value {
     let others = others.iter().map(|key| (*key).to_owned());
     let properties: Map<String, Value> = flags
         .get_arguments()
-        .map(|arg| (arg.get_id().to_string(), of_value(arg, &names)))
+        .flat_map(|arg| {
+            let value = of_value(arg, &names);
+            names_of(arg)
+                .into_iter()
+                .map(move |name| (name, value.clone()))
+        })
         .chain(others.map(|key| (key, json!({"type": ["string", "number"]}))))
         .collect();
     let in_units = format!("^({})({})$", names.join("|"), unit_endings().join("|"));
@@ -64,9 +69,11 @@ fn of_value(arg: &Arg, names: &[String]) -> Value {
 /// Whether its value may be a list.
 fn is_pair(arg: &Arg) -> bool {
     let names = arg.get_value_names().unwrap_or_default();
-    names
-        .iter()
-        .any(|name| name.contains(", ") || *name == "GRID")
+    names.iter().any(|name| {
+        [", ", "GRID", "LIST"]
+            .iter()
+            .any(|list| name.contains(list))
+    })
 }
 
 /// A help with the flags of the request as keys.
