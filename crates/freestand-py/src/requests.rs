@@ -1,6 +1,5 @@
 //! Requests whose answer is the document of a command.
 
-use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
@@ -16,17 +15,15 @@ use freestand_app::shock_spectrum::{SCHEMA as SHOCK_SPECTRUM, ShockSpectrum};
 use freestand_app::static_test::{SCHEMA as STATIC, StaticTests};
 use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::written::Written;
 use freestand_records::notes::grouped;
-use freestand_study::building;
-use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
+use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::static_tests;
 use freestand_study::matched::{SynthRequest, synth as made};
 use freestand_study::shock::shock as evaluated;
 use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
-use freestand_study::target::{Target, period_code};
+use freestand_study::target::Target;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -176,7 +176,7 @@ fn what_cannot_be_meant_is_refused() {
     );
     refused(
         &[&one[..], &["--components", "both"]].concat(),
-        "cannot be used with",
+        "--components and --component exclude each other",
     );
     refused(
         &["--components", "both", "--rotation-step", "5 deg"],

@@ -140,9 +140,10 @@ def static_test(
     1100000.0
     """
     sensors = [sensitivity] if isinstance(sensitivity, str) else sensitivity
+    cuts = flag("cut_toe", cut_toe)
     values = given(
         files=_files(files), load_n=load_n, machine_compliance=machine_stiffness_n_m,
-        toe=("keep", "cut")[bool(cut_toe)] if isinstance(cut_toe, (bool, np.bool_)) else cut_toe, invert=inverted,
+        toe=None if cuts is None else "cut" if cuts else "keep", invert=flag("inverted", inverted),
         sensitivity=None if sensors is None else list(sensors), impactor=impactor,
         boundary=boundary, dynamic=dynamic_stiffness_n_m,
     )  # fmt: skip
