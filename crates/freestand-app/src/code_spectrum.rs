@@ -5,13 +5,12 @@ use std::path::PathBuf;
 use clap::{ArgAction, Args};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
-use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::target::{CodeSpectrumReport, Target, code_spectrum};
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request, Switch, Unknown, request, unknown};
+use crate::request::{Question, Request, Switch, Unknown, reader, request};
 use crate::target::TargetKeys;
 
 /// The schema of the response.
@@ -74,8 +73,7 @@ impl Question for CodeSpectrum {
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let target = self.target.target(&mut read, files);
         let periods_s = read.grid("periods", Dimension::Time);
         let building = (

@@ -16,8 +16,8 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{
-    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, request, seed,
-    unknown,
+    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, reader, request,
+    seed,
 };
 
 /// The schema of the response.
@@ -104,8 +104,7 @@ impl Question for DropTests {
 
     fn resolve(&self, files: &Files) -> Result<DropRequest, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         read.exclusive("height", "impact_velocity");
         read.exclusive("unit", "sensitivity");
         let request = DropRequest {

@@ -17,9 +17,9 @@ use freestand_study::target::{Target, usual_periods_s};
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::{NamedRecords, Records, VerticalRecords, components};
+use crate::records::{NamedRecords, Records, components};
 use crate::request::{
-    Question, Request, Switch, Unknown, from_one, one_or_many, paths, request, unknown,
+    Question, Request, Switch, Unknown, from_one, one_or_many, paths, reader, request,
 };
 use crate::target::TargetKeys;
 
@@ -228,8 +228,7 @@ impl Question for Floor {
 impl Floor {
     fn judged<'f>(&self, files: &'f Files) -> Result<Judged<'f>, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         if read.has("rotation_step") {
             read.note(
                 &["rotation_step"],
@@ -241,10 +240,7 @@ impl Floor {
             let hint = "name the records of the ground with `motion`";
             read.missing(&["motion"], "no motion is named", hint);
         }
-        let none = VerticalRecords::default();
-        let named = self
-            .records
-            .named(&mut read, &self.motion, (&[], &none), files);
+        let named = self.records.named_alone(&mut read, &self.motion, files);
         let mut how = named.how().clone();
         how.vertical = self.upward(&mut read, files);
         how.second = self.second(&mut read, files);

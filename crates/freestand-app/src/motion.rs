@@ -16,8 +16,8 @@ use freestand_study::target::usual_periods_s;
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::{Records, VerticalRecords};
-use crate::request::{Question, Request, Unknown, from_one, one_of, one_or_many, request, unknown};
+use crate::records::Records;
+use crate::request::{Question, Request, Unknown, from_one, one_of, one_or_many, reader, request};
 
 /// The schema of the response of `motion info`.
 pub const INFO: &str = "freestand.motion-info/1";
@@ -141,8 +141,7 @@ impl Question for MotionInfo {
 
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let (files, inputs) = recorded(&mut read, &self.motion, &self.records, files);
         let block = block(&mut read);
         let asked = InfoRequest {
@@ -179,8 +178,7 @@ impl Question for MotionSpectrum {
 impl MotionSpectrum {
     fn judged(&self, files: &Files) -> Result<(Recorded, SpectrumRequest), Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let records = match &self.motion {
             Some(Written::List(all)) => all.as_slice(),
             one => one.as_slice(),
@@ -235,8 +233,7 @@ impl Question for MotionConvert {
 impl MotionConvert {
     fn judged(&self, files: &Files) -> Result<(Recorded, Format), Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let recorded = recorded(&mut read, &self.motion, &self.records, files);
         if !read.has("to") {
             read.missing(&["to"], "`to` is missing", "give a format: csv or at2");
@@ -256,7 +253,7 @@ fn recorded(
     records: &Records,
     files: &Files,
 ) -> Recorded {
-    let named = records.named(read, motion, (&[], &VerticalRecords::default()), files);
+    let named = records.named_alone(read, motion, files);
     if motion.is_empty() {
         read.missing(&["motion"], "no record is named", "name a record");
     }

@@ -227,6 +227,16 @@ pub struct ReadMotions {
 }
 
 impl Records {
+    /// As [`Records::named`], without vertical records.
+    pub(crate) fn named_alone<'f>(
+        &self,
+        read: &mut WordReader<'_>,
+        motion: &[Written],
+        files: &'f Files,
+    ) -> NamedRecords<'f> {
+        self.named(read, motion, (&[], &VerticalRecords::default()), files)
+    }
+
     /// How the records that a request names are read; what no file allows is a problem.
     pub(crate) fn named<'f>(
         &self,

@@ -368,6 +368,13 @@ pub(crate) fn seed(read: &mut WordReader<'_>) -> Option<u64> {
     })
 }
 
+/// Reads the values of a request; a problem for each key that it does not know is noted.
+pub(crate) fn reader<'w, R: Request>(words: &'w Words, others: &Unknown) -> WordReader<'w> {
+    let mut read = WordReader::new(words);
+    unknown::<R>(others).for_each(|problem| read.problems.push(problem));
+    read
+}
+
 /// A problem for each key that the request does not know.
 pub(crate) fn unknown<R: Request>(unknown: &Unknown) -> impl Iterator<Item = Problem> {
     let known = keys::<R>();

@@ -15,7 +15,7 @@ use serde::Deserialize;
 use crate::block::{GeneralBlock, block, gravity, point, sizes};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
-use crate::request::{Question, Request, Unknown, one_of, request, unknown};
+use crate::request::{Question, Request, Unknown, one_of, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock/1";
@@ -140,8 +140,7 @@ impl Question for Shock {
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let size = sizes(&mut read);
         if !read.has("mass") {
             read.missing(

@@ -16,8 +16,8 @@ use freestand_study::shock_spectrum::{
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::{NamedRecords, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, Unknown, one_of, one_or_many, request, unknown};
+use crate::records::{NamedRecords, Records};
+use crate::request::{Question, Request, Switch, Unknown, one_of, one_or_many, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock-spectrum/1";
@@ -149,8 +149,7 @@ type Judged<'f> = (
 impl ShockSpectrum {
     fn judged<'f>(&self, files: &'f Files) -> Result<Judged<'f>, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         let spectrum = spectrum(&mut read);
         let pulse = pulse(&mut read);
         read.exclusive("pulse", "no_upsample");
@@ -168,10 +167,7 @@ impl ShockSpectrum {
                 "name a record, or give `pulse`, `peak_acceleration` and `duration`",
             );
         }
-        let none = VerticalRecords::default();
-        let named = self
-            .records
-            .named(&mut read, &self.motion, (&[], &none), files);
+        let named = self.records.named_alone(&mut read, &self.motion, files);
         let spectrum = read.problems.finish(spectrum)?;
         Ok((spectrum, pulse, named))
     }

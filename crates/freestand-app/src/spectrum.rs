@@ -25,7 +25,7 @@ use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
 use crate::request::{
-    Question, Request, Switch, Unknown, one_or_many, request, seed, unknown, whole,
+    Question, Request, Switch, Unknown, one_or_many, reader, request, seed, whole,
 };
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
@@ -250,8 +250,7 @@ fn judged<'f>(
     files: &'f Files,
 ) -> Result<(SpectrumRequest, Option<Shaking>, NamedRecords<'f>), Problems> {
     let words = request.words();
-    let mut read = WordReader::new(&words);
-    unknown::<Spectrum>(&request.unknown).for_each(|problem| read.problems.push(problem));
+    let mut read = reader::<Spectrum>(&words, &request.unknown);
     let vertical = (request.vertical.as_slice(), &request.upward);
     let named = request
         .records

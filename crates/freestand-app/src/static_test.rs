@@ -4,7 +4,6 @@ use clap::{ArgAction, Args};
 use freestand::identify::Toe;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
-use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_records::formats::parse_sensitivity;
@@ -14,7 +13,7 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{
-    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, request, unknown,
+    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, reader, request,
 };
 
 /// The schema of the response.
@@ -86,8 +85,7 @@ impl Question for StaticTests {
 
     fn resolve(&self, files: &Files) -> Result<StaticRequest, Problems> {
         let words = self.words();
-        let mut read = WordReader::new(&words);
-        unknown::<Self>(&self.unknown).for_each(|problem| read.problems.push(problem));
+        let mut read = reader::<Self>(&words, &self.unknown);
         read.pass(&["sensitivity"]);
         let sensitivities = self.sensitivity.iter().map(Written::text);
         let sensitivities = sensitivities
