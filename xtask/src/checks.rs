@@ -70,18 +70,20 @@ pub enum Check {
     RiskTools,
 }
 
-/// The checks that take only seconds.
-const FIRST: [Check; 3] = [Check::Arrows, Check::Features, Check::Formatting];
-
-/// Two rows that run side by side, and then two more, which need the program that the first ones
-/// compile.
-const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
+/// Two rows that run side by side, each with what comes before the program is compiled and what needs
+/// it: the first row compiles it.
+const ROWS: [[&[Check]; 2]; 2] = [
     [
-        &[Check::Lints, Check::Compiling],
-        &[Check::PageBuilt, Check::PageTypes],
+        &[
+            Check::Arrows,
+            Check::Features,
+            Check::Lints,
+            Check::Compiling,
+        ],
+        &[Check::Tests, Check::Examples, Check::Documentation],
     ],
     [
-        &[Check::Tests, Check::Examples, Check::Documentation],
+        &[Check::Formatting, Check::PageBuilt, Check::PageTypes],
         &[
             Check::PageBrowsed,
             Check::Python,
@@ -206,7 +208,7 @@ impl Check {
                 &[
                     &["test", kind, "--no-fail-fast"],
                     &TESTED[..],
-                    &["--", "--show-output"],
+                    &["--"],
                     more,
                 ]
                 .concat(),
@@ -228,8 +230,12 @@ impl Check {
             Self::Compiling => {
                 cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat())
             }
-            Self::Tests if all => tested("--tests", &["--include-ignored", "--skip", CAMPAIGN]),
-            Self::Tests => tested("--tests", &[]),
+            Self::Tests if all => tested(
+                "--tests",
+                &["--show-output", "--include-ignored", "--skip", CAMPAIGN],
+            ),
+            Self::Tests => tested("--tests", &["--show-output"]),
+            // With their output, each would be compiled alone.
             Self::Examples => tested("--doc", &[]),
             Self::Documentation => {
                 let mut command =
@@ -344,17 +350,25 @@ impl From<String> for Problem {
 /// Runs every check, also after one that fails, and prints the table.
 pub fn all(root: &Path, extent: Extent) -> bool {
     let start = Instant::now();
-    let mut rows = in_a_row(&FIRST, root, extent);
-    for [one, other] in SIDE_BY_SIDE {
-        std::thread::scope(|scope| {
-            let beside = scope.spawn(|| in_a_row(other, root, extent));
-            rows.extend(in_a_row(one, root, extent));
-            match beside.join() {
-                Ok(found) => rows.extend(found),
-                Err(panic) => std::panic::resume_unwind(panic),
-            }
+    let [[compiling, tests], [before, beside]] = ROWS;
+    let (compiled, is_compiled) = mpsc::channel::<()>();
+    let rows = std::thread::scope(|scope| {
+        let other = scope.spawn(move || {
+            let mut rows = in_a_row(before, root, extent);
+            // Nothing is sent: it ends when the sender is dropped.
+            let _ = is_compiled.recv();
+            rows.extend(in_a_row(beside, root, extent));
+            rows
         });
-    }
+        let mut rows = in_a_row(compiling, root, extent);
+        drop(compiled);
+        rows.extend(in_a_row(tests, root, extent));
+        match other.join() {
+            Ok(found) => rows.extend(found),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+        rows
+    });
     print!("\n{}", table(&rows, start.elapsed().as_secs_f64()));
     rows.iter()
         .all(|row| !matches!(row.outcome, Outcome::Failed))
@@ -722,13 +736,7 @@ mod tests {
     /// Each check runs once, in one of the rows.
     #[test]
     fn every_check_has_its_place() {
-        let mut placed: Vec<Check> = SIDE_BY_SIDE
-            .into_iter()
-            .flatten()
-            .flatten()
-            .copied()
-            .collect();
-        placed.extend(FIRST);
+        let mut placed: Vec<Check> = ROWS.into_iter().flatten().flatten().copied().collect();
         placed.sort_by_key(|check| check.name());
         let mut all = Check::ALL.to_vec();
         all.sort_by_key(|check| check.name());

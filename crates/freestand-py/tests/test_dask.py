@@ -107,7 +107,7 @@ def waited(condition, seconds=30):
 # 64: more than there are objects.
 @pytest.mark.parametrize(
     ("workers", "shards"),
-    [(1, 1), (2, 7), pytest.param(2, 64, marks=pytest.mark.long), pytest.param(4, None, marks=pytest.mark.long)],
+    [(1, 1), pytest.param(2, 7, marks=pytest.mark.long), pytest.param(2, 64, marks=pytest.mark.long), pytest.param(4, None, marks=pytest.mark.long)],
 )
 def test_the_files_are_those_of_one_process(city, clients, tmp_path, workers, shards):
     folder, _ = city
@@ -117,6 +117,7 @@ def test_the_files_are_those_of_one_process(city, clients, tmp_path, workers, sh
     assert not children(f"{out}-plan")
 
 
+@pytest.mark.long
 def test_tables_and_dictionaries_without_a_cluster(city, tmp_path, monkeypatch):
     """A local worker is made where there is no client; a study in memory finds files as fs.assess does."""
     pandas = pytest.importorskip("pandas")
@@ -135,7 +136,7 @@ def test_tables_and_dictionaries_without_a_cluster(city, tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
-@pytest.mark.parametrize("victim", [pytest.param("worker", marks=pytest.mark.long), "child"])
+@pytest.mark.parametrize("victim", [pytest.param("worker", marks=pytest.mark.long), pytest.param("child", marks=pytest.mark.long)])
 def test_what_is_killed_is_calculated_again(city, clients, tmp_path, victim):
     """SIGKILL at a random moment to a process that calculates a shard, or to its worker."""
     folder, _ = city
@@ -174,6 +175,7 @@ def test_what_is_killed_is_calculated_again(city, clients, tmp_path, victim):
         assert {info["pid"] for info in client.run(lambda: {"pid": os.getpid()}).values()} != before
 
 
+@pytest.mark.long
 def test_a_shard_that_always_fails_is_named(city, clients, tmp_path, caplog):
     folder, _ = city
     out, plan = tmp_path / "out", tmp_path / "out-plan"

@@ -342,6 +342,7 @@ fn in_any_order(count: usize) {
 /// Where the history is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n,
 /// β² = (β_k² + β_m²)/4 + β_model².
 #[test]
+#[ignore = "seconds: many worlds"]
 fn worlds_against_the_integral() {
     against_the_integral(512);
 }

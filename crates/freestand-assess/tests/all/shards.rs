@@ -214,6 +214,7 @@ fn a_long_list_is_the_same_in_shards_of_several_parts() {
 
 /// Shards that run at the same time make the same motions, and do not disturb each other.
 #[test]
+#[ignore = "ten seconds: a list, several times"]
 fn shards_at_the_same_time_give_the_bytes_of_one_process() {
     let place = Place::new(STUDY, 10);
     let whole = place.whole();
@@ -360,6 +361,7 @@ fn a_shard_that_is_not_intact_is_done_again() {
 }
 
 #[test]
+#[ignore = "seconds: shards of several lists"]
 fn what_does_not_fit_is_refused_and_nothing_is_lost() {
     let place = Place::new(STUDY, 6);
     assert!(

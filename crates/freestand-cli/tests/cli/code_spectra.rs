@@ -152,6 +152,7 @@ fn a_code_spectrum_is_written_with_its_corners() {
 
 /// The same numbers on one thread and on two, and a seed that matters.
 #[test]
+#[ignore = "seconds: motions, several times"]
 fn synthetic_motions_do_not_depend_on_threads() {
     let synth = |more: &[&str]| {
         let folder = tempfile::tempdir().unwrap();

@@ -390,6 +390,7 @@ fn stripes_have_the_same_levels_and_a_cloud_its_motions() {
 /// Stripes without intensities take some from the uplift on, so close together that little of a rate is
 /// between two of them.
 #[test]
+#[ignore = "seconds: the runs of several intensities"]
 fn stripes_choose_their_intensities() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
@@ -437,6 +438,7 @@ fn overturning(folder: &Path, runs: &str, law: &[&str]) -> ([f64; 2], f64, Strin
 /// Two intensities leave the rates open; with the hazard, those are added that tell them. The rate of many
 /// intensities is then between its ends, and nothing depends on the threads.
 #[test]
+#[ignore = "seconds: as many intensities as it needs"]
 fn a_hazard_adds_intensities_until_the_rates_are_told() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
@@ -1106,6 +1108,7 @@ fn runs_of_an_inventory_that_are_killed_go_on() {
 /// The fit of the shocks of runs equals that of their table of outcomes with the tolerance and the
 /// ceiling of the object, and agrees with P(exceeds) of the runs themselves.
 #[test]
+#[ignore = "seconds: the runs of several intensities"]
 fn shocks_of_runs_are_fitted_below_their_ceiling() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));

@@ -108,6 +108,7 @@ fn motion_info_goes_on_behind_broken_files() {
 }
 
 #[test]
+#[ignore = "seconds: a picture of every kind"]
 fn pictures_of_motions_go_where_they_are_sent() {
     let two = "time [s],ns [g],up [g]\n0,0,0\n0.25,0.5,0.1\n0.5,0,-0.1\n0.75,-0.5,0\n1,0,0\n";
     let folder = folder(&[

@@ -68,6 +68,7 @@ fn command(case: &Value) -> Option<Command> {
 }
 
 #[test]
+#[ignore = "seconds: a process for every case"]
 fn cases_through_the_command_line() {
     through_the_command_line(8);
 }

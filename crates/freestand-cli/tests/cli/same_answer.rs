@@ -509,6 +509,7 @@ const PLANE_PULSES: [(f64, f64); 3] = [(0.5, 0.4), (0.2, 0.3), (0.35, 0.9)];
 /// `rock` the same uplift to rounding. An assessment draws in every world which side lies along x, so it is
 /// that of `rock` with the sides as given or exchanged; a fragility moves the side that lifts first along x.
 #[test]
+#[ignore = "seconds: three commands in three dimensions"]
 fn three_dimensions_have_the_same_outcome() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

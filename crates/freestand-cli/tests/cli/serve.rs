@@ -319,6 +319,7 @@ fn documents_are_those_of_the_command_line() {
 /// An uploaded file names files of its own request, and none of this machine; it is not told whether
 /// there is one.
 #[test]
+#[ignore = "seconds: studies from the page"]
 fn uploaded_files_name_uploaded_files() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();
@@ -587,6 +588,7 @@ fn unchunked(response: &[u8]) -> String {
 
 /// A job ends soon after it is cancelled, and what was finished can be read and continued.
 #[test]
+#[ignore = "ten seconds: an assessment, twice"]
 fn a_cancelled_assessment_keeps_what_is_finished() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();

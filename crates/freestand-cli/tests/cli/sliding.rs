@@ -84,6 +84,7 @@ fn check(cases: &Value) -> (usize, usize) {
 }
 
 #[test]
+#[ignore = "seconds: a process for every case"]
 fn every_slide_through_the_command_line() {
     let cases = serde_json::from_str(include_str!(
         "../../../../validation/sliding/sliding_cases.json"
@@ -95,6 +96,7 @@ fn every_slide_through_the_command_line() {
 }
 
 #[test]
+#[ignore = "seconds: a process for every case"]
 fn every_slide_of_the_shared_folder() {
     let path = shared().join("cases/object_cases.json");
     let Ok(text) = std::fs::read_to_string(&path) else {

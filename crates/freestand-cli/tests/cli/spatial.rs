@@ -138,6 +138,7 @@ fn every_case_of_stacks() {
 
 /// Those of the shared folder, where it is present.
 #[test]
+#[ignore = "seconds: a process for every case"]
 fn every_shared_case_in_space_and_of_stacks() {
     let path = shared().join("cases/object_cases.json");
     let Ok(text) = fs::read_to_string(&path) else {

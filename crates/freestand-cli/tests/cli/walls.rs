@@ -44,6 +44,7 @@ fn run(case: &Value) -> Value {
 }
 
 #[test]
+#[ignore = "seconds: a process for every case"]
 fn every_case_through_the_command_line() {
     let cases: Value =
         serde_json::from_str(include_str!("../../../../validation/walls/wall_cases.json")).unwrap();

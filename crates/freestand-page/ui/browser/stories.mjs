@@ -787,7 +787,7 @@ function median(object, options) {
   return (shocks[4] + shocks[5]) / 2;
 }
 
-await story('a structural engineer reads the map of the spectra', {}, async (page) => {
+await story('a structural engineer reads the map of the spectra', { long: true }, async (page) => {
   let rocked = 0;
   page.on('request', (request) => { if (request.postData()?.includes('"slot":"spectra"')) rocked += 1; });
   await mapped(page);

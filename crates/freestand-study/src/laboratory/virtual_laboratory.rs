@@ -408,6 +408,7 @@ mod tests {
     /// A virtual file is read back with the values of its comments: k is within 2 %, ten times the
     /// error from noise of 0.5 % at 64 samples, and its interval contains the true value.
     #[test]
+    #[ignore = "seconds: a drop and its fit"]
     fn a_virtual_file_gives_its_stiffness() {
         let folder = tempfile::tempdir().unwrap();
         let pad = Cushion::linear(2.19e6).unwrap();
@@ -449,6 +450,7 @@ mod tests {
     /// The same samples as volts of a sensor, with times of the day, and as a file of LabVIEW whose column of times is
     /// rounded: the same stiffness, to the rounding of the product of two numbers.
     #[test]
+    #[ignore = "seconds: a drop in every format"]
     fn files_of_instruments_give_the_same_stiffness() {
         let folder = tempfile::tempdir().unwrap();
         let (text, _) = drop_file(&Cushion::linear(2.19e6).unwrap(), &options()).unwrap();
@@ -553,6 +555,7 @@ mod tests {
     /// Of 4 intervals, 95 % less three standard deviations are 62 %; the mean of a tenth of the drops
     /// is √10 times as uncertain.
     #[test]
+    #[ignore = "seconds: several drops"]
     fn a_cell_of_the_recovery_table_from_few_drops() {
         recovery_of(4, 0.62, 0.0063);
     }

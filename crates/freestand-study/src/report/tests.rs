@@ -153,6 +153,7 @@ fn every_figure_is_drawn_with_its_axes() {
 }
 
 #[test]
+#[ignore = "seconds: a report, twice"]
 fn the_same_result_gives_the_same_report() {
     assert_eq!(rendered(false), rendered(false));
 }
@@ -218,6 +219,7 @@ fn report_holds_figures_tables_and_definitions() {
 }
 
 #[test]
+#[ignore = "seconds: several reports"]
 fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     let (figures, html) = rendered(true);
     check(&html);
@@ -245,6 +247,7 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
 /// Everything of a motion that may be drawn: nothing but zeros, two samples, a drift, a million
 /// samples.
 #[test]
+#[ignore = "seconds: reports with many records"]
 fn records_of_every_kind_are_drawn_small() {
     let million: Vec<f64> = (0..1_000_000)
         .map(|i| (i as f64 * 0.7).sin() * 1e-6)
@@ -302,6 +305,7 @@ fn the_smallest_study_has_a_report_too() {
 /// Four levels on two rows with ten thicknesses: no bands, two tables a level; a history that ends
 /// on the floor.
 #[test]
+#[ignore = "seconds: a report of a large study"]
 fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     let mut study = fixture::study();
     study.levels.insert(

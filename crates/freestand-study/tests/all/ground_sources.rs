@@ -192,6 +192,7 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
 }
 
 #[test]
+#[ignore = "seconds: motions of several earthquakes"]
 fn each_earthquake_has_its_motions_and_the_seed_of_the_command_line_wins() {
     let folder = folder();
     let text = "[ground]\nsite = \"De\"\ncount = 2\nseed = 3\n\

@@ -82,6 +82,7 @@ fn errors(exact: &[(RockingSummary, bool)], got: &[RockingSummary]) -> Vec<f64> 
 }
 
 #[test]
+#[ignore = "seconds: a grid of blocks"]
 fn a_grid_of_blocks_is_as_accurate_as_was_asked_for() {
     let (record, blocks) = (record(), grid());
     let base = Base {

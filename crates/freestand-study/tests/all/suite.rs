@@ -559,6 +559,7 @@ fn neither_seed_nor_threads_change_a_suite_and_the_command_line_replaces_it() {
 
 /// The study that a run writes needs neither the folder nor the selection.
 #[test]
+#[ignore = "seconds: a study, twice"]
 fn a_run_writes_what_was_selected_and_runs_again_from_its_output() {
     let folder = folder();
     let objects =
@@ -616,6 +617,7 @@ fn a_run_writes_what_was_selected_and_runs_again_from_its_output() {
 
 /// The far-field records of FEMA P-695 belong to others and are not shipped.
 #[test]
+#[ignore = "seconds: 44 records"]
 fn the_far_field_records_of_p695_are_a_suite() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let shared = std::env::var_os("FREESTAND_SHARED")

@@ -806,6 +806,7 @@ proptest! {
     /// to keep the block upright are refused, and only histories on cushions that bottom are
     /// abandoned.
     #[test]
+    #[ignore = "seconds: histories at random"]
     fn any_history_is_followed_and_closes(
         base in any_base(),
         start in any_start(),

@@ -398,6 +398,7 @@ const COUNT: u32 = 2000;
 
 /// Coverage after stopping, wrong answers and flips, exactly: the table of the module.
 #[test]
+#[ignore = "seconds: thousands of simulated decisions"]
 fn coverage_after_stopping_and_flips_among_24_seeds() {
     for accepted in [0.1, 0.05, 0.02] {
         let table = Table::new(accepted, 0.98);

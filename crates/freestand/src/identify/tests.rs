@@ -74,6 +74,7 @@ pub(super) fn interval(found: &Identified) -> (f64, f64) {
 /// record of a stiff pad cannot show: 0.3 % at 350 g. The noise of 0.5 % alone causes 0.2 %; five
 /// times both stay within 2 %.
 #[test]
+#[ignore = "seconds: several fits"]
 fn half_sines_give_their_stiffness() {
     half_sines(0..1);
 }
@@ -162,6 +163,7 @@ fn weight_is_told(seeds: Range<u64>) {
 /// 0.571741 mm. The trapezoidal rule over 50 samples reduces the compression by (π/50)²/12 = 3e-4.
 /// Without noise the record also shows that no weight acts.
 #[test]
+#[ignore = "seconds: several fits"]
 fn four_estimates_agree_where_the_pad_is_linear() {
     let (samples, dt_s) = half_sine(50.0, 0.0, 0.0, 1, STIFFNESS_N_M);
     let plain = DropSetup {
@@ -271,6 +273,7 @@ fn other_laws_are_recognised() {
 /// wherever the first contact falls between two samples. This is the documented accuracy, and the
 /// lower limit of every interval.
 #[test]
+#[ignore = "seconds: several fits"]
 fn clean_records_give_their_stiffness() {
     clean_records(0..1);
 }
@@ -341,6 +344,7 @@ fn noisy(samples: &[f64], noise_ratio: f64, seed: u64) -> Vec<f64> {
 /// it or just after it. Closed form, without weight: d = v₀/ω_d e^(−ζωt) sin ω_d t. Noise of 0.5 %
 /// causes 0.3 % of k here; 1.5 % is five times that.
 #[test]
+#[ignore = "seconds: several fits"]
 fn a_sample_may_lie_on_the_jump() {
     on_the_jump(0..1);
 }
@@ -399,6 +403,7 @@ impl Cushion {
 /// zero, and the record has a flag. The second half of the half-sine is 10 % higher: e = 1.1, ζ of
 /// about −0.03.
 #[test]
+#[ignore = "seconds: several fits"]
 fn negative_damping_is_none_and_flagged() {
     let omega = (STIFFNESS_N_M / MASS_KG).sqrt();
     let dt_s = PI / omega / 100.0;
@@ -475,6 +480,7 @@ fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
 
 /// A record that cannot give a stiffness is flagged.
 #[test]
+#[ignore = "seconds: several fits"]
 fn faults_are_flagged() {
     for noise in [0.0, 0.005] {
         let (clean, dt_s) = half_sine(50.0, noise, 0.3, 7, STIFFNESS_N_M);
@@ -550,6 +556,7 @@ fn noisy_flanks(drops: &[(f64, u64)]) {
 /// A zero line that is higher after the impact still ends the pulse, and a record that ends on the
 /// flank is flagged as cut off.
 #[test]
+#[ignore = "seconds: several fits"]
 fn a_shifted_zero_line_is_no_missing_end() {
     for (per_contact, shift) in [(50.0, 0.03), (50.0, 0.06), (200.0, 0.03), (200.0, 0.08)] {
         let (samples, dt_s) = half_sine(per_contact, 0.005, 0.3, 3, STIFFNESS_N_M);
@@ -586,6 +593,7 @@ fn a_shifted_zero_line_is_no_missing_end() {
 /// A top that was clipped before the noise was added has no equal samples, but no law fits it
 /// either.
 #[test]
+#[ignore = "seconds: several fits"]
 fn a_clipped_top_under_noise_is_no_law() {
     clipped_tops(&[50.0], 0..1);
 }
@@ -659,6 +667,7 @@ fn a_slow_drift_is_flagged() {
 
 /// Rounding to whole g makes the top flat over a few samples, which is not clipping.
 #[test]
+#[ignore = "seconds: several fits"]
 fn rounded_samples_are_not_clipped() {
     for digit in [0.01, 0.1, 1.0] {
         let (samples, dt_s) = half_sine(200.0, 0.0, 0.3, 1, STIFFNESS_N_M);

@@ -1057,6 +1057,7 @@ proptest! {
     /// end or the object overturns, in a number of steps that a user waits for, and the balance
     /// closes to 1e-4. Only cushions too soft to keep the object upright are refused.
     #[test]
+    #[ignore = "seconds: objects at random"]
     fn any_object_is_followed_and_closes(
         support in any_support(),
         (h, t, w) in (0.5..2.5f64, 0.3..1.0f64, 0.3..1.0f64),

@@ -285,6 +285,7 @@ mod tests {
     }
 
     #[test]
+    #[ignore = "seconds: many motions"]
     fn the_distance_is_that_of_the_motions_that_are_made_with_the_same_options() {
         let options = SimulationOptions {
             dt_s: 0.008,

@@ -202,6 +202,7 @@ mod tests {
     use crate::synthesis::{Preset, Resemblance, stream};
 
     #[test]
+    #[ignore = "seconds: a hundred motions"]
     fn the_mean_amplitude_of_a_hundred_motions_is_the_target() {
         let source = Preset::Victoria.source(6.0, 30e3);
         let options = SimulationOptions {

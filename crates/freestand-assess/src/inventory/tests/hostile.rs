@@ -127,6 +127,7 @@ fn blank_rows_cost_nothing(step: usize) {
 }
 
 #[test]
+#[ignore = "seconds: sheets with thousands of columns"]
 fn wide_sheets() {
     let mut headings: Vec<String> = HEADINGS.iter().map(|&text| text.to_owned()).collect();
     headings.extend((headings.len()..16_384).map(|n| format!("x{n}")));

@@ -61,6 +61,7 @@ fn are_read(rows: usize, in_a_book: usize) {
 }
 
 #[test]
+#[ignore = "seconds: a thousand rows in every format"]
 fn a_thousand_rows_are_read() {
     are_read(2_000, 1_000);
 }

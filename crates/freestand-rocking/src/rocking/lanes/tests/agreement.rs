@@ -316,16 +316,19 @@ fn check_walls(seeds: Range<u64>, demands: Demands) {
 }
 
 #[test]
+#[ignore = "seconds of the scalar solver"]
 fn standard_accuracy_follows_the_scalar_solver_between_walls() {
     check_walls(30_000..30_012, STANDARD);
 }
 
 #[test]
+#[ignore = "seconds of the scalar solver"]
 fn tight_accuracy_follows_the_scalar_solver_between_walls() {
     check_walls(30_200..30_206, TIGHT);
 }
 
 #[test]
+#[ignore = "seconds of the scalar solver"]
 fn fast_accuracy_follows_the_scalar_solver_between_walls() {
     check_walls(30_300..30_308, FAST);
 }

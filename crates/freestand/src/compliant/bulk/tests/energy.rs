@@ -68,6 +68,7 @@ fn rocked(object: &Object) -> (f64, f64, f64) {
 
 /// Without dashpots only the end of a contact takes energy: what its spring holds sideways.
 #[test]
+#[ignore = "seconds: every object under every motion"]
 fn nothing_gains_energy_and_only_contacts_take_it() {
     for mut object in objects() {
         object.damping_ratio = 0.0;
