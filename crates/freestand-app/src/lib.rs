@@ -7,7 +7,9 @@ pub mod drop_test;
 pub mod files;
 pub mod floor;
 pub mod motion;
+pub mod object;
 pub mod request;
+pub mod restrain;
 pub mod rock;
 pub mod schema;
 pub mod shock;
@@ -16,13 +18,16 @@ pub mod spectrum;
 pub mod static_test;
 
 mod block;
+mod cells;
 mod cushion;
 mod records;
 mod sliding;
+mod study;
 mod target;
 mod walls;
 
 pub use block::{GeneralBlock, Rocking};
+pub use cells::CellKeys;
 pub use cushion::CushionUnder;
 pub use records::{OneMotion, ReadMotions, Records, VerticalRecords};
 pub use sliding::Sliding;

@@ -287,7 +287,7 @@ const ENDINGS: [(&str, &str, &[&str]); 16] = [
     ("_m_s2", "m/s2", &["ACCELERATION"]),
     ("_m_s", "m/s", &["VELOCITY"]),
     ("_n", "N", &["FORCE"]),
-    ("_n_m", "N/m", &["STIFFNESS"]),
+    ("_n_m", "N/m", &["STIFFNESS", "STIFFNESS|ENTRY"]),
     ("_n_s_m", "N s/m", &["DAMPING"]),
     ("_s_m", "s/m", &["DISSIPATION"]),
     ("_hz", "Hz", &["FREQUENCY", "GRID"]),

@@ -150,7 +150,7 @@ impl TargetKeys {
     }
 
     /// The values, with the path of the table that they name.
-    fn located(&self, files: &Files) -> Result<Words, Problems> {
+    pub(crate) fn located(&self, files: &Files) -> Result<Words, Problems> {
         let mut words = self.words();
         if let Some(name) = &self.spectrum {
             let path = files.path(&name.text());

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParserFactory};
 use clap::{Arg, Command};
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{self, Dimension, UnitSystem};
+use freestand_input::quantity::{self, Dimension};
 pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::Failure;
@@ -17,13 +17,6 @@ use crate::failure::Failure;
 /// [`Reads`].
 #[derive(Debug, Clone)]
 pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
-
-/// A value and the system of units in which it was typed.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Typed {
-    pub(crate) value_si: f64,
-    pub(crate) system: Option<UnitSystem>,
-}
 
 /// Reads a flag with a function.
 #[derive(Debug, Clone)]
@@ -91,18 +84,6 @@ pub(crate) trait Reads: Into<Arg> {
     fn positive(self, dimension: Dimension) -> Arg {
         let arg = self.into().value_name(value_name(dimension));
         arg.read(move |text| quantity::parse_positive(text, dimension, "the value"))
-    }
-
-    /// A value above zero, with the system of units in which it was typed.
-    fn typed(self, dimension: Dimension) -> Arg {
-        let arg = self.into().value_name(value_name(dimension));
-        arg.read(move |text| {
-            let value_si = quantity::parse_positive(text, dimension, "the value")?;
-            Ok(Typed {
-                value_si,
-                system: UnitSystem::of(text),
-            })
-        })
     }
 
     /// A value of zero or more.
@@ -179,7 +160,8 @@ pub(crate) fn finished(command: Command) -> Command {
 fn with_negative_values(arg: Arg) -> Arg {
     let is_single =
         arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
-    let is_named = arg.get_value_names().is_some_and(|names| names == ["FILE"]);
+    let names = arg.get_value_names().unwrap_or_default();
+    let is_named = names.iter().any(|name| name.starts_with("FILE"));
     let is_path = is_named || arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     let allowed = !arg.is_positional() && is_single && !is_path;
     arg.allow_hyphen_values(allowed)

@@ -54,6 +54,22 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("clearance_right_m", "clearance_right", " m"),
     ("stop_stiffness_n_m", "stop_stiffness", " N/m"),
     ("wall_height_m", "wall_height", " m"),
+    ("wall_gap_m", "wall_gap", " m"),
+    ("neighbour_gap_m", "neighbour_gap", " m"),
+    ("clearance_m", "clearance", " m"),
+    ("upper_height_m", "upper_height", " m"),
+    ("upper_thickness_m", "upper_thickness", " m"),
+    ("upper_mass_kg", "upper_mass", " kg"),
+    ("cushion", "on", ""),
+    ("importance_ratio", "importance", ""),
+    ("amplification_ratio", "amplification", ""),
+    ("response_ratio", "response", ""),
+    ("resonance_ratio", "resonance", ""),
+    ("strength_ratio", "strength", ""),
+    ("building_ductility_ratio", "building_ductility", ""),
+    ("anchor_inset_m", "anchor_inset", " m"),
+    ("inventory", "list", ""),
+    ("edits", "edit", ""),
     ("cg_rise_m", "cg_rise", " m"),
     ("uplift_m", "uplift", " m"),
     ("rotation_rad", "rotation", " rad"),
@@ -165,14 +181,12 @@ const SAME: &[&str] = &[
 /// assert_eq!(argument_key("stiffnes"), None);
 /// ```
 pub fn argument_key(argument: &str) -> Option<(&'static str, &'static str)> {
-    let renamed = ARGUMENTS
-        .iter()
-        .find(|(name, ..)| *name == argument)
-        .map(|&(_, key, unit)| (key, unit));
-    renamed.or_else(|| {
-        SAME.iter()
-            .find(|name| **name == argument)
-            .map(|&key| (key, ""))
+    let same = SAME.iter().find(|name| **name == argument);
+    same.map(|&key| (key, "")).or_else(|| {
+        let mut renamed = ARGUMENTS.iter();
+        renamed
+            .find(|(name, ..)| *name == argument)
+            .map(|&(_, key, unit)| (key, unit))
     })
 }
 

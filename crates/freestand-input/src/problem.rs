@@ -207,6 +207,18 @@ impl Problems {
         self.keep(result.map_err(|problem| problem.named(key)))
     }
 
+    /// Adds the problems of values that agree with each other or not, but for those about a key whose
+    /// value is wrong by itself: it was left out when they were compared.
+    pub fn keep_others(&mut self, compared: Result<(), Self>) {
+        let own = self.len();
+        for problem in compared.err().into_iter().flatten() {
+            let mut before = self.problems.iter().take(own);
+            if !before.any(|one| one.keys.iter().any(|key| problem.is_about(key))) {
+                self.problems.push(problem);
+            }
+        }
+    }
+
     /// The value, if there are no problems. If the value is `None`, its problem must have been
     /// collected.
     ///

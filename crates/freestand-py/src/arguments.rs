@@ -191,22 +191,6 @@ impl<'a, 'py> Given<'a, 'py> {
         point
     }
 
-    /// A range of positive numbers: its two ends, or one number that is both.
-    pub(crate) fn range(&mut self, name: &str) -> Option<(f64, f64)> {
-        let value = self.value(name)?;
-        let one = value.extract::<f64>().ok().map(|one| (one, one));
-        let range = one
-            .or_else(|| two(&value))
-            .filter(|(low, high)| *low > 0.0 && low <= high && high.is_finite());
-        if range.is_none() {
-            self.wrong(
-                name,
-                "a number above 0, or the smaller and the larger end of a range",
-            );
-        }
-        range
-    }
-
     /// A choice by its name.
     pub(crate) fn choice<T: Copy>(&mut self, name: &str, choices: Choices<T>) -> Option<T> {
         let text = self.text(name)?;

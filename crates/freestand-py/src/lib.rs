@@ -26,7 +26,7 @@ mod _freestand {
     #[pymodule_export]
     use crate::motion::{Record, acceleration_unit, read_motions};
     #[pymodule_export]
-    use crate::objects::{check_object, restrain, restrain_list};
+    use crate::objects::{check_object, restrain};
     #[pymodule_export]
     use crate::requests::{
         code_spectrum, drop_test, floor, shock, shock_spectrum, static_test, synth, validate,

@@ -23,6 +23,10 @@ def test_every_request_has_the_problems_of_the_table() -> None:
         with pytest.raises(fs.FreestandError) as caught:
             if line["command"] == "rock":
                 _freestand.rock(line["request"], None, None, {}, False)
+            elif line["command"] == "object":
+                _freestand.check_object([], line["request"], {}, 1)
+            elif line["command"] == "restrain":
+                _freestand.restrain(line["request"], {})
             elif line["command"] == "shock":
                 _freestand.shock(line["request"], {})
             elif line["command"] == "shock-spectrum":

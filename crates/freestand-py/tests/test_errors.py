@@ -98,7 +98,6 @@ def caught(kind, call):
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], vertical=3), "vertical"),
         # Every thread takes memory; a typing error once took all of it.
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], threads=10**9), "threads"),
-        (lambda: fs.check_object(2, 0.3, place="Melbourne", friction="0.3"), "friction"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", friction=(0.4, 0.3)), "friction"),
     ],
 )  # fmt: skip

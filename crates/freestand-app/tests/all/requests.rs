@@ -8,7 +8,9 @@ use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
+use freestand_app::object::Object;
 use freestand_app::request::{Question, from_entries, keys};
+use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
@@ -71,6 +73,26 @@ fn good() -> Vec<Asked> {
             json!({"place": "Melbourne", "site": "De", "parts": true, "building_height": "96 m"}),
         ),
         (
+            "object",
+            json!({"height": "1.8 m", "thickness": "0.4 m", "width": "0.9 m", "place": "Melbourne", "floor": "2",
+            "storeys": "6", "wall_gap": "20 mm"}),
+        ),
+        (
+            "object",
+            json!({"height": "1.8 m", "thickness": "0.6 m", "mass": "150 kg", "on": "4380 N/mm", "tolerance": "10 g 11 ms",
+            "pga": "0.3 g", "friction": "0.3 to 0.5"}),
+        ),
+        (
+            "restrain",
+            json!({"mass": "360 kg", "height": "1.8 m", "thickness": "0.6 m", "width": "0.9 m", "place": "Wellington",
+            "level_ratio": "1", "anchor_inset": "75 mm", "compare": true}),
+        ),
+        (
+            "restrain",
+            json!({"mass": "360 kg", "height": "1.8 m", "thickness": "0.6 m", "code": "asce7", "edition": "2022", "sds": "1 g",
+            "importance": "1.5", "strength": "1.5"}),
+        ),
+        (
             "spectrum",
             json!({"heights": "1 m, 2 m", "thicknesses": "0.4 m", "place": "Melbourne"}),
         ),
@@ -103,21 +125,42 @@ fn without_files() -> Vec<Asked> {
     ]
 }
 
-/// The keys of a command.
-fn keys_of(command: &str) -> Vec<String> {
-    match command {
-        "rock" => keys::<Rock>(),
-        "shock" => keys::<Shock>(),
-        "shock-spectrum" => keys::<ShockSpectrum>(),
-        "cushion drop" => keys::<DropTests>(),
-        "floor" => keys::<Floor>(),
-        "motion code-spectrum" => keys::<CodeSpectrum>(),
-        "motion info" => keys::<MotionInfo>(),
-        "motion spectrum" => keys::<MotionSpectrum>(),
-        "motion convert" => keys::<MotionConvert>(),
-        "cushion static" => keys::<StaticTests>(),
-        _ => keys::<Spectrum>(),
+/// A command that is asked by a struct.
+struct Command {
+    name: &'static str,
+    keys: fn() -> Vec<String>,
+    ask: fn(&Map<String, Value>) -> Result<(), Problems>,
+}
+
+const fn command<Q: Question>(name: &'static str) -> Command {
+    Command {
+        name,
+        keys: keys::<Q>,
+        ask: |entries| {
+            let request: Q = from_entries(entries)?;
+            request.resolve(&Files::Sent(Vec::new())).map(drop)
+        },
     }
+}
+
+const COMMANDS: [Command; 13] = [
+    command::<DropTests>("cushion drop"),
+    command::<StaticTests>("cushion static"),
+    command::<Floor>("floor"),
+    command::<CodeSpectrum>("motion code-spectrum"),
+    command::<MotionConvert>("motion convert"),
+    command::<MotionInfo>("motion info"),
+    command::<MotionSpectrum>("motion spectrum"),
+    command::<Object>("object"),
+    command::<Restrain>("restrain"),
+    command::<Rock>("rock"),
+    command::<Shock>("shock"),
+    command::<ShockSpectrum>("shock-spectrum"),
+    command::<Spectrum>("spectrum"),
+];
+
+fn of(name: &str) -> Option<&'static Command> {
+    COMMANDS.iter().find(|one| one.name == name)
 }
 
 /// What a person can type.
@@ -129,7 +172,8 @@ fn typed() -> Vec<Asked> {
         .enumerate()
         .flat_map(|(index, (command, request))| {
             let value = values[index % values.len()];
-            keys_of(command).into_iter().map(move |key| {
+            let keys = of(command).into_iter().flat_map(|one| (one.keys)());
+            keys.map(move |key| {
                 let mut changed = request.clone();
                 changed[key] = value.into();
                 (command, changed)
@@ -187,6 +231,30 @@ fn of_programs() -> Vec<Asked> {
                 "mode_table": "/etc/passwd", "periods_s": [0.1], "vertical_amplification": 1.5, "out": "/tmp/x"}),
         ),
         (
+            "object",
+            json!({"height": 1.8, "thickness_m": 0.4, "place": "Melborne", "pga_g": 0.3, "study": "/etc/passwd",
+                "friction": [0.5, 0.3], "casters": true, "level_ratio": 2, "floor": 3, "storeys": 0, "out": "/tmp/x"}),
+        ),
+        (
+            "object",
+            json!({"height": 1.8, "thickness": 0.4, "stiffness_n_m": 4e6, "cushion": "rubber-foot", "motion": ["/etc/passwd"]}),
+        ),
+        (
+            "object",
+            json!({"height": 0.4, "thickness": 1.8, "tolerance": "15 g 11 ms", "tolerance_duration_s": 0.01, "worlds": 0,
+                "motion": ["/etc/passwd"], "upper_mass_kg": 3, "wall_height": 2, "scales": [0.5, "x"]}),
+        ),
+        (
+            "restrain",
+            json!({"height": 1.8, "thickness_m": 0.6, "study": "/etc/passwd", "floor_acceleration_g": 0.5, "code": "asce7",
+                "anchors_per_edge": 0, "edit": ["D7=900 mm"], "sheet": "A"}),
+        ),
+        (
+            "restrain",
+            json!({"list": "/etc/passwd", "mass_kg": 3, "compare": true, "edits": [["D7", "1"], ["D7"], "D"],
+                "columns": "/etc/passwd", "level_ratio": -1}),
+        ),
+        (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),
         ),
@@ -214,25 +282,9 @@ fn problems((command, request): &Asked) -> Option<Vec<Problem>> {
     let Value::Object(entries) = request else {
         return None;
     };
-    let done = match *command {
-        "rock" => asked::<Rock>(entries),
-        "shock" => asked::<Shock>(entries),
-        "shock-spectrum" => asked::<ShockSpectrum>(entries),
-        "cushion drop" => asked::<DropTests>(entries),
-        "floor" => asked::<Floor>(entries),
-        "motion code-spectrum" => asked::<CodeSpectrum>(entries),
-        "motion info" => asked::<MotionInfo>(entries),
-        "motion spectrum" => asked::<MotionSpectrum>(entries),
-        "motion convert" => asked::<MotionConvert>(entries),
-        "cushion static" => asked::<StaticTests>(entries),
-        _ => asked::<Spectrum>(entries),
-    };
-    done.err().map(|problems| problems.problems)
-}
-
-fn asked<Q: Question>(entries: &Map<String, Value>) -> Result<(), Problems> {
-    let request: Q = from_entries(entries)?;
-    request.resolve(&Files::Sent(Vec::new())).map(drop)
+    (of(command)?.ask)(entries)
+        .err()
+        .map(|problems| problems.problems)
 }
 
 /// A line of the table.

@@ -6,6 +6,8 @@ use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
+use freestand_app::object::Object;
+use freestand_app::restrain::Restrain;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
@@ -57,6 +59,14 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<CodeSpectrum>("motion code-spectrum", &[]),
         ),
         ("floor.request.json", of_request::<Floor>("floor", &[])),
+        (
+            "object.request.json",
+            of_request::<Object>("object", &["seed"]),
+        ),
+        (
+            "restrain.request.json",
+            of_request::<Restrain>("restrain", &[]),
+        ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (
             "rock.response.json",

@@ -9,13 +9,12 @@ mod row;
 mod sentence;
 mod shaking;
 
-use std::path::PathBuf;
-
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
 use freestand_output::facts::Facts;
 use freestand_study::recorded::ReadMotion;
+use freestand_study::resolve::StudySource;
 
 use crate::inventory::{Casters, Item, Surroundings};
 use crate::output::words::listed;
@@ -27,6 +26,7 @@ pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 
 pub use sentence::AnswerKind;
+pub use shaking::check_place;
 
 /// Schema of the document of `freestand object`.
 pub const SCHEMA: &str = "freestand.object/1";
@@ -137,15 +137,6 @@ pub enum Earthquake {
         /// Factors on them; empty: none.
         scales: Vec<f64>,
     },
-}
-
-/// A study as it was given.
-#[derive(Debug, Clone, PartialEq)]
-pub enum StudySource {
-    /// Its file.
-    File(PathBuf),
-    /// Its text (TOML); paths in it are relative to the current folder.
-    Text(String),
 }
 
 /// Where an object is.
@@ -302,8 +293,11 @@ fn in_study(
     })
 }
 
-/// Everything that the parts of a request contradict.
-fn check(request: &ObjectRequest) -> Result<(), Problems> {
+/// What the parts of a request contradict; motions and studies are not looked at.
+///
+/// # Errors
+/// All of it, under the keys of the request.
+pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
     let Object {
         height_m,
         thickness_m,
@@ -316,9 +310,12 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         ..
     } = &request.object;
     let mut problems = Problems::default();
-    let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
+    let mut note = |keys: &[&'static str], message: &str, hint: &str| {
+        problems.push(Problem::value(message, hint).of(keys));
+    };
     if thickness_m > height_m {
         note(
+            &["thickness", "height"],
             "`thickness` is larger than `height`: were they swapped?",
             "`thickness` is the smaller horizontal size; objects that are lower than thick are assessed in a list, \
              with freestand assess",
@@ -326,6 +323,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
     }
     if *is_round && width_m.is_some_and(|width_m| width_m != *thickness_m) {
         note(
+            &["width"],
             "`width` of a cylinder is its `thickness`, the diameter",
             "leave `width` out",
         );
@@ -335,12 +333,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         && (mass_kg.is_none() || rests_on.is_none() || upper.mass_kg.is_none())
     {
         note(
+            &["mass", "upper_mass", "on"],
             "an object with another one on it needs `mass`, `upper_mass` and `on`: both are calculated on pads",
             "add what is missing, such as `on = \"rubber-foot\"`, or leave out what stands on it",
         );
     }
     if rests_on.is_some() && mass_kg.is_none() {
         note(
+            &["on", "mass"],
             "`on` needs `mass`: pads move with the mass on them",
             "add `mass`, or leave `on` out",
         );
@@ -348,6 +348,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
     if surroundings.casters == Some(Casters::Free) {
         if tolerance.is_some() && (mass_kg.is_none() || surroundings.wall_stiffness_n_m.is_none()) {
             note(
+                &["tolerance", "mass", "wall_stiffness"],
                 "`tolerance` of an object on free casters needs `mass` and `wall_stiffness`: its shock is that of its \
                  stop",
                 "add what is missing, or leave `tolerance` out: whether it falls needs no tolerance",
@@ -355,6 +356,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         }
     } else if tolerance.is_some() && (mass_kg.is_none() || rests_on.is_none()) {
         note(
+            &["tolerance", "mass", "on"],
             "`tolerance` needs `mass` and `on`: without them no shock can be calculated",
             "add what is missing, such as `on = \"rubber-foot\"`, or leave `tolerance` out: whether it falls needs no \
              tolerance",
@@ -369,12 +371,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         Earthquake::Motions { scales, .. } => {
             if *place != FloorPlace::Ground || storeys.is_some() || storey_height_m.is_some() {
                 note(
+                    &["floor", "level_ratio", "storeys", "storey_height"],
                     "the motions are those of the floor of the object: no floor or building can be named as well",
                     "leave it out, or calculate the motion of a floor with freestand floor",
                 );
             }
             if request.worlds.is_some() {
                 note(
+                    &["worlds"],
                     "`worlds` does not apply to given motions: each motion counts once",
                     "leave it out",
                 );
@@ -384,12 +388,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
                 .find(|scale| !(**scale > 0.0 && scale.is_finite()))
             {
                 note(
+                    &["scales"],
                     &format!("`scales` must be above 0, not {scale}"),
                     "give factors such as \"0.5, 1, 2\"",
                 );
             }
             if scales.len() > MAX_SCALES {
                 note(
+                    &["scales"],
                     &format!("`scales` has {} values", scales.len()),
                     &format!("give at most {MAX_SCALES} scales"),
                 );
@@ -397,6 +403,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         }
         Earthquake::Study { .. } if storeys.is_some() || storey_height_m.is_some() => {
             note(
+                &["storeys", "storey_height"],
                 "the study describes the building: `storeys` and `storey_height` do not apply",
                 "leave them out, or change [building] of the study",
             );
@@ -405,12 +412,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         Earthquake::Place(_) | Earthquake::GroundAcceleration(_) => {
             if matches!(place, FloorPlace::Name(_)) && storeys.is_none() {
                 note(
+                    &["floor", "storeys"],
                     "`floor` needs `storeys`: the number of storeys of the building",
                     "add `storeys`, such as 6",
                 );
             }
             if *place == FloorPlace::Ground && (storeys.is_some() || storey_height_m.is_some()) {
                 note(
+                    &["storeys", "storey_height"],
                     "`storeys` and `storey_height` describe a building, but no floor of it is named",
                     "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
                 );
@@ -419,6 +428,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
                 && matches!(place, FloorPlace::Share(_))
             {
                 note(
+                    &["storey_height", "storeys"],
                     "`storey_height` needs `storeys`",
                     "add the number of storeys",
                 );
@@ -429,6 +439,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         && peak_m_s2 > MAX_PEAK_M_S2
     {
         note(
+            &["pga"],
             "`pga` is larger than that of any earthquake",
             "check the unit: 1 g is 9.81 m/s², and 100 gal about 0.1 g",
         );
@@ -437,6 +448,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         && !(0.0..=1.0).contains(ratio)
     {
         note(
+            &["level_ratio"],
             &format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"),
             "50 % is 0.5",
         );
@@ -478,30 +490,34 @@ fn unused(object: &Object, subject: &Subject) -> Vec<String> {
 fn surroundings_agree(
     around: &Surroundings,
     width_m: Option<f64>,
-    note: &mut impl FnMut(&str, &str),
+    note: &mut impl FnMut(&[&'static str], &str, &str),
 ) {
     let is_free = around.casters == Some(Casters::Free);
     let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
     if !has_wall && (around.wall_height_m.is_some() || around.wall_restitution.is_some()) {
         note(
+            &["wall_height", "wall_restitution"],
             "`wall_height` and `wall_restitution` describe a wall, but there is none",
             "add `wall_gap` or `neighbour_gap` (0 where they touch), or leave them out",
         );
     }
     if around.wall_stiffness_n_m.is_some() && !has_wall && !is_free {
         note(
+            &["wall_stiffness"],
             "`wall_stiffness` describes a wall or the stop of free casters, but there is neither",
             "add `wall_gap`, `neighbour_gap` or `casters = \"free\"`, or leave it out",
         );
     }
     if around.neighbour_gap_m.is_some() && width_m.is_none() && !is_free {
         note(
+            &["neighbour_gap"],
             "`neighbour_gap` is measured in the direction of the width, which is not given",
             "add `width`; a wall behind the object is `wall_gap`",
         );
     }
     if around.rolling_resistance_ratio.is_some() && !is_free {
         note(
+            &["rolling_resistance"],
             "`rolling_resistance` is that of free casters",
             "add `casters = \"free\"`, or leave it out",
         );

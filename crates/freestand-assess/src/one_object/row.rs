@@ -174,7 +174,7 @@ fn problem(finding: &Finding, request: &ObjectRequest, study: &Study) -> Problem
         .first()
         .map_or_else(String::new, |text| format!(" \"{text}\""));
     let what = finding.detail.as_deref().unwrap_or(finding.kind.words());
-    Problem::value(format!("`{key}`{written} {what}"), hint)
+    Problem::value(format!("`{key}`{written} {what}"), hint).of(&[key])
 }
 
 /// Where a name leaves the height of a floor open.

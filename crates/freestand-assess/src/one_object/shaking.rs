@@ -12,13 +12,13 @@ use freestand_input::words::{counted, number};
 use freestand_records::notes::grouped;
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
-use freestand_study::resolve::{Hazard, Overrides, Values, load, of_values, resolve_with};
+use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
 
 use super::sentence::Told;
-use super::{Earthquake, Floor, FloorPlace, ObjectRequest, StudySource};
+use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
 
 /// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
 const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
@@ -73,7 +73,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
     };
     let mut shaken = match &request.earthquake {
         Earthquake::Place(hazard) => {
-            check_hazard(hazard)?;
+            check_place(hazard)?;
             let study = of_values(&values(Hazard::Keys(hazard.clone())))?;
             let mut shaken = of_study(study, hazard.get("site").is_some(), None);
             if let Some(warnings) = of_ground(&shaken.study, &request.floor) {
@@ -102,24 +102,10 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
                 words,
             }
         }
-        Earthquake::Study {
-            source: StudySource::File(path),
-            hazard,
-        } => {
-            let study = load(path, &overrides(hazard))?;
-            let name = path
-                .file_name()
-                .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            of_study(study, true, Some(name))
+        Earthquake::Study { source, hazard } => {
+            let study = source.load(&overrides(hazard))?;
+            of_study(study, true, Some(source.name()))
         }
-        Earthquake::Study {
-            source: StudySource::Text(text),
-            hazard,
-        } => of_study(
-            resolve_with(text, None, Path::new(""), &overrides(hazard))?,
-            true,
-            Some("the study".to_owned()),
-        ),
         Earthquake::Motions { motions, .. } => {
             refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
             let mut study = of_values(&values(Hazard::default()))?;
@@ -168,8 +154,11 @@ fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
     })
 }
 
-/// What is wrong with the hazard of a place, under its own keys and without the keys of a study.
-fn check_hazard(hazard: &Words) -> Result<(), Problems> {
+/// What is wrong with the hazard of a place.
+///
+/// # Errors
+/// All of it, under its own keys and without the keys of a study.
+pub fn check_place(hazard: &Words) -> Result<(), Problems> {
     let elsewhere =
         "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();

@@ -11,12 +11,13 @@ use freestand_assess::inventory::{Casters, Surroundings};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_assess::one_object::{
     AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn,
-    StudySource, Withstood, one_object,
+    Withstood, one_object,
 };
 use freestand_input::keys::Words;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::shortest;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
+use freestand_study::resolve::StudySource;
 use freestand_study::resolve::{Overrides, load};
 use freestand_study::run::{LONGEST_TAIL_S, no_progress};
 
@@ -71,6 +72,7 @@ fn assessed(study: &Path, list: &Path) -> HashMap<String, String> {
 /// Every number that an object and a list have under the same name, on the third of eight floors,
 /// on pads and with a tolerance. The list is in other units and has the floor by its number.
 #[test]
+#[ignore = "seconds: a list and an object"]
 fn a_list_with_this_row_has_the_same_numbers() {
     let folder = tempfile::tempdir().unwrap();
     let (study, list) = (
@@ -254,6 +256,7 @@ fn same_spectrum((object, row, decides_type_2): Listed) {
 /// The same at a wall, on free casters and with friction: what an inventory says about the
 /// surroundings, in its own units.
 #[test]
+#[ignore = "seconds: a list and an object"]
 fn a_list_with_these_surroundings_has_the_same_numbers() {
     let at_wall = Object {
         mass_kg: Some(120.0),

@@ -46,6 +46,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "station_xml",
         "scale_to_spectrum",
         "damage_boundary",
+        "study",
+        "columns",
+        "list",
         "files",
         "spectrum",
         "across",
@@ -79,6 +82,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "spectra",
             "keep_mean",
             "pairs",
+            "compare",
             "sensitivity",
         ];
         if switches

@@ -189,6 +189,12 @@ def study(source: PathLike | Mapping[str, Any] | None) -> Given:
     return {"study": path_text("study", source)}
 
 
+def study_file(source: PathLike | Mapping[str, Any] | None) -> dict[str, tuple[PathLike | None, str | None]]:
+    """A study as a file of a request: its path, or its text."""
+    found = study(source)
+    return {"study": (found.get("study"), found.get("study_text"))} if found else {}
+
+
 def toml(tables: Mapping[str, Any]) -> str:
     """A dictionary as TOML."""
     lines: list[str] = []

@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
-from ._convert import Numbers, PathLike, bad, data, given, path_text, removed_on_failure, sizes_m, threads_given
+from ._convert import Numbers, PathLike, bad, data, flag, given, path_text, removed_on_failure, sizes_m, threads_given
 from ._convert import inventory as as_file
 from ._convert import study as study_given
+from ._convert import study_file
 from ._convert import warn, words
 from ._ground import TargetArguments, target_words
 from ._motion import Motion, several
@@ -135,22 +136,20 @@ def check_object(
     >>> fs.check_object(1.8, 0.5, motions=motion.scale(3.5)).motions_lifted
     1
     """
-    named = [] if motions is None else several(motions)
     sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
-    values = given(
+    asked = given(
         height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
         mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
-        tolerance_duration_s=tolerance_duration_s,
-        hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
-        scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
-        storeys=storeys, storey_height_m=storey_height_m, friction=friction, wall_gap_m=wall_gap_m,
-        neighbour_gap_m=neighbour_gap_m, wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m,
-        wall_restitution=wall_restitution, casters=casters, rolling_resistance=rolling_resistance,
-        clearance_m=clearance_m, upper_height_m=upper_height_m, upper_thickness_m=upper_thickness_m,
-        upper_mass_kg=upper_mass_kg, worlds=worlds, seed=seed,
+        tolerance_duration_s=tolerance_duration_s, place=place, site=site, return_period_years=return_period_years,
+        pga_g=pga_g, scales=scales, floor=floor, level_ratio=level_ratio, storeys=storeys,
+        storey_height_m=storey_height_m, friction=friction, wall_gap_m=wall_gap_m, neighbour_gap_m=neighbour_gap_m,
+        wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m, wall_restitution=wall_restitution,
+        casters=casters, rolling_resistance=rolling_resistance, clearance_m=clearance_m,
+        upper_height_m=upper_height_m, upper_thickness_m=upper_thickness_m, upper_mass_kg=upper_mass_kg,
+        worlds=worlds, seed=seed, units="si",
     )  # fmt: skip
-    records = [motion._record for motion in named]
-    result = ObjectResult._of(_freestand.check_object(records, values | study_given(study), threads_given(threads)))
+    records = [motion._record for motion in ([] if motions is None else several(motions))]
+    result = ObjectResult._of(_freestand.check_object(records, asked, study_file(study), threads_given(threads)))
     warn(result.warnings)
     return result
 
@@ -223,17 +222,17 @@ def restrain(
     1765
     """
     sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m)
-    values = given(
+    asked = given(
         mass_kg=mass_kg, height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m,
-        hazard=target_words(target),
-        floor_acceleration_g=floor_acceleration_g, floor=None if floor is None else str(floor),
+        **(target_words(target) or {}), floor_acceleration_g=floor_acceleration_g, floor=floor,
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, compare=compare or None,
+        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge,
+        compare=flag("compare", compare), units="si",
     )  # fmt: skip
-    text, sheet = _freestand.restrain(values | study_given(study))
-    result = RestrainResult(json.loads(text), sheet)
+    text, sheet = _freestand.restrain(asked, study_file(study))
+    result = RestrainResult(json.loads(text), sheet or "")
     warn(result.warnings)
     return result
 
@@ -295,17 +294,19 @@ def restrain_list(
     >>> found.objects == len(found.rows), found.held > 0
     (True, True)
     """
-    values = given(
-        sheet=sheet, columns=columns, edits=edits, hazard=target_words(target), floor_acceleration_g=floor_acceleration_g,
-        storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio, amplification_ratio=amplification_ratio,
-        response_ratio=response_ratio, resonance_ratio=resonance_ratio, strength_ratio=strength_ratio,
-        building_ductility_ratio=building_ductility_ratio, anchor_inset_m=anchor_inset_m,
-        anchors_per_edge=anchors_per_edge,
+    asked = given(
+        sheet=sheet, edit=edits, **(target_words(target) or {}), floor_acceleration_g=floor_acceleration_g,
+        storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
+        amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
+        strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
+        anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, units="si",
     )  # fmt: skip
     with as_file(inventory) as listed:
         if listed.path is None:
             raise bad("there is no inventory", "give a path or a table")
-        result = RestrainListResult._of(listed.named(_freestand.restrain_list(listed.path, values | study_given(study))))
+        files = study_file(study) | {"list": (listed.path, None), "columns": (columns, None)}
+        text, _ = _freestand.restrain(asked, files)
+        result = RestrainListResult._of(listed.named(text))
     warn(result.warnings)
     return result
 

@@ -125,6 +125,38 @@ pub fn of_values(values: &Values) -> Result<Study, Problems> {
     resolve_as(Text::None(values), None, Path::new(""), &overrides)
 }
 
+/// A study as it was given.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StudySource {
+    /// Its file.
+    File(PathBuf),
+    /// Its text (TOML); paths in it are relative to the current folder.
+    Text(String),
+}
+
+impl StudySource {
+    /// Reads and resolves it.
+    ///
+    /// # Errors
+    /// As [`load`] and [`resolve_with`].
+    pub fn load(&self, overrides: &Overrides) -> Result<Study, Problems> {
+        match self {
+            Self::File(path) => load(path, overrides),
+            Self::Text(text) => resolve_with(text, None, Path::new(""), overrides),
+        }
+    }
+
+    /// What people call it: the name of its file.
+    pub fn name(&self) -> String {
+        match self {
+            Self::File(path) => path
+                .file_name()
+                .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            Self::Text(_) => "the study".to_owned(),
+        }
+    }
+}
+
 /// Reads a study from a file; paths in it are relative to its folder.
 ///
 /// # Errors

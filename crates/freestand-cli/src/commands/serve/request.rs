@@ -13,7 +13,9 @@ use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
+use freestand_app::object::Object;
 use freestand_app::request::from_entries;
+use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
@@ -294,12 +296,14 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 11] = [
+const BY_STRUCTS: [ByStruct; 13] = [
     ByStruct::of::<Floor>("floor"),
     ByStruct::of::<CodeSpectrum>("motion code-spectrum"),
     ByStruct::of::<MotionConvert>("motion convert"),
     ByStruct::of::<MotionInfo>("motion info"),
     ByStruct::of::<MotionSpectrum>("motion spectrum"),
+    ByStruct::of::<Object>("object"),
+    ByStruct::of::<Restrain>("restrain"),
     ByStruct::of::<DropTests>("cushion drop"),
     ByStruct::of::<StaticTests>("cushion static"),
     ByStruct::of::<Rock>("rock"),
@@ -360,12 +364,11 @@ fn written(request: &Request) -> Result<(Map<String, Value>, Files), Wrong> {
             return Err(Wrong::option(key, failure));
         }
     }
-    if let Some(edit) = request.edits.first() {
-        let failure = Failure::usage(
-            format!("{} reads no list, so it takes no edits", request.command),
-            format!("leave {} out", edit.cell),
-        );
-        return Err(Wrong::option("edits", failure));
+    if !request.edits.is_empty() {
+        // In one text with its value, a wrong name of a cell could pass for another cell.
+        let edits = request.edits.iter();
+        let edits = edits.map(|edit| json!([edit.cell, edit.value]));
+        entries.insert("edit".into(), edits.collect());
     }
     Ok((entries, Files::Sent(sent)))
 }

@@ -1,0 +1,71 @@
+//! How the cells of a list are read.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_assess::inventory::{CellsRequest, Edit};
+use freestand_input::problem::Problem;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{one_or_many, request};
+
+/// How the cells of a list are read.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct CellKeys {
+    /// Sheet of the workbook [default: the first with headings of an inventory]
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<Written>,
+    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
+    #[arg(long, value_name = "FILE.toml")]
+    pub columns: Option<Written>,
+    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
+    /// of a size, also with the text that the cell has, confirms that size
+    #[arg(long, value_name = "CELL=TEXT", action = ArgAction::Append)]
+    #[serde(deserialize_with = "one_or_many", alias = "edits")]
+    pub edit: Vec<Written>,
+}
+
+request!(CellKeys {
+    sheet,
+    columns,
+    edit
+});
+
+impl CellKeys {
+    /// What is asked of the cells.
+    pub(crate) fn cells(&self, read: &mut WordReader<'_>, files: &Files) -> CellsRequest {
+        read.pass(&["edit"]);
+        let edits = self.edit.iter().map(edit);
+        CellsRequest {
+            sheet: read.one("sheet").map(str::to_owned),
+            columns: read
+                .one("columns")
+                .and_then(|name| read.keep("columns", files.path(name))),
+            edits: edits.filter_map(|edit| read.keep("edit", edit)).collect(),
+        }
+    }
+
+    /// The mapping file.
+    pub(crate) fn inputs(&self, files: &Files) -> Vec<PathBuf> {
+        files.path_of(self.columns.as_ref()).into_iter().collect()
+    }
+}
+
+/// A cell and its text: `D7=900 mm`, or a list of both, whose text may contain anything.
+fn edit(written: &Written) -> Result<Edit, Problem> {
+    match written {
+        Written::List(both) => match both.as_slice() {
+            [cell, text] => Edit::new(&cell.text(), &text.text()),
+            _ => Err(Problem::value(
+                "a cell and its text are expected",
+                "write a list of both, or a text such as \"D7=900 mm\"",
+            )),
+        },
+        other => Edit::parse(&other.text()),
+    }
+}

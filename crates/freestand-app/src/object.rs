@@ -1,0 +1,583 @@
+//! `object`: one object, one sentence.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
+use freestand_assess::one_object::{
+    self, Earthquake, FloorPlace, ObjectRequest, RestsOn, Withstood, check_place,
+};
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{self, Dimension, UnitSystem};
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::Choices;
+use freestand_input::written::Written;
+use freestand_study::resolve::Overrides;
+use serde::Deserialize;
+
+use crate::block::sizes;
+use crate::files::Files;
+use crate::records::{NamedRecords, Records};
+use crate::request::{
+    Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed, whole,
+};
+use crate::study;
+
+/// The schema of the response.
+pub use freestand_assess::one_object::SCHEMA;
+
+/// One object, its floor and the earthquake.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Object {
+    /// Height of the object
+    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+    pub height: Option<Written>,
+    /// Horizontal size in the plane of rocking, usually the smaller one
+    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+    pub thickness: Option<Written>,
+    /// Horizontal size across the thickness [default: it rocks about one axis only]
+    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+    pub width: Option<Written>,
+    /// Height of the centre of gravity [default: half of the height]
+    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+    pub cg_height: Option<Written>,
+    /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is not calculated in three
+    /// dimensions: the numbers are those of the square prism around it, and it is never said to stand
+    /// [default: box]
+    #[arg(long, value_name = "SHAPE", value_parser = one_of(BASES), help_heading = "The object")]
+    pub shape: Option<Written>,
+    /// Mass
+    #[arg(long, value_name = "MASS", help_heading = "The object")]
+    pub mass: Option<Written>,
+    /// What is under one edge: the stiffness of all pads there, such as "4380 N/mm", or an entry of
+    /// the cushion library, such as rubber-foot; needs --mass
+    #[arg(
+        long,
+        aliases = ["stiffness", "cushion"],
+        value_name = "STIFFNESS|ENTRY",
+        help_heading = "The object"
+    )]
+    pub on: Option<Written>,
+    /// Peak acceleration that it withstands, such as "10 g", or with the duration of its half-sine,
+    /// "15 g 11 ms"; needs --mass and --on
+    #[arg(long, value_name = "ACCELERATION", help_heading = "The object")]
+    pub tolerance: Option<Written>,
+    /// Duration of the half-sine with that peak, if --tolerance does not state it
+    #[arg(long, value_name = "TIME", help_heading = "The object")]
+    pub tolerance_duration: Option<Written>,
+
+    /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
+    /// more [default: enough for rocking; 0.2 to 0.8 tells whether it may slide, and counts for a stack]
+    #[arg(long, value_name = "RATIO", help_heading = "The object")]
+    pub friction: Option<Written>,
+    /// What is around it.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub around: Around,
+
+    /// A place.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub hazard: PlaceKeys,
+    /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
+    /// ground B, scaled to it
+    #[arg(
+        long,
+        value_name = "ACCELERATION",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub pga: Option<Written>,
+    /// Study file (TOML) with the ground motions and the building
+    #[arg(
+        long,
+        value_name = "FILE.toml",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub study: Option<Written>,
+    /// Records of the motion of its floor
+    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub motion: Vec<Written>,
+    /// Factors on these motions, such as "0.5, 1, 2": a table by scale; the sentence is about the
+    /// motions as they are
+    #[arg(
+        long,
+        value_name = "GRID",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub scales: Option<Written>,
+    /// How the records are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+
+    /// Floor by its number (1 is the first above the ground) or name (ground, roof); needs
+    /// --storeys, or the building of a study [default: the ground]
+    #[arg(long, value_name = "NAME", help_heading = "The floor")]
+    pub floor: Option<Written>,
+    /// Height of the floor over that of the building, 0 to 1, in place of --floor
+    #[arg(long, value_name = "RATIO", help_heading = "The floor")]
+    pub level_ratio: Option<Written>,
+    /// Number of storeys of the building [default: 30]
+    #[arg(long, value_name = "N", help_heading = "The floor")]
+    pub storeys: Option<Written>,
+    /// Height of a storey [default: 3.2 m]
+    #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
+    pub storey_height: Option<Written>,
+
+    /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
+    #[arg(long, value_name = "N")]
+    pub worlds: Option<Written>,
+    /// Units of the texts; the JSON document is in SI [default: those in which most of
+    /// --mass, --height and --thickness are typed]
+    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+    pub units: Option<Written>,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Object {
+    height, thickness, width, cg_height, shape, mass, on, tolerance, tolerance_duration, friction, pga, study,
+    motion, scales, floor, level_ratio, storeys, storey_height, worlds, units, seed;
+    around, hazard, records, unknown
+});
+
+/// The bases of objects: whether one is round.
+const BASES: Choices<bool> = &[(false, "box", "Rectangular"), (true, "cylinder", "Round")];
+
+/// The most storeys of a building.
+const MAX_STOREYS: u16 = 500;
+
+/// What a list says in the columns of the same names.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Around {
+    /// Distance from its back to the wall; 0 where they touch [default: no wall]
+    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+    pub wall_gap: Option<Written>,
+    /// Distance to what is on both sides of it, in the direction of the width [default: nothing]
+    #[arg(
+        long,
+        alias = "neighbor-gap",
+        value_name = "LENGTH",
+        help_heading = "What is around it"
+    )]
+    pub neighbour_gap: Option<Written>,
+    /// Height of the wall and of the neighbours [default: taller than the object]
+    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+    pub wall_height: Option<Written>,
+    /// Stiffness of the wall where the top of the object strikes it, or of the stop of free casters
+    #[arg(long, value_name = "STIFFNESS", help_heading = "What is around it")]
+    pub wall_stiffness: Option<Written>,
+    /// Angular velocity after an impact at the wall divided by the one before, at least 0 and less
+    /// than 1 [default: drawn from 0 to 0.5; under given motions 0.5]
+    #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
+    pub wall_restitution: Option<Written>,
+    /// Casters: free ones roll, and only a stop can overturn the object
+    #[arg(
+        long,
+        alias = "castors",
+        value_name = "CASTERS",
+        value_parser = one_of(CASTERS),
+        help_heading = "What is around it"
+    )]
+    pub casters: Option<Written>,
+    /// Rolling resistance of free casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
+    #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
+    pub rolling_resistance: Option<Written>,
+    /// How far it may slide or roll before it strikes something
+    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+    pub clearance: Option<Written>,
+    /// Height of what stands on the object
+    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+    pub upper_height: Option<Written>,
+    /// Thickness of what stands on the object
+    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+    pub upper_thickness: Option<Written>,
+    /// Mass of what stands on the object
+    #[arg(long, value_name = "MASS", help_heading = "What is around it")]
+    pub upper_mass: Option<Written>,
+}
+
+request!(Around {
+    wall_gap,
+    neighbour_gap,
+    wall_height,
+    wall_stiffness,
+    wall_restitution,
+    casters,
+    rolling_resistance,
+    clearance,
+    upper_height,
+    upper_thickness,
+    upper_mass
+});
+
+/// A place with the hazard of its code.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct PlaceKeys {
+    /// Place, with its code and hazard; see freestand place list
+    #[arg(
+        long,
+        value_name = "NAME",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub place: Option<Written>,
+    /// Site class of the code
+    #[arg(
+        long,
+        value_name = "CLASS",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub site: Option<Written>,
+    /// Return period in years, of AS 1170.4 and NZS 1170.5
+    #[arg(
+        long = "return-period",
+        value_name = "YEARS",
+        help_heading = "The earthquake (one of four)"
+    )]
+    pub return_period_years: Option<Written>,
+}
+
+request!(PlaceKeys {
+    place,
+    site,
+    return_period_years
+});
+
+/// What is asked, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meant {
+    /// The object, its floor and the earthquake.
+    pub object: ObjectRequest,
+    /// The files that are read.
+    pub inputs: Vec<PathBuf>,
+}
+
+impl Question for Object {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let (mut object, named) = self.judged(files)?;
+        if let Earthquake::Motions { motions, .. } = &mut object.earthquake {
+            *motions = named.read_as(named.how())?;
+        }
+        let mut inputs = named.paths();
+        inputs.extend(self.records.inputs(files));
+        inputs.extend(files.path_of(self.study.as_ref()));
+        Ok(Meant { object, inputs })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        let (object, _) = self.judged(files)?;
+        if let Earthquake::Study { source, hazard } = &object.earthquake {
+            source.load(&Overrides {
+                hazard: hazard.clone(),
+                ..Overrides::default()
+            })?;
+        }
+        Ok(())
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+impl Object {
+    /// The request without its motions, and how they are read.
+    fn judged<'f>(&self, files: &'f Files) -> Result<(ObjectRequest, NamedRecords<'f>), Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let named = self.records.named_alone(&mut read, &self.motion, files);
+        let object = described(&mut read);
+        let earthquake = self.earthquake(&mut read, files);
+        let floor = floor(&mut read);
+        let worlds = from_one(&mut read, "worlds");
+        let seed = seed(&mut read);
+        let units = read.choice("units", &UnitSystem::ALL).unwrap_or_else(|| {
+            let typed = ["mass", "height", "thickness"].map(|key| words.get(key));
+            UnitSystem::of_most_systems(typed.map(|text| text.and_then(UnitSystem::of)))
+        });
+        let request = object
+            .zip(earthquake)
+            .map(|(object, earthquake)| ObjectRequest {
+                object,
+                earthquake,
+                floor,
+                worlds: worlds.map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX)),
+                seed,
+                units,
+            });
+        if let Some(request) = &request {
+            read.problems.keep_others(one_object::check(request));
+        }
+        Ok((read.problems.finish(request)?, named))
+    }
+
+    /// Exactly one earthquake, with the keys that belong to it.
+    fn earthquake(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Earthquake> {
+        let hazard = self.hazard.words();
+        read.pass(&["place", "site", "return_period_years"]);
+        let (has_place, has_study) = (read.has("place"), read.has("study"));
+        if has_place && !has_study {
+            read.problems.keep(check_place(&hazard));
+        }
+        let peak_m_s2 = read.positive("pga", Dimension::Acceleration);
+        let scales = read.grid("scales", Dimension::Ratio);
+        let source = study::source(read, files);
+        let has_motion = !self.motion.is_empty();
+        if !has_motion && read.has("scales") {
+            read.note(
+                &["scales"],
+                "`scales` applies to motions of the floor",
+                "name them with `motion`, or leave `scales` out",
+            );
+        }
+        let has_site = self.hazard.site.is_some() || self.hazard.return_period_years.is_some();
+        let named = [
+            ("place", has_place && !has_study),
+            ("pga", read.has("pga")),
+            ("study", has_study),
+            ("motion", has_motion),
+        ];
+        let named: Vec<&'static str> = named
+            .into_iter()
+            .filter_map(|(key, is_named)| is_named.then_some(key))
+            .collect();
+        if has_site && !named.is_empty() && !has_place && !has_study {
+            read.note(
+                &["site", "return_period_years"],
+                "`site` and `return_period_years` belong to the code of a place",
+                "add `place`, or leave them out",
+            );
+        }
+        match named[..] {
+            ["place"] => Some(Earthquake::Place(hazard)),
+            ["pga"] => Some(Earthquake::GroundAcceleration(peak_m_s2?)),
+            ["study"] => Some(Earthquake::Study {
+                source: source?,
+                hazard,
+            }),
+            ["motion"] => Some(Earthquake::Motions {
+                motions: Vec::new(),
+                scales: scales.unwrap_or_default(),
+            }),
+            [] => {
+                read.missing(
+                    &["place"],
+                    "no earthquake is named",
+                    "name one: `place`, `pga`, `study`, or `motion` with motions of its floor",
+                );
+                None
+            }
+            _ => {
+                let keys: Vec<String> = named.iter().map(|key| format!("`{key}`")).collect();
+                let message = format!("{} name different earthquakes", keys.join(" and "));
+                read.note(&named, message, "keep one of them");
+                None
+            }
+        }
+    }
+}
+
+/// The object as its owner describes it.
+fn described(read: &mut WordReader<'_>) -> Option<one_object::Object> {
+    let size = sizes(read);
+    let width_m = read.positive("width", Dimension::Length);
+    let cg_height_m = read.positive("cg_height", Dimension::Length);
+    let is_round = read.choice("shape", BASES).unwrap_or(false);
+    let mass_kg = read.positive("mass", Dimension::Mass);
+    let rests_on = rests_on(read);
+    let tolerance = tolerance(read);
+    let friction_ratio = friction(read);
+    let surroundings = surroundings(read);
+    let (height_m, thickness_m) = size?;
+    Some(one_object::Object {
+        height_m,
+        thickness_m,
+        width_m,
+        is_round,
+        cg_height_m,
+        mass_kg,
+        rests_on,
+        tolerance,
+        friction_ratio,
+        surroundings,
+    })
+}
+
+/// What is around the object.
+fn surroundings(read: &mut WordReader<'_>) -> Surroundings {
+    let keys = ["upper_height", "upper_thickness", "upper_mass"];
+    let height_m = read.positive("upper_height", Dimension::Length);
+    let thickness_m = read.positive("upper_thickness", Dimension::Length);
+    let mass_kg = read.positive("upper_mass", Dimension::Mass);
+    let is_complete = read.has("upper_height") && read.has("upper_thickness");
+    if !is_complete && keys.iter().any(|key| read.has(key)) {
+        read.missing(
+            &["upper_height", "upper_thickness"],
+            "what stands on the object lacks its height or its thickness",
+            "give `upper_height` and `upper_thickness`, or leave out what stands on it",
+        );
+    }
+    Surroundings {
+        wall_gap_m: read.non_negative("wall_gap", Dimension::Length),
+        neighbour_gap_m: read.non_negative("neighbour_gap", Dimension::Length),
+        wall_height_m: read.positive("wall_height", Dimension::Length),
+        wall_stiffness_n_m: read.positive("wall_stiffness", Dimension::Stiffness),
+        wall_restitution: read.non_negative("wall_restitution", Dimension::Ratio),
+        casters: read.choice("casters", CASTERS),
+        rolling_resistance_ratio: read.positive("rolling_resistance", Dimension::Ratio),
+        clearance_m: read.non_negative("clearance", Dimension::Length),
+        upper: height_m
+            .zip(thickness_m)
+            .map(|(height_m, thickness_m)| UpperBody {
+                height_m,
+                thickness_m,
+                mass_kg,
+            }),
+    }
+}
+
+/// Where the object is.
+fn floor(read: &mut WordReader<'_>) -> one_object::Floor {
+    read.exclusive("floor", "level_ratio");
+    let name = read.one("floor").map(str::to_owned);
+    let ratio = read.quantity("level_ratio", Dimension::Ratio);
+    one_object::Floor {
+        place: match (name, ratio) {
+            (Some(name), _) => FloorPlace::Name(name),
+            (None, Some(ratio)) => FloorPlace::Share(ratio),
+            (None, None) => FloorPlace::Ground,
+        },
+        storeys: whole(read, "storeys", MAX_STOREYS),
+        storey_height_m: read.positive("storey_height", Dimension::Length),
+    }
+}
+
+/// What is under one edge: a stiffness begins with a digit, an entry with a letter.
+fn rests_on(read: &mut WordReader<'_>) -> Option<RestsOn> {
+    let is_entry = |text: &str| text.trim().starts_with(char::is_alphabetic);
+    if read.words.get("on").is_some_and(is_entry) {
+        let entry = read.one("on")?.trim();
+        return Some(RestsOn::Entry(entry.to_owned()));
+    }
+    read.positive("on", Dimension::Stiffness)
+        .map(RestsOn::Stiffness)
+}
+
+/// What it withstands.
+fn tolerance(read: &mut WordReader<'_>) -> Option<Withstood> {
+    let duration_s = read.positive("tolerance_duration", Dimension::Time);
+    let withstood = match read.words.numbers("tolerance") {
+        [_] => read
+            .positive("tolerance", Dimension::Acceleration)
+            .map(|peak_m_s2| Withstood {
+                peak_m_s2,
+                duration_s: None,
+            }),
+        _ => read.read("tolerance", withstood),
+    };
+    if read.has("tolerance_duration") {
+        if !read.has("tolerance") {
+            read.missing(
+                &["tolerance"],
+                "`tolerance_duration` needs `tolerance`",
+                "add the peak of the half-sine, or leave the duration out",
+            );
+        }
+        if withstood.is_some_and(|withstood| withstood.duration_s.is_some()) {
+            read.note(
+                &["tolerance_duration"],
+                "`tolerance` states a duration already",
+                "leave `tolerance_duration` out",
+            );
+        }
+    }
+    withstood.map(|withstood| Withstood {
+        duration_s: withstood.duration_s.or(duration_s),
+        ..withstood
+    })
+}
+
+/// A peak, perhaps with the duration of its half-sine: `10 g`, `15g 11ms`.
+fn withstood(text: &str) -> Result<Withstood, Problem> {
+    let peak = |text: &str| quantity::parse_positive(text, Dimension::Acceleration, "the value");
+    let problem = match peak(text) {
+        Ok(peak_m_s2) => {
+            return Ok(Withstood {
+                peak_m_s2,
+                duration_s: None,
+            });
+        }
+        Err(problem) => problem,
+    };
+    // The duration is the last number, where what is before it is a peak.
+    let begins = |at: usize| {
+        !text
+            .get(..at)
+            .unwrap_or_default()
+            .ends_with(|c: char| c.is_ascii_digit() || c == '.')
+    };
+    let numbers = text
+        .char_indices()
+        .rev()
+        .filter(|(at, c)| c.is_ascii_digit() && begins(*at));
+    for (first, second) in numbers.map(|(at, _)| text.split_at(at)) {
+        if let Ok(peak_m_s2) = peak(first.trim_end_matches([' ', ','])) {
+            let duration_s = quantity::parse_positive(second, Dimension::Time, "the duration")?;
+            return Ok(Withstood {
+                peak_m_s2,
+                duration_s: Some(duration_s),
+            });
+        }
+    }
+    Err(problem)
+}
+
+/// The coefficient of friction: one value, or the two ends of a range.
+fn friction(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
+    match *read.words.numbers("friction") {
+        [low, high] => {
+            read.pass(&["friction"]);
+            read.keep("friction", range(low, high))
+        }
+        _ => read.read("friction", ratios),
+    }
+}
+
+/// One ratio, or the two ends of a range: `0.4`, `0.3-0.5`, `0.3 to 0.5`.
+fn ratios(text: &str) -> Result<(f64, f64), Problem> {
+    let positive = |text: &str| quantity::parse_positive(text, Dimension::Ratio, "the value");
+    let (low, high) = text
+        .split_once(" to ")
+        .or_else(|| text.split_once('-').filter(|(low, _)| !low.is_empty()))
+        .unwrap_or((text, text));
+    range(positive(low)?, positive(high)?)
+}
+
+fn range(low: f64, high: f64) -> Result<(f64, f64), Problem> {
+    if !(low > 0.0 && high.is_finite()) {
+        let message = format!("a range from {low} to {high} is not positive");
+        return Err(Problem::value(message, "give ratios above 0"));
+    }
+    if low > high {
+        return Err(Problem::value(
+            format!("the range from {low} to {high} falls"),
+            "write the smaller value first",
+        ));
+    }
+    Ok((low, high))
+}

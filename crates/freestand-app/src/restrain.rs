@@ -1,0 +1,393 @@
+//! `restrain`: how strongly one object, or each object of a list, must be held.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::{ArgAction, Args};
+use freestand::G0_M_S2;
+use freestand_assess::restrain::{
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest,
+    RestrainRequest,
+};
+use freestand_input::file::load as load_file;
+use freestand_input::keys::Words;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::{Dimension, UnitSystem};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::resolve::{Overrides, StudySource};
+use freestand_study::target::Target;
+use serde::Deserialize;
+
+use crate::block::sizes;
+use crate::cells::CellKeys;
+use crate::files::Files;
+use crate::request::{Question, Request as _, Switch, Unknown, from_one, one_of, reader, request};
+use crate::study;
+use crate::target::TargetKeys;
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.restrain/1";
+
+/// One object, or a list of them, and what shakes it.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Restrain {
+    /// List of objects (CSV or XLSX), in place of one object: a row with its force for each
+    #[arg(value_name = "LIST")]
+    pub list: Option<Written>,
+    /// How the list is read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub cells: CellKeys,
+    /// Mass of the object
+    #[arg(long, value_name = "MASS")]
+    pub mass: Option<Written>,
+    /// Height of the object
+    #[arg(long, value_name = "LENGTH")]
+    pub height: Option<Written>,
+    /// Horizontal size of the object, the smaller one
+    #[arg(long, value_name = "LENGTH")]
+    pub thickness: Option<Written>,
+    /// The other horizontal size [default: only the thickness is checked]
+    #[arg(long, value_name = "LENGTH")]
+    pub width: Option<Written>,
+    /// Height of the centre of gravity [default: half of the height]
+    #[arg(long, value_name = "LENGTH")]
+    pub cg_height: Option<Written>,
+
+    /// Study (TOML) whose code, building and [restraint] are used
+    #[arg(
+        long,
+        value_name = "FILE.toml",
+        help_heading = "The earthquake (one of --place, --code, --study, --floor-acceleration)"
+    )]
+    pub study: Option<Written>,
+    /// Acceleration of the floor, for F = m a
+    #[arg(
+        long,
+        value_name = "ACCELERATION",
+        help_heading = "The earthquake (one of --place, --code, --study, --floor-acceleration)"
+    )]
+    pub floor_acceleration: Option<Written>,
+    /// A place, or a code with its values.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub target: TargetKeys,
+
+    /// Name or number of the floor; floor 1 is the first above the ground [default: the ground]
+    #[arg(long, value_name = "NAME", help_heading = "The floor")]
+    pub floor: Option<Written>,
+    /// Number of storeys of the building
+    #[arg(long, value_name = "N", help_heading = "The floor")]
+    pub storeys: Option<Written>,
+    /// Height of a storey [default: 3.2 m]
+    #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
+    pub storey_height: Option<Written>,
+    /// Height of the floor over that of the building: 0 is the ground, 1 the roof
+    #[arg(long, value_name = "RATIO", help_heading = "The floor")]
+    pub level_ratio: Option<Written>,
+
+    /// Importance: I_p of ASCE 7, I_c of AS 1170.4, γ_a of Eurocode 8, R_p of NZS 1170.5
+    /// [default: 1; critical to life safety: 1.5]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub importance: Option<Written>,
+    /// Amplification of the part: a_p, a_c, C_i, or A of a floor acceleration [default: by code]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub amplification: Option<Written>,
+    /// Response of the part, which divides: R_p of ASCE 7-16, R_c, q_a, 1/C_ph [default: by code]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub response: Option<Written>,
+    /// C_AR of ASCE 7-22 [default: 1]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub resonance: Option<Written>,
+    /// R_po of ASCE 7-22 [default: 1.5]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub strength: Option<Written>,
+    /// R_μ of ASCE 7-22, from 1.3 [default: 1.3; 1 on the ground]
+    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+    pub building_ductility: Option<Written>,
+
+    /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
+    /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
+    /// words, such as "emergency generator" [default: other, the row for other components]
+    #[arg(long, value_name = "NAME")]
+    pub component: Option<Written>,
+    /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or
+    /// a quarter of the side]
+    #[arg(long, value_name = "LENGTH")]
+    pub anchor_inset: Option<Written>,
+    /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
+    /// --mass, --height, --thickness, or of the list]
+    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+    pub units: Option<Written>,
+    /// Anchors along each of the two edges [default: 2]
+    #[arg(long, value_name = "N")]
+    pub anchors_per_edge: Option<Written>,
+    /// Show the forces by other codes too, on the same spectrum
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub compare: Switch,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Restrain {
+    list, mass, height, thickness, width, cg_height, study, floor_acceleration, floor, storeys, storey_height,
+    level_ratio, importance, amplification, response, resonance, strength, building_ductility, component,
+    anchor_inset, units, anchors_per_edge, compare;
+    cells, target, unknown
+});
+
+/// What is asked, in SI.
+#[derive(Debug, Clone)]
+pub struct Meant {
+    /// One object or a list, shaken by no acceleration: a study is read at last.
+    asked: Asked,
+    hazard: Hazard,
+    /// The files that are read.
+    pub inputs: Vec<PathBuf>,
+}
+
+/// One object, or a list of them.
+#[derive(Debug, Clone)]
+pub enum Asked {
+    /// One object.
+    One(RestrainRequest),
+    /// A list.
+    List(RestrainListRequest),
+}
+
+#[derive(Debug, Clone)]
+enum Hazard {
+    Study(StudySource, Words),
+    Code(Words),
+    FloorAcceleration(f64),
+}
+
+impl Meant {
+    /// One object or a list, with what shakes it.
+    ///
+    /// # Errors
+    /// Everything that is wrong with a study.
+    pub fn asked(self) -> Result<Asked, Problems> {
+        let hazard = match self.hazard {
+            Hazard::Study(source, hazard) => {
+                let overrides = Overrides {
+                    hazard,
+                    ..Overrides::default()
+                };
+                RestrainHazard::Study(Arc::new(source.load(&overrides)?))
+            }
+            Hazard::Code(words) => RestrainHazard::Code(words),
+            Hazard::FloorAcceleration(of_g) => RestrainHazard::FloorAcceleration(of_g),
+        };
+        Ok(match self.asked {
+            Asked::One(one) => Asked::One(RestrainRequest { hazard, ..one }),
+            Asked::List(list) => Asked::List(RestrainListRequest { hazard, ..list }),
+        })
+    }
+}
+
+impl Question for Restrain {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let list = read
+            .one("list")
+            .map(|name| read.keep("list", files.path(name)));
+        let asked = match &list {
+            Some(path) => self.list(&mut read, path.clone(), files).map(Asked::List),
+            None => self.one(&mut read, &words).map(Asked::One),
+        };
+        let hazard = self.hazard(&mut read, files);
+        if let Some(path) = list.flatten()
+            && !read.problems.is_empty()
+            && let Err(problem) = load_file(&path)
+        {
+            // What to mend first; where all else is right, the list is opened when it is read.
+            read.problems.problems.insert(0, problem);
+        }
+        let mut inputs = self.cells.inputs(files);
+        inputs.extend(files.path_of(self.list.as_ref()));
+        inputs.extend(files.path_of(self.study.as_ref()));
+        inputs.extend(self.target.inputs(files));
+        let (asked, hazard) = read.problems.finish(asked.zip(hazard))?;
+        Ok(Meant {
+            asked,
+            hazard,
+            inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.resolve(files)?.asked().map(drop)
+    }
+}
+
+/// Keys of one object alone.
+const OF_ONE: [&str; 7] = [
+    "mass",
+    "height",
+    "thickness",
+    "width",
+    "cg_height",
+    "component",
+    "compare",
+];
+
+/// The keys that may stand beside a study: another place, or another ground.
+const BESIDE_STUDY: [&str; 3] = ["place", "site", "return_period_years"];
+
+/// In place of what shakes an object, until that is known.
+const NOTHING: RestrainHazard = RestrainHazard::FloorAcceleration(0.0);
+
+impl Restrain {
+    fn one(&self, read: &mut WordReader<'_>, words: &Words) -> Option<RestrainRequest> {
+        let cells = self.cells.words();
+        for (key, _) in cells.entries() {
+            read.pass(&[key]);
+            read.note(
+                &[key],
+                format!("`{key}` says how a list is read, and there is none"),
+                "give a list, or leave it out",
+            );
+        }
+        if !read.has("mass") {
+            let hint = "give the mass of the object, such as `mass = \"140 kg\"`";
+            read.missing(&["mass"], "`mass` is missing", hint);
+        }
+        let mass_kg = read.positive("mass", Dimension::Mass);
+        let size = sizes(read);
+        let common = common(read);
+        let width_m = read.positive("width", Dimension::Length);
+        let cg_height_m = read.positive("cg_height", Dimension::Length);
+        let component = read.one("component").map(str::to_owned);
+        let is_compared = read.flag("compare");
+        let (height_m, thickness_m) = size?;
+        let units = common.units.unwrap_or_else(|| {
+            let typed = ["mass", "height", "thickness"].map(|key| words.get(key));
+            UnitSystem::of_most_systems(typed.map(|text| text.and_then(UnitSystem::of)))
+        });
+        Some(RestrainRequest {
+            mass_kg: mass_kg?,
+            height_m,
+            thickness_m,
+            width_m,
+            cg_height_m,
+            hazard: NOTHING,
+            floor: common.floor,
+            factors: common.factors,
+            component,
+            anchor_inset_m: common.anchor_inset_m,
+            units,
+            anchors_per_edge: common.anchors_per_edge,
+            is_compared,
+        })
+    }
+
+    fn list(
+        &self,
+        read: &mut WordReader<'_>,
+        list: Option<PathBuf>,
+        files: &Files,
+    ) -> Option<RestrainListRequest> {
+        for key in OF_ONE {
+            if read.has(key) {
+                read.note(
+                    &[key],
+                    format!("`{key}` is that of one object, and there is a list"),
+                    "leave it out, or leave the list out",
+                );
+            }
+        }
+        read.pass(&OF_ONE);
+        let common = common(read);
+        let cells = self.cells.cells(read, files);
+        Some(RestrainListRequest {
+            list: list?,
+            cells,
+            hazard: NOTHING,
+            floor: common.floor,
+            factors: common.factors,
+            anchor_inset_m: common.anchor_inset_m,
+            anchors_per_edge: common.anchors_per_edge,
+            units: common.units,
+        })
+    }
+
+    /// Exactly one earthquake.
+    fn hazard(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Hazard> {
+        let words = read.problems.keep(self.target.located(files));
+        let written = self.target.words();
+        let keys: Vec<&'static str> = written.entries().map(|(key, _)| key).collect();
+        read.pass(&keys);
+        let acceleration = read.positive("floor_acceleration", Dimension::Acceleration);
+        let source = study::source(read, files);
+        read.exclusive("study", "floor_acceleration");
+        if read.has("study") {
+            for key in keys.into_iter().filter(|key| !BESIDE_STUDY.contains(key)) {
+                read.note(
+                    &[key],
+                    format!("`{key}` has no meaning beside `study`"),
+                    "leave it out: beside a study stand `place`, `site` and `return_period_years` alone",
+                );
+            }
+            return Some(Hazard::Study(source?, words?));
+        }
+        if read.has("floor_acceleration") {
+            for key in keys {
+                read.exclusive(key, "floor_acceleration");
+            }
+            return Some(Hazard::FloorAcceleration(acceleration? / G0_M_S2));
+        }
+        if keys.is_empty() {
+            read.missing(
+                &["place"],
+                "nothing says how strongly the floor shakes",
+                "give one of `place`, `code` with its values, `study`, or `floor_acceleration`",
+            );
+            return None;
+        }
+        let words = words?;
+        read.problems.keep(Target::for_parts(&words))?;
+        Some(Hazard::Code(words))
+    }
+}
+
+/// What is asked of one object and of a list.
+struct Common {
+    floor: RestrainFloor,
+    factors: RestrainFactors,
+    anchor_inset_m: Option<f64>,
+    anchors_per_edge: usize,
+    units: Option<UnitSystem>,
+}
+
+fn common(read: &mut WordReader<'_>) -> Common {
+    Common {
+        floor: RestrainFloor {
+            name: read.one("floor").map(str::to_owned),
+            level_ratio: read.non_negative("level_ratio", Dimension::Ratio),
+            storeys: from_one(read, "storeys"),
+            storey_height_m: read.positive("storey_height", Dimension::Length),
+        },
+        factors: RestrainFactors {
+            importance_ratio: read.positive("importance", Dimension::Ratio),
+            amplification_ratio: read.positive("amplification", Dimension::Ratio),
+            response_ratio: read.positive("response", Dimension::Ratio),
+            resonance_ratio: read.positive("resonance", Dimension::Ratio),
+            strength_ratio: read.positive("strength", Dimension::Ratio),
+            building_ductility_ratio: read.positive("building_ductility", Dimension::Ratio),
+        },
+        anchor_inset_m: read.non_negative("anchor_inset", Dimension::Length),
+        anchors_per_edge: from_one(read, "anchors_per_edge")
+            .unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get()),
+        units: read.choice("units", &UnitSystem::ALL),
+    }
+}
