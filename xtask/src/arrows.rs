@@ -43,6 +43,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-output",
             "freestand-records",
             "freestand-study",
+            "freestand-assess",
         ],
     ),
     // It knows no command.

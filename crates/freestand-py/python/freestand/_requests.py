@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
-from ._convert import Numbers, PathLike, bad, data, flag, given, path_text, removed_on_failure, sizes_m, threads_given
+from ._convert import Numbers, PathLike, bad, flag, given, path_text, removed_on_failure, sizes_m, threads_given
 from ._convert import inventory as as_file
 from ._convert import study as study_given
 from ._convert import study_file
