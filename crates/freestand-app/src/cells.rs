@@ -1,4 +1,4 @@
-//! How the cells of a list are read.
+//! How a list is read: its cells, and the user's own libraries.
 
 use std::path::PathBuf;
 
@@ -53,6 +53,34 @@ impl CellKeys {
     /// The mapping file.
     pub(crate) fn inputs(&self, files: &Files) -> Vec<PathBuf> {
         files.path_of(self.columns.as_ref()).into_iter().collect()
+    }
+}
+
+/// The user's own libraries.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Libraries {
+    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub library: Option<Written>,
+    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub cushion_library: Option<Written>,
+}
+
+request!(Libraries {
+    library,
+    cushion_library
+});
+
+impl Libraries {
+    /// The files of tolerances and of cushions.
+    pub(crate) fn paths(&self, read: &mut WordReader<'_>, files: &Files) -> [Option<PathBuf>; 2] {
+        ["library", "cushion_library"].map(|key| {
+            let name = read.one(key)?;
+            read.keep(key, files.path(name))
+        })
     }
 }
 

@@ -2,6 +2,7 @@
 //! in the same way. `resolve` alone knows defaults, units, choices and what may be combined, and tells
 //! all problems at once; what it returns is in SI and asks the models.
 
+pub mod check_list;
 pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
@@ -16,6 +17,8 @@ pub mod shock;
 pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
+pub mod tolerance;
+pub mod validate;
 
 mod block;
 mod cells;
@@ -27,7 +30,7 @@ mod target;
 mod walls;
 
 pub use block::{GeneralBlock, Rocking};
-pub use cells::CellKeys;
+pub use cells::{CellKeys, Libraries};
 pub use cushion::CushionUnder;
 pub use records::{OneMotion, ReadMotions, Records, VerticalRecords};
 pub use sliding::Sliding;

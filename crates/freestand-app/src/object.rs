@@ -21,7 +21,7 @@ use crate::records::{NamedRecords, Records};
 use crate::request::{
     Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed, whole,
 };
-use crate::study;
+use crate::study::{self, MAX_STOREYS};
 
 /// The schema of the response.
 pub use freestand_assess::one_object::SCHEMA;
@@ -152,9 +152,6 @@ request!(Object {
 
 /// The bases of objects: whether one is round.
 const BASES: Choices<bool> = &[(false, "box", "Rectangular"), (true, "cylinder", "Round")];
-
-/// The most storeys of a building.
-const MAX_STOREYS: u16 = 500;
 
 /// What a list says in the columns of the same names.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]

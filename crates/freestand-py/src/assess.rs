@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand_assess::inventory::{
-    Floors, Mapping, ReadOptions, check_report, inspect_inventory, marked_copy,
-};
-use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, floors_of, inventory_of};
-use freestand_assess::library::Libraries;
+use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
+use freestand_app::request::Question as _;
+use freestand_assess::inventory::check_report;
+use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, inventory_of};
 use freestand_assess::output::object_rows;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
@@ -25,6 +24,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::{Given, told};
+use crate::asked::{Named, asked};
 use crate::errors::{of_study, raised_all};
 use crate::work::watched_with;
 
@@ -147,61 +147,28 @@ pub(crate) fn assess(
     watched_with(py, threads, work, |_| told.tell(progress))?.map_err(of_study)
 }
 
-/// How a list is understood: the document of `inventory check`.
+/// How a list is understood: the document of `inventory check`. A copy with notes is written where it is wanted.
 #[pyfunction]
 pub(crate) fn check_inventory(
     py: Python<'_>,
-    path: PathBuf,
-    values: &Bound<'_, PyDict>,
+    request: &Bound<'_, PyDict>,
+    files: Named,
+    marked: Option<PathBuf>,
 ) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let marked = given.path("marked_copy");
-    let cells = given.cells();
-    let storeys = given.count("storeys");
-    let is_strict = given.flag("strict");
-    let (library, cushions) = (given.path("library"), given.path("cushion_library"));
-    given.finish()?;
-    let has_study = values.contains("study")? || values.contains("study_text")?;
-    let floors = if has_study {
-        floors_of(&study_of(values, &Overrides::default())?, storeys)
-    } else {
-        Floors {
-            storeys,
-            ..Floors::default()
+    let (request, files) = asked::<CheckList>(request, std::iter::empty(), files)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
+    let floors = meant.floors().map_err(of_study)?;
+    let work = || -> Result<_, Problems> {
+        let (reading, copy) = meant.reading(floors, marked.is_some())?;
+        if let Some((place, copy)) = marked.as_ref().zip(copy) {
+            write_file(place, &copy, &meant.inputs)?;
         }
+        Ok(reading)
     };
-    let work = || {
-        let libraries = Libraries::with_files(library.as_deref(), cushions.as_deref())?;
-        let mapping = cells.columns.as_deref().map(Mapping::load).transpose()?;
-        libraries.looked_up(|lookup| {
-            let options = ReadOptions {
-                sheet: cells.sheet.as_deref(),
-                mapping: mapping.as_ref(),
-                floors,
-                is_strict,
-                edits: &cells.edits,
-                ..ReadOptions::new(lookup)
-            };
-            let reading = inspect_inventory(&path, &options)?;
-            if let Some(place) = &marked {
-                let copy = marked_copy(&path, &options, &reading.inventory.findings)?;
-                write_file(place, &copy, std::slice::from_ref(&path))?;
-            }
-            Ok(reading)
-        })
-    };
-    let reading = py
-        .detach(work)
-        .map_err(|problems: Problems| raised_all(problems))?;
-    let marked = marked
-        .as_ref()
-        .map(|place| place.to_string_lossy().into_owned());
+    let reading = py.detach(work).map_err(raised_all)?;
+    let marked = marked.map(|place| place.to_string_lossy().into_owned());
     let report = check_report(&reading, marked, KeyStyle::Argument);
-    told(
-        "freestand.inventory/1",
-        &report,
-        &reading.inventory.warnings,
-    )
+    told(CHECK, &report, &reading.inventory.warnings)
 }
 
 /// A whole study, written into a folder: the document of the command.

@@ -37,7 +37,7 @@ def test_edits_are_those_of_the_command(tmp_path):
     ours = fs.check_inventory(tmp_path / "list.csv", edits=["D2=1500 mm"])
     same(ours.to_dict(), told("inventory", "check", tmp_path / "list.csv", "--edit", "D2=1500 mm"))
     assert ours.table["height_m"][0] == 1.5
-    for wrong in ("D2=1500 mm", [1], ["D2"]):
+    for wrong in ([1], ["D2"]):
         with pytest.raises(fs.BadValue, match="edit|no ="):
             fs.check_inventory(tmp_path / "list.csv", edits=wrong)
 

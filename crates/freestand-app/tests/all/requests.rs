@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
@@ -16,6 +17,8 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::tolerance::ToleranceSearch;
+use freestand_app::validate::Validate;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use serde_json::{Map, Value, json};
@@ -119,6 +122,12 @@ fn without_files() -> Vec<Asked> {
         ("motion spectrum", json!({"damping": "2 %, 5 %"})),
         ("motion convert", json!({"to": "csv"})),
         (
+            "inventory check",
+            json!({"sheet": "Ward 3", "storeys": "6", "strict": true, "edit": "D7=900 mm"}),
+        ),
+        ("inventory check", json!({"headings": true})),
+        ("tolerance search", json!({})),
+        (
             "floor",
             json!({"storeys": "12", "storey_height": "3 m", "spectra": true, "levels": "0.5, 1"}),
         ),
@@ -143,7 +152,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 13] = [
+const COMMANDS: [Command; 16] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -151,6 +160,9 @@ const COMMANDS: [Command; 13] = [
     command::<MotionConvert>("motion convert"),
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
+    command::<CheckList>("inventory check"),
+    command::<ToleranceSearch>("tolerance search"),
+    command::<Validate>("validate"),
     command::<Object>("object"),
     command::<Restrain>("restrain"),
     command::<Rock>("rock"),
@@ -253,6 +265,16 @@ fn of_programs() -> Vec<Asked> {
             "restrain",
             json!({"list": "/etc/passwd", "mass_kg": 3, "compare": true, "edits": [["D7", "1"], ["D7"], "D"],
                 "columns": "/etc/passwd", "level_ratio": -1}),
+        ),
+        (
+            "inventory check",
+            json!({"file": "/etc/passwd", "edits": [["D7", "1"], ["D7"], "D"], "columns": "/etc/passwd", "storeys": 0,
+                "study": "/etc/passwd", "write_columns": "/tmp/x", "library": "/etc/passwd", "strict": "yes"}),
+        ),
+        ("validate", json!({"table": 1})),
+        (
+            "tolerance search",
+            json!({"words": "disk", "library": "/etc/passwd"}),
         ),
         (
             "shock-spectrum",

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
@@ -14,6 +15,7 @@ use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::tolerance::ToleranceSearch;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -62,6 +64,14 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "object.request.json",
             of_request::<Object>("object", &["seed"]),
+        ),
+        (
+            "inventory-check.request.json",
+            of_request::<CheckList>("inventory check", &[]),
+        ),
+        (
+            "tolerance-search.request.json",
+            of_request::<ToleranceSearch>("tolerance search", &[]),
         ),
         (
             "restrain.request.json",

@@ -1,7 +1,7 @@
 //! Lists, shows and searches a library: `freestand tolerance` and `freestand cushion` print theirs
 //! with it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_assess::library::Library;
@@ -54,18 +54,19 @@ struct Listed<'a, E> {
 /// Prints entries of the built-in library with the user's own.
 pub(crate) fn print<E: Serialize>(
     builtin: Library<E>,
-    args: &LibraryArgs,
+    library: Option<&Path>,
     wanted: Wanted,
     layout: &Layout<E>,
     (global, printer): (&GlobalArgs, &Printer),
 ) -> Result<Done, Failure> {
-    let library = builtin.with_file(args.library.as_deref())?;
+    let inputs: Vec<PathBuf> = library.into_iter().map(Path::to_path_buf).collect();
+    let library = builtin.with_file(library)?;
     let entries = match wanted {
         Wanted::All => library.entries().iter().collect(),
         Wanted::WithId(id) => vec![library.get(id)?],
         Wanted::WithWords(words) => library.search(words),
     };
-    let files = Files::begin(global, args.library.as_slice())?;
+    let files = Files::begin(global, &inputs)?;
     let text = || match (wanted, entries.as_slice()) {
         (Wanted::WithId(_), entries) => entries.iter().map(|entry| shown(*entry, layout)).collect(),
         (_, []) => "no entry contains all of these words\n".to_owned(),

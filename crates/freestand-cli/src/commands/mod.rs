@@ -157,7 +157,7 @@ impl Command {
             Self::Restrain(args) => args.request.run(&(), global, printer),
             Self::Fragility(args) => fragility::run(args, global, printer),
             Self::Risk(args) => risk::run(args, global, printer),
-            Self::Validate(_) => validate::run(global, printer),
+            Self::Validate(args) => args.request.run(&(), global, printer),
             #[cfg(feature = "page")]
             Self::Serve(args) => serve::run(args, global, printer),
             Self::Completions(args) => completions::run(args, global, printer),

@@ -1,13 +1,14 @@
 //! `freestand tolerance`: what objects withstand, each number with its source.
 
 use clap::{Args, Subcommand};
+use freestand_app::tolerance::{Meant, ToleranceSearch};
 use freestand_assess::library::{ToleranceEntry, ToleranceLibrary, to_tolerance};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{name_of, number};
 use freestand_study::shock_spectrum::SHAPES;
 
-use super::Done;
 use super::library::{Fields, Layout, LibraryArgs, Wanted, print};
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
@@ -65,11 +66,8 @@ Examples:
   freestand tolerance search bookcase
   freestand tolerance search disk operating")]
     Search {
-        /// Words
-        #[arg(value_name = "WORD", required = true)]
-        words: Vec<String>,
         #[command(flatten)]
-        library: LibraryArgs,
+        request: ToleranceSearch,
     },
 }
 
@@ -103,15 +101,31 @@ pub(crate) fn run(
     let (library, wanted) = match &args.command {
         ToleranceCommand::List { library } => (library, Wanted::All),
         ToleranceCommand::Show { id, library } => (library, Wanted::WithId(id)),
-        ToleranceCommand::Search { words, library } => (library, Wanted::WithWords(words)),
+        ToleranceCommand::Search { request } => return request.run(&(), global, printer),
     };
-    print(
-        ToleranceLibrary::builtin(),
-        library,
-        wanted,
-        &LAYOUT,
-        (global, printer),
-    )
+    let builtin = ToleranceLibrary::builtin();
+    let library = library.library.as_deref();
+    print(builtin, library, wanted, &LAYOUT, (global, printer))
+}
+
+impl Tell for ToleranceSearch {
+    type Output = ();
+
+    fn tell(
+        Meant { words, library }: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let (builtin, wanted) = (ToleranceLibrary::builtin(), Wanted::WithWords(&words));
+        print(
+            builtin,
+            library.as_deref(),
+            wanted,
+            &LAYOUT,
+            (global, printer),
+        )
+    }
 }
 
 fn fields(entry: &ToleranceEntry) -> Fields {

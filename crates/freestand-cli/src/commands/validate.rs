@@ -1,10 +1,11 @@
 //! `freestand validate`: Table I of the paper and the closed forms.
 
 use clap::Args;
+use freestand_app::validate::{SCHEMA, Validate};
 use freestand_assess::validate::validate;
 use freestand_study::validate::Validation;
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -18,29 +19,30 @@ The exit status is 1 if a check fails.
 Examples:
   freestand validate
   freestand validate --json")]
-pub(crate) struct ValidateArgs {}
+pub(crate) struct ValidateArgs {
+    #[command(flatten)]
+    pub(super) request: Validate,
+}
 
-pub(crate) fn run(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let files = Files::begin(global, &[])?;
-    let validation = validate()?;
-    let failed = validation.checks.iter().filter(|check| !check.ok).count();
-    let mut warnings = Vec::new();
-    if failed > 0 {
-        warnings.push(format!(
-            "{failed} of {} checks failed",
-            validation.checks.len()
-        ));
+impl Tell for Validate {
+    type Output = ();
+
+    fn tell((): (), (): &(), global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+        let files = Files::begin(global, &[])?;
+        let validation = validate()?;
+        let failed = validation.checks.iter().filter(|check| !check.ok).count();
+        let mut warnings = Vec::new();
+        if failed > 0 {
+            let all = validation.checks.len();
+            warnings.push(format!("{failed} of {all} checks failed"));
+        }
+        files.print(printer, SCHEMA, &validation, &warnings, || {
+            text(&validation)
+        })?;
+        Ok(Done {
+            criterion_met: validation.ok(),
+        })
     }
-    files.print(
-        printer,
-        "freestand.validate/1",
-        &validation,
-        &warnings,
-        || text(&validation),
-    )?;
-    Ok(Done {
-        criterion_met: validation.ok(),
-    })
 }
 
 fn text(validation: &Validation) -> String {

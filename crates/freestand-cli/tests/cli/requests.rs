@@ -48,6 +48,10 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "damage_boundary",
         "study",
         "columns",
+        "file",
+        "words",
+        "library",
+        "cushion_library",
         "list",
         "files",
         "spectrum",
@@ -83,6 +87,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "keep_mean",
             "pairs",
             "compare",
+            "strict",
+            "headings",
+            "cells",
             "sensitivity",
         ];
         if switches

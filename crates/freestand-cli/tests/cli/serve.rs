@@ -775,7 +775,7 @@ fn edits_are_read_in_place_of_cells() {
         page.run(&json!({"command": "validate", "edits": [{"cell": "D1", "value": "x"}]}));
     assert_eq!(
         (status, &refused["error"]["message"]),
-        (400, &json!("validate has no option --edit"))
+        (400, &json!("--edit is not known"))
     );
 }
 

@@ -358,14 +358,16 @@ def check_inventory(
     >>> found.counts["rows"], [problem["severity"] for problem in found.problems].count("error") == 0
     (28, False)
     """
-    values = given(
-        sheet=sheet, columns=columns, edits=edits, storeys=storeys, strict=strict or None, library=library,
-        cushion_library=cushion_library, marked_copy=marked_copy,
-    )  # fmt: skip
+    asked = given(sheet=sheet, edit=edits, storeys=storeys, strict=flag("strict", strict))
+    marked = None if marked_copy is None else path_text("marked_copy", marked_copy)
     with as_file(inventory) as listed:
         if listed.path is None:
             raise bad("there is no inventory", "give a path or a table")
-        result = InventoryCheck._of(listed.named(_freestand.check_inventory(listed.path, values | study_given(study))))
+        files = study_file(study) | {
+            "file": (listed.path, None), "columns": (columns, None), "library": (library, None),
+            "cushion_library": (cushion_library, None),
+        }  # fmt: skip
+        result = InventoryCheck._of(listed.named(_freestand.check_inventory(asked, files, marked)))
     warn(result.warnings)
     return result
 

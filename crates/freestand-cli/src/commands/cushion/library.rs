@@ -91,7 +91,7 @@ pub(crate) fn list(
 ) -> Result<Done, Failure> {
     print(
         CushionLibrary::builtin(),
-        &args.library,
+        args.library.library.as_deref(),
         Wanted::All,
         &LAYOUT,
         (global, printer),
@@ -105,7 +105,7 @@ pub(crate) fn show(
 ) -> Result<Done, Failure> {
     print(
         CushionLibrary::builtin(),
-        &args.library,
+        args.library.library.as_deref(),
         Wanted::WithId(&args.id),
         &LAYOUT,
         (global, printer),
@@ -119,7 +119,7 @@ pub(crate) fn search(
 ) -> Result<Done, Failure> {
     print(
         CushionLibrary::builtin(),
-        &args.library,
+        args.library.library.as_deref(),
         Wanted::WithWords(&args.words),
         &LAYOUT,
         (global, printer),

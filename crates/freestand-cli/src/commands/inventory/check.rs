@@ -1,33 +1,27 @@
 //! `freestand inventory check`: shows how a list was understood.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_app::check_list::{CheckList, Meant, SCHEMA};
 use freestand_assess::inventory::{
-    CheckReport, HeadingReport, Inventory, Item, Kind, Mapping, ReadOptions, Reading, SHOWN,
-    SenseReport, check_report, console_lines, inspect_headings, inspect_inventory,
-    mapping_of_headings, marked_copy, senses,
+    CheckReport, HeadingReport, Inventory, Item, Kind, SHOWN, SenseReport, check_report,
+    console_lines, mapping_of_headings, senses,
 };
-use freestand_assess::job::floors_of;
-use freestand_assess::library::Libraries;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, UnitSystem, format_si, shorten};
 use freestand_input::words::counted;
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
-use freestand_study::resolve::{Overrides, load};
 use serde::Serialize;
 
-use super::SCHEMA;
 use crate::args::GlobalArgs;
-use crate::commands::Done;
-use crate::commands::list::CellsArgs;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 use crate::reading::path_text;
-use crate::values::choice;
 
 /// Read a list of objects and show how it was understood, with all its problems
 #[derive(Debug, Args)]
@@ -43,110 +37,54 @@ Examples:
   freestand inventory check register.xlsx --write-columns map.toml
   freestand inventory check register.xlsx --columns map.toml")]
 pub(crate) struct CheckArgs {
-    /// List of objects (CSV, TSV or XLSX)
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
     #[command(flatten)]
-    how: CellsArgs,
+    pub(super) request: CheckList,
+    #[command(flatten)]
+    pub(super) output: MappingArgs,
+}
+
+/// The mapping file that is written.
+#[derive(Debug, Default, Args)]
+pub(crate) struct MappingArgs {
     /// Write a mapping file to edit, also where too few headings are known to read the list
     #[arg(long, value_name = "MAP.toml")]
     write_columns: Option<PathBuf>,
-    /// Study file (TOML) whose building has the floors
-    #[arg(long, value_name = "STUDY.toml")]
-    study: Option<PathBuf>,
-    /// Number of storeys of the building, to place floors by their numbers
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
-    storeys: Option<u16>,
-    /// Units of the text; the JSON document is in SI [default: those of most columns]
-    #[arg(long, value_parser = choice(&UnitSystem::ALL))]
-    units: Option<UnitSystem>,
-    /// Count every doubt as an error
-    #[arg(long)]
-    strict: bool,
-    /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
-    /// which too few headings are known
-    #[arg(long, conflicts_with_all = ["study", "storeys", "units", "strict", "cells", "columns", "edit", "library", "cushion_library"])]
-    headings: bool,
-    /// Also list the text of every cell (with --json)
-    #[arg(long)]
-    cells: bool,
-    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    library: Option<PathBuf>,
-    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    cushion_library: Option<PathBuf>,
 }
 
-pub(crate) fn run(
-    args: &CheckArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let inputs: Vec<PathBuf> = [
-        Some(&args.file),
-        args.how.columns.as_ref(),
-        args.study.as_ref(),
-    ]
-    .into_iter()
-    .flatten()
-    .cloned()
-    .collect();
-    let files = Files::begin(global, &inputs)?;
-    if args.headings {
-        return headings(args, files, printer, &inputs);
-    }
-    let libraries =
-        Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
-    let mapping = args.how.columns.as_deref().map(Mapping::load).transpose()?;
-    let edits = args.how.edits()?;
-    let storeys = args.storeys.map(usize::from);
-    let floors = match &args.study {
-        Some(path) => floors_of(&load(path, &Overrides::default())?, storeys),
-        None => freestand_assess::inventory::Floors {
-            storeys,
-            ..Default::default()
-        },
-    };
-    let (reading, copy) = libraries.looked_up(|lookup| -> Result<_, Problems> {
-        let options = ReadOptions {
-            sheet: args.how.sheet.as_deref(),
-            mapping: mapping.as_ref(),
-            floors,
-            is_strict: args.strict,
-            edits: &edits,
-            wants_cells: args.cells,
-            lookup,
+impl Tell for CheckList {
+    type Output = MappingArgs;
+
+    fn tell(
+        meant: Meant,
+        MappingArgs { write_columns }: &MappingArgs,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::begin(global, &meant.inputs)?;
+        let write_columns = write_columns.as_deref();
+        if meant.is_headings {
+            return headings(&meant, write_columns, files, printer);
+        }
+        let (reading, copy) = meant
+            .reading(meant.floors()?, files.wanted())
+            .map_err(|problems| unread(&meant, write_columns, problems))?;
+        if let Some(path) = write_columns {
+            write_file(path, reading.mapping_file.as_bytes(), &meant.inputs)?;
+        }
+        let marked_copy = match &copy {
+            Some(bytes) => files.write("checked.xlsx", || bytes)?,
+            None => None,
         };
-        let reading = inspect_inventory(&args.file, &options)
-            .or_else(|problems| unread(args, &inputs, problems))?;
-        let copy = if files.wanted() {
-            Some(marked_copy(
-                &args.file,
-                &options,
-                &reading.inventory.findings,
-            )?)
-        } else {
-            None
-        };
-        Ok((reading, copy))
-    })?;
-    if let Some(path) = &args.write_columns {
-        write_file(path, reading.mapping_file.as_bytes(), &inputs)?;
+        let report = check_report(&reading, marked_copy, KeyStyle::Flag);
+        let inventory = &reading.inventory;
+        printer.said(&console_lines(&inventory.findings));
+        files.print(printer, SCHEMA, &report, &inventory.warnings, || {
+            text(&report, inventory, meant.units.unwrap_or(reading.units))
+        })?;
+        Ok(Done {
+            criterion_met: !inventory.has_errors(),
+        })
     }
-    let marked_copy = match &copy {
-        Some(bytes) => files.write("checked.xlsx", || bytes)?,
-        None => None,
-    };
-    let report = check_report(&reading, marked_copy, KeyStyle::Flag);
-    let inventory = &reading.inventory;
-    printer.said(&console_lines(&inventory.findings));
-    files.print(printer, SCHEMA, &report, &inventory.warnings, || {
-        text(&report, inventory, args.units.unwrap_or(reading.units))
-    })?;
-    Ok(Done {
-        criterion_met: !inventory.has_errors(),
-    })
 }
 
 /// The headings alone.
@@ -158,17 +96,21 @@ struct HeadingsReport {
 }
 
 fn headings(
-    args: &CheckArgs,
+    meant: &Meant,
+    write_columns: Option<&Path>,
     files: Files,
     printer: &Printer,
-    inputs: &[PathBuf],
 ) -> Result<Done, Failure> {
-    let headings = inspect_headings(&args.file, args.how.sheet.as_deref())?;
-    if let Some(path) = &args.write_columns {
-        write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
+    let headings = meant.headings()?;
+    if let Some(path) = write_columns {
+        write_file(
+            path,
+            mapping_of_headings(&headings).as_bytes(),
+            &meant.inputs,
+        )?;
     }
     let report = HeadingsReport {
-        path: path_text(&args.file),
+        path: path_text(&meant.file),
         headings,
         senses: senses(),
     };
@@ -193,25 +135,25 @@ fn headings(
 
 /// A list that cannot be read, because too few of its headings are known: its mapping file is written all
 /// the same, to be completed.
-fn unread(args: &CheckArgs, inputs: &[PathBuf], problems: Problems) -> Result<Reading, Problems> {
-    let (Some(path), None) = (&args.write_columns, &args.how.columns) else {
-        return Err(problems);
+fn unread(meant: &Meant, write_columns: Option<&Path>, problems: Problems) -> Problems {
+    let (Some(path), None) = (write_columns, &meant.cells.columns) else {
+        return problems;
     };
-    let Ok(headings) = inspect_headings(&args.file, args.how.sheet.as_deref()) else {
-        return Err(problems);
+    let Ok(headings) = meant.headings() else {
+        return problems;
     };
-    write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
+    let mapping = mapping_of_headings(&headings);
+    if let Err(unwritten) = write_file(path, mapping.as_bytes(), &meant.inputs) {
+        return unwritten.into();
+    }
     let unknown = headings.iter().filter(|one| one.name.is_none()).count();
     let hint = format!(
         "{} was written: put the names of {} into it, and give it as `columns`",
         path.display(),
         counted(unknown, "heading")
     );
-    Err(problems
-        .problems
-        .into_iter()
-        .map(|problem| problem.hint(hint.clone()))
-        .collect())
+    let problems = problems.into_iter();
+    problems.map(|problem| problem.hint(hint.clone())).collect()
 }
 
 fn text(report: &CheckReport, inventory: &Inventory, units: UnitSystem) -> String {

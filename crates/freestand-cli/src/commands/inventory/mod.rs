@@ -10,7 +10,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use freestand_assess::inventory::Target;
 use freestand_output::folder::write_file;
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -32,7 +32,7 @@ pub(crate) struct InventoryArgs {
 #[derive(Debug, Subcommand)]
 enum InventoryCommand {
     Template(template::TemplateArgs),
-    Check(check::CheckArgs),
+    Check(Box<check::CheckArgs>),
     Convert(convert::ConvertArgs),
 }
 
@@ -43,12 +43,12 @@ pub(crate) fn run(
 ) -> Result<Done, Failure> {
     match &args.command {
         InventoryCommand::Template(args) => template::run(args, global, printer),
-        InventoryCommand::Check(args) => check::run(args, global, printer),
+        InventoryCommand::Check(args) => args.request.run(&args.output, global, printer),
         InventoryCommand::Convert(args) => convert::run(args, global, printer),
     }
 }
 
-const SCHEMA: &str = "freestand.inventory/1";
+use freestand_app::check_list::SCHEMA;
 
 /// A format of an inventory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

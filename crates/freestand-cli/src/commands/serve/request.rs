@@ -8,6 +8,7 @@ use std::sync::{Arc, LazyLock};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
@@ -21,6 +22,8 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::tolerance::ToleranceSearch;
+use freestand_app::validate::Validate;
 use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
@@ -296,12 +299,15 @@ struct ByStruct {
 }
 
 /// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 13] = [
+const BY_STRUCTS: [ByStruct; 16] = [
     ByStruct::of::<Floor>("floor"),
     ByStruct::of::<CodeSpectrum>("motion code-spectrum"),
     ByStruct::of::<MotionConvert>("motion convert"),
     ByStruct::of::<MotionInfo>("motion info"),
     ByStruct::of::<MotionSpectrum>("motion spectrum"),
+    ByStruct::of::<CheckList>("inventory check"),
+    ByStruct::of::<ToleranceSearch>("tolerance search"),
+    ByStruct::of::<Validate>("validate"),
     ByStruct::of::<Object>("object"),
     ByStruct::of::<Restrain>("restrain"),
     ByStruct::of::<DropTests>("cushion drop"),

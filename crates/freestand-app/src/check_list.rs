@@ -1,0 +1,220 @@
+//! `inventory check`: how a list of objects is understood.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_assess::inventory::{
+    CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, inspect_headings,
+    inspect_inventory, marked_copy,
+};
+use freestand_assess::job::floors_of;
+use freestand_assess::library::Libraries;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::UnitSystem;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::resolve::{Overrides, StudySource};
+use serde::Deserialize;
+
+use crate::cells::{CellKeys, Libraries as LibraryKeys};
+use crate::files::Files;
+use crate::request::{Question, Request as _, Switch, Unknown, one_of, reader, request, whole};
+use crate::study::{self, MAX_STOREYS};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.inventory/1";
+
+/// A list, and how it is read.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct CheckList {
+    /// List of objects (CSV, TSV or XLSX)
+    #[arg(value_name = "FILE")]
+    pub file: Option<Written>,
+    /// How its cells are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub how: CellKeys,
+    /// Study file (TOML) whose building has the floors
+    #[arg(long, value_name = "FILE.toml")]
+    pub study: Option<Written>,
+    /// Number of storeys of the building, to place floors by their numbers
+    #[arg(long, value_name = "N")]
+    pub storeys: Option<Written>,
+    /// Units of the text; the JSON document is in SI [default: those of most columns]
+    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+    pub units: Option<Written>,
+    /// Count every doubt as an error
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub strict: Switch,
+    /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
+    /// which too few headings are known
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub headings: Switch,
+    /// Also list the text of every cell (with --json)
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub cells: Switch,
+    /// The user's own libraries.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub libraries: LibraryKeys,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(CheckList {
+    file, study, storeys, units, strict, headings, cells;
+    how, libraries, unknown
+});
+
+/// What is asked.
+#[derive(Debug, Clone)]
+pub struct Meant {
+    /// The list.
+    pub file: PathBuf,
+    /// How its cells are read.
+    pub cells: CellsRequest,
+    /// Units of the text; `None`: those of most columns.
+    pub units: Option<UnitSystem>,
+    /// Whether only its headings are wanted.
+    pub is_headings: bool,
+    /// The files that are read.
+    pub inputs: Vec<PathBuf>,
+    study: Option<StudySource>,
+    storeys: Option<usize>,
+    is_strict: bool,
+    wants_cells: bool,
+    libraries: [Option<PathBuf>; 2],
+}
+
+impl Meant {
+    /// The floors of the building.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the study.
+    pub fn floors(&self) -> Result<Floors, Problems> {
+        Ok(match &self.study {
+            Some(source) => floors_of(&source.load(&Overrides::default())?, self.storeys),
+            None => Floors {
+                storeys: self.storeys,
+                ..Floors::default()
+            },
+        })
+    }
+
+    /// The list as it is understood, and if it is wanted the workbook with a note at each cell that has a problem.
+    ///
+    /// # Errors
+    /// A file that is no list, a library or a mapping that cannot be used.
+    pub fn reading(
+        &self,
+        floors: Floors,
+        wants_copy: bool,
+    ) -> Result<(Reading, Option<Vec<u8>>), Problems> {
+        let [tolerances, cushions] = &self.libraries;
+        let libraries = Libraries::with_files(tolerances.as_deref(), cushions.as_deref())?;
+        let mapping = self
+            .cells
+            .columns
+            .as_deref()
+            .map(Mapping::load)
+            .transpose()?;
+        libraries.looked_up(|lookup| {
+            let options = ReadOptions {
+                sheet: self.cells.sheet.as_deref(),
+                mapping: mapping.as_ref(),
+                floors,
+                is_strict: self.is_strict,
+                edits: &self.cells.edits,
+                wants_cells: self.wants_cells,
+                lookup,
+            };
+            let reading = inspect_inventory(&self.file, &options)?;
+            let copy = wants_copy
+                .then(|| marked_copy(&self.file, &options, &reading.inventory.findings))
+                .transpose()?;
+            Ok((reading, copy))
+        })
+    }
+
+    /// The headings alone.
+    ///
+    /// # Errors
+    /// A file that is no table.
+    pub fn headings(&self) -> Result<Vec<HeadingReport>, Problems> {
+        inspect_headings(&self.file, self.cells.sheet.as_deref())
+    }
+}
+
+/// Keys that say nothing about the headings alone.
+const OF_CELLS: [&str; 9] = [
+    "study",
+    "storeys",
+    "units",
+    "strict",
+    "cells",
+    "columns",
+    "edit",
+    "library",
+    "cushion_library",
+];
+
+impl Question for CheckList {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let is_headings = read.flag("headings");
+        if is_headings {
+            for key in OF_CELLS {
+                read.exclusive(key, "headings");
+            }
+        }
+        let cells = self.how.cells(&mut read, files);
+        let units = read.choice("units", &UnitSystem::ALL);
+        let study = study::source(&mut read, files);
+        let storeys = whole(&mut read, "storeys", MAX_STOREYS);
+        let (is_strict, wants_cells) = (read.flag("strict"), read.flag("cells"));
+        let libraries = self.libraries.paths(&mut read, files);
+        let file = file(&mut read, files);
+        let file = read.problems.finish(file)?;
+        let mut inputs = vec![file.clone()];
+        inputs.extend(self.how.inputs(files));
+        inputs.extend(files.path_of(self.study.as_ref()));
+        Ok(Meant {
+            file,
+            cells,
+            units,
+            is_headings,
+            inputs,
+            study,
+            storeys: storeys.map(usize::from),
+            is_strict,
+            wants_cells,
+            libraries,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.resolve(files)?.floors().map(drop)
+    }
+}
+
+fn file(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
+    if !read.has("file") {
+        read.missing(
+            &["file"],
+            "no list is named",
+            "name a file, such as objects.csv",
+        );
+    }
+    let name = read.one("file")?;
+    // In the command line it has no flag that a message could name.
+    let path = files.path(name).map_err(|problem| problem.of(&["file"]));
+    read.problems.keep(path.map_err(Problems::from))
+}

@@ -1,0 +1,62 @@
+//! `tolerance search`: entries of the tolerance library.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_input::problem::Problems;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request as _, Unknown, one_or_many, reader, request};
+
+/// What is searched.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct ToleranceSearch {
+    /// Words
+    #[arg(value_name = "WORD")]
+    #[serde(deserialize_with = "one_or_many", alias = "word")]
+    pub words: Vec<Written>,
+    /// Your own library: adds to the built-in one and replaces entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub library: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(ToleranceSearch { words, library; unknown });
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Meant {
+    /// The words, all of which an entry contains.
+    pub words: Vec<String>,
+    /// The user's own library.
+    pub library: Option<PathBuf>,
+}
+
+impl Question for ToleranceSearch {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        read.pass(&["words"]);
+        if self.words.is_empty() {
+            read.missing(&["words"], "no word is given", "give one or more words");
+        }
+        let library = read
+            .one("library")
+            .and_then(|name| read.keep("library", files.path(name)));
+        let meant = Meant {
+            words: self.words.iter().map(Written::text).collect(),
+            library,
+        };
+        read.problems.finish(Some(meant))
+    }
+}
