@@ -38,7 +38,7 @@ request!(CellKeys {
 
 impl CellKeys {
     /// What is asked of the cells.
-    pub(crate) fn cells(&self, read: &mut WordReader<'_>, files: &Files) -> CellsRequest {
+    pub fn cells(&self, read: &mut WordReader<'_>, files: &Files) -> CellsRequest {
         read.pass(&["edit"]);
         let edits = self.edit.iter().map(edit);
         CellsRequest {

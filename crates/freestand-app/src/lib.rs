@@ -2,13 +2,16 @@
 //! in the same way. `resolve` alone knows defaults, units, choices and what may be combined, and tells
 //! all problems at once; what it returns is in SI and asks the models.
 
+pub mod assess;
 pub mod check_list;
 pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
 pub mod floor;
+pub mod list;
 pub mod motion;
 pub mod object;
+pub mod place;
 pub mod request;
 pub mod restrain;
 pub mod rock;

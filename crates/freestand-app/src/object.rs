@@ -17,6 +17,7 @@ use serde::Deserialize;
 
 use crate::block::sizes;
 use crate::files::Files;
+use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
 use crate::request::{
     Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed, whole,
@@ -30,6 +31,7 @@ pub use freestand_assess::one_object::SCHEMA;
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
+#[command(mut_args(|arg| place::under(arg, "The earthquake (one of four)")))]
 pub struct Object {
     /// Height of the object
     #[arg(long, value_name = "LENGTH", help_heading = "The object")]
@@ -217,40 +219,6 @@ request!(Around {
     upper_height,
     upper_thickness,
     upper_mass
-});
-
-/// A place with the hazard of its code.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct PlaceKeys {
-    /// Place, with its code and hazard; see freestand place list
-    #[arg(
-        long,
-        value_name = "NAME",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub place: Option<Written>,
-    /// Site class of the code
-    #[arg(
-        long,
-        value_name = "CLASS",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub site: Option<Written>,
-    /// Return period in years, of AS 1170.4 and NZS 1170.5
-    #[arg(
-        long = "return-period",
-        value_name = "YEARS",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub return_period_years: Option<Written>,
-}
-
-request!(PlaceKeys {
-    place,
-    site,
-    return_period_years
 });
 
 /// What is asked, in SI.

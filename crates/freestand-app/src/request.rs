@@ -378,7 +378,9 @@ pub(crate) fn reader<'w, R: Request>(words: &'w Words, others: &Unknown) -> Word
 /// A problem for each key that the request does not know.
 pub(crate) fn unknown<R: Request>(unknown: &Unknown) -> impl Iterator<Item = Problem> {
     let known = keys::<R>();
-    unknown.keys().map(move |key| {
+    // A part that has parts itself leaves its keys here, too.
+    let others: Vec<&String> = unknown.keys().filter(|key| !known.contains(key)).collect();
+    others.into_iter().map(move |key| {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
         let hint = match nearest(key, &known) {
             Some(near) => format!("did you mean `{near}`?"),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{ArgAction, Args};
+use clap::{Arg, ArgAction, Args};
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
     DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest,
@@ -33,6 +33,7 @@ pub const SCHEMA: &str = "freestand.restrain/1";
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
+#[command(mut_args(of_parts))]
 pub struct Restrain {
     /// List of objects (CSV or XLSX), in place of one object: a row with its force for each
     #[arg(value_name = "LIST")]
@@ -61,14 +62,14 @@ pub struct Restrain {
     #[arg(
         long,
         value_name = "FILE.toml",
-        help_heading = "The earthquake (one of --place, --code, --study, --floor-acceleration)"
+        help_heading = EARTHQUAKE
     )]
     pub study: Option<Written>,
     /// Acceleration of the floor, for F = m a
     #[arg(
         long,
         value_name = "ACCELERATION",
-        help_heading = "The earthquake (one of --place, --code, --study, --floor-acceleration)"
+        help_heading = EARTHQUAKE
     )]
     pub floor_acceleration: Option<Written>,
     /// A place, or a code with its values.
@@ -141,6 +142,29 @@ request!(Restrain {
     anchor_inset, units, anchors_per_edge, compare;
     cells, target, unknown
 });
+
+const EARTHQUAKE: &str = "The earthquake (one of --place, --code, --study, --floor-acceleration)";
+
+/// The keys of a target as the clauses for parts read them: nothing stands in for a hazard, and what only a spectrum
+/// needs is not shown.
+fn of_parts(arg: Arg) -> Arg {
+    match arg.get_id().as_str() {
+        "place" => arg
+            .help("Place, with its code and hazard; see freestand place list")
+            .help_heading(EARTHQUAKE),
+        "code" => arg
+            .help("Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5")
+            .help_heading(EARTHQUAKE),
+        "edition" => arg.help(
+            "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016, in California 2022]",
+        ),
+        "site" => arg.help("Site class of the code"),
+        "hazard_factor" => arg.help("Hazard factor Z"),
+        "city" | "fault_distance" | "corner_periods" | "sd1" | "long_period" | "spectrum"
+        | "interpolation" | "beyond" => arg.hide(true),
+        _ => arg,
+    }
+}
 
 /// What is asked, in SI.
 #[derive(Debug, Clone)]

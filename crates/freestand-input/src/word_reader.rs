@@ -249,9 +249,27 @@ impl<'w> WordReader<'w> {
         self.one_of(key, &known).map(str::to_owned)
     }
 
+    /// Any of these values, by their names, with commas between them or one by one.
+    pub fn choices<T: Copy>(&mut self, key: &'static str, choices: Choices<T>) -> Vec<T> {
+        self.pass(&[key]);
+        let known: Vec<(&str, T)> = choices
+            .iter()
+            .map(|&(value, name, _)| (name, value))
+            .collect();
+        let words = self.words;
+        let names = words.all(key).flat_map(|text| text.split(','));
+        names
+            .filter_map(|name| self.known(key, name, &known))
+            .collect()
+    }
+
     /// One of the known words; capitals are ignored.
     pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
         let text = self.one(key)?;
+        self.known(key, text, known)
+    }
+
+    fn known<T: Copy>(&mut self, key: &'static str, text: &str, known: &[(&str, T)]) -> Option<T> {
         let plain = text.trim().to_lowercase().replace(['_', ' '], "-");
         let found = known
             .iter()

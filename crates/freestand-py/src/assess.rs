@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use freestand_app::assess::{Assess, SCHEMA};
 use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
 use freestand_app::request::Question as _;
 use freestand_assess::inventory::check_report;
-use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, inventory_of};
+use freestand_assess::job::{Job, assess_into};
 use freestand_assess::output::object_rows;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
@@ -83,47 +84,24 @@ fn overrides(given: &mut Given<'_, '_>) -> Overrides {
     }
 }
 
-/// A number of storeys that an override can hold; a larger one is refused where the list is read.
-fn storeys(request: &ListRequest) -> Option<u16> {
-    u16::try_from(request.storeys?).ok()
-}
-
 /// The verdicts about an inventory, written into a folder: the document of the command.
 #[pyfunction]
 pub(crate) fn assess(
     py: Python<'_>,
-    inventory: Option<PathBuf>,
-    out: PathBuf,
-    values: &Bound<'_, PyDict>,
+    request: &Bound<'_, PyDict>,
+    files: Named,
+    into: (PathBuf, bool),
     threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let mut overrides = overrides(&mut given);
-    let request = ListRequest {
-        cells: given.cells(),
-        storeys: given.count("storeys"),
-        is_strict: given.flag("strict"),
-        assess_anchored: given.flag("assess_anchored"),
-    };
-    overrides.storeys = storeys(&request);
-    let job = Job {
-        resume: given.flag("resume"),
-        force: given.flag("force"),
-        parquet: given.flag("parquet"),
-        outcomes: given.flag("outcomes"),
-        part_rows: None,
-    };
-    let (library, cushions) = (given.path("library"), given.path("cushion_library"));
-    given.finish()?;
-    let mut study = study_of(values, &overrides)?;
-    let settings = &mut study.assessment;
-    settings.seed = overrides.seed.unwrap_or(settings.seed);
-    settings.library = library.or(settings.library.take());
-    settings.cushion_library = cushions.or(settings.cushion_library.take());
+    let (request, files) = asked::<Assess>(request, std::iter::empty(), files)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
+    let study = meant.study().map_err(of_study)?;
+    let (out, force) = into;
+    let job = Job { force, ..meant.job };
     let told = Told::default();
     let work = |stop: &AtomicBool| {
-        let inventory = inventory_of(&study, inventory.as_deref(), &request)?;
+        let inventory = meant.list.inventory(&study)?;
         let report = assess_into(&study, &inventory, &out, &job, &|step| {
             told.step(step, stop)
         })?;

@@ -27,6 +27,8 @@ def test_every_request_has_the_problems_of_the_table() -> None:
                 _freestand.check_object([], line["request"], {}, 1)
             elif line["command"] == "restrain":
                 _freestand.restrain(line["request"], {})
+            elif line["command"] == "assess":
+                _freestand.assess(line["request"], {}, ("unused", False), 1, None)
             elif line["command"] == "inventory check":
                 _freestand.check_inventory(line["request"], {}, None)
             elif line["command"] == "shock":

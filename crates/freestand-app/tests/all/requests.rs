@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
@@ -126,6 +127,11 @@ fn without_files() -> Vec<Asked> {
             json!({"sheet": "Ward 3", "storeys": "6", "strict": true, "edit": "D7=900 mm"}),
         ),
         ("inventory check", json!({"headings": true})),
+        (
+            "assess",
+            json!({"place": "Christchurch", "storeys": "7", "format": "csv,parquet", "fail_on": "restrain", "pages": "10",
+            "edit": "D7=900 mm"}),
+        ),
         ("tolerance search", json!({})),
         (
             "floor",
@@ -152,7 +158,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 16] = [
+const COMMANDS: [Command; 17] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -160,6 +166,7 @@ const COMMANDS: [Command; 16] = [
     command::<MotionConvert>("motion convert"),
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
+    command::<Assess>("assess"),
     command::<CheckList>("inventory check"),
     command::<ToleranceSearch>("tolerance search"),
     command::<Validate>("validate"),
@@ -270,6 +277,11 @@ fn of_programs() -> Vec<Asked> {
             "inventory check",
             json!({"file": "/etc/passwd", "edits": [["D7", "1"], ["D7"], "D"], "columns": "/etc/passwd", "storeys": 0,
                 "study": "/etc/passwd", "write_columns": "/tmp/x", "library": "/etc/passwd", "strict": "yes"}),
+        ),
+        (
+            "assess",
+            json!({"study": "/etc/passwd", "inventory": "/etc/passwd", "format": ["csv", "pdf"], "fail_on": ["fall"], "threads": 8,
+                "storeys": 0, "pages": -1, "edits": [["D7", "1"], ["D7"], "D"], "columns": "/etc/passwd", "force": true, "seed": "x"}),
         ),
         ("validate", json!({"table": 1})),
         (

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
@@ -64,6 +65,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "object.request.json",
             of_request::<Object>("object", &["seed"]),
+        ),
+        (
+            "assess.request.json",
+            of_request::<Assess>("assess", &["seed"]),
         ),
         (
             "inventory-check.request.json",

@@ -1,13 +1,12 @@
 //! `freestand assess`: which objects of an inventory must be restrained.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use freestand_app::assess::{Assess, Meant, SCHEMA};
 use freestand_assess::inventory::{Inventory, problem_reports};
-use freestand_assess::job::{
-    Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of,
-};
+use freestand_assess::job::{Finished, Job, JobReport, assess_telling};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
@@ -19,16 +18,12 @@ use freestand_input::words::counted;
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
-use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::{Progress, Step};
-use freestand_study::study::{Outputs, Study};
 use serde_json::{Map, Value};
 
-use super::Done;
-use super::list::CellsArgs;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::hazard::HazardArgs;
 use crate::printer::{Printer, significant, table};
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
@@ -59,92 +54,7 @@ Accepted probabilities and uncertainties are keys of [assessment] in a study; se
 docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
-    list: ListArgs,
-    /// Continue an earlier run in the same folder
-    #[arg(long)]
-    resume: bool,
-    /// Tables to write besides objects.csv, assessment.xlsx and report.html
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
-    format: Vec<Format>,
-    /// Also write outcomes.csv: what happened to every object in every world, by each model
-    #[arg(long)]
-    outcomes: bool,
-    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-    #[arg(long, value_name = "N")]
-    pages: Option<usize>,
-    /// Print the card of every object too, where the report is printed
-    #[arg(long, help_heading = "The report")]
-    cards: bool,
-    /// Date on the report [default: a line to fill in]
-    #[arg(long, value_name = "DATE", help_heading = "The report")]
-    date: Option<String>,
-    /// Who prepared the report [default: a line to fill in]
-    #[arg(long, value_name = "NAME", help_heading = "The report")]
-    preparer: Option<String>,
-    /// Revision of the report [default: a line to fill in]
-    #[arg(long, value_name = "TEXT", help_heading = "The report")]
-    revision: Option<String>,
-    /// End with status 1 if an object gets this verdict; give it once for each verdict
-    #[arg(long, value_enum, value_name = "VERDICT")]
-    fail_on: Vec<FailOn>,
-}
-
-/// The study of an assessment, its inventory, and how that is read.
-#[derive(Debug, Args)]
-pub(crate) struct ListArgs {
-    /// Study file (TOML) with hazard, building and settings [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    pub(crate) study: Option<PathBuf>,
-    #[command(flatten)]
-    hazard: HazardArgs,
-    /// Inventory (CSV or XLSX); replaces the inventory of the study
-    #[arg(long, value_name = "FILE")]
-    pub(crate) inventory: Option<PathBuf>,
-    #[command(flatten)]
-    pub(crate) cells: CellsArgs,
-    /// Number of storeys: of the building where the study states none, else only to place floors by their
-    /// numbers [default: the study's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
-    storeys: Option<u16>,
-    /// Count every doubt about the list as an error
-    #[arg(long)]
-    strict: bool,
-    /// Also assess objects that are reported as anchored, as if they were free
-    #[arg(long)]
-    assess_anchored: bool,
-    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE")]
-    library: Option<PathBuf>,
-    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE")]
-    cushion_library: Option<PathBuf>,
-}
-
-/// The verdicts by their names in outputs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum FailOn {
-    /// Fix it to the building
-    Restrain,
-    /// Put it on a softer pad
-    Soften,
-    /// Lock it, tether it, or give it room
-    Lock,
-    /// Data are missing
-    NoVerdict,
-    /// Leave it as it is
-    Leave,
-}
-
-impl FailOn {
-    fn decision(self) -> Decision {
-        match self {
-            Self::Restrain => Decision::Restrain,
-            Self::Soften => Decision::Soften,
-            Self::Lock => Decision::Lock,
-            Self::NoVerdict => Decision::NoVerdict,
-            Self::Leave => Decision::Leave,
-        }
-    }
+    pub(super) request: Assess,
 }
 
 /// Objects of a part while a user watches the page: one by one in a list that is read as it comes,
@@ -158,136 +68,52 @@ fn watched_rows(rows: usize) -> usize {
 /// The folder where no `--out` is given.
 const FOLDER: &str = "freestand-assessment";
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// objects.csv, always written
-    Csv,
-    /// objects.parquet
-    Parquet,
-    /// Refused, with a hint
-    #[value(hide = true)]
-    Pdf,
-}
+impl Tell for Assess {
+    type Output = ();
 
-pub(crate) fn run(
-    args: &AssessArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    if args.format.contains(&Format::Pdf) {
-        return Err(Failure::usage(
-            "--format pdf: freestand does not write PDF files",
-            "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
-        ));
-    }
-    let (mut study, _, inventory) = args.list.read(global, args.pages)?;
-    args.write_title(&mut study.outputs);
-    let out = global.folder(FOLDER);
-    let parquet = args.format.contains(&Format::Parquet);
-    let part_rows = printer
-        .session()
-        .map(|_| watched_rows(inventory.items.len()));
-    let job = Job {
-        resume: args.resume,
-        force: global.force,
-        parquet,
-        outcomes: args.outcomes,
-        part_rows,
-    };
+    const WRITES_A_FOLDER: bool = true;
 
-    if let Some(session) = printer.session() {
-        problem_reports(&inventory.findings, KeyStyle::Flag)
-            .iter()
-            .for_each(|problem| session.problem(problem));
-    }
-    let told = |row: &Map<String, Value>| {
-        printer
-            .session()
-            .into_iter()
-            .for_each(|session| session.object(row))
-    };
-    let finished: Option<Finished> = printer.session().is_some().then_some(&told);
-    let report = watched(printer, |progress| {
-        assess_telling(&study, &inventory, &out, &job, (progress, finished))
-    })?;
-    print(&report, &out, &inventory, printer)?;
-    if report.interrupted {
-        return Err(Failure::StoppedAfterWriting);
-    }
-    let is_named = args
-        .fail_on
-        .iter()
-        .any(|verdict| report.count(verdict.decision()) > 0);
-    Ok(Done {
-        criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named,
-    })
-}
-
-impl AssessArgs {
-    /// The flags of the report in place of the keys of the study.
-    fn write_title(&self, outputs: &mut Outputs) {
-        outputs.cards |= self.cards;
-        let title = &mut outputs.title;
-        title.date = self.date.clone().or(title.date.take());
-        title.preparer = self.preparer.clone().or(title.preparer.take());
-        title.revision = self.revision.clone().or(title.revision.take());
-    }
-}
-
-impl ListArgs {
-    /// A flag that only a list or its study needs.
-    pub(crate) fn of_list(&self) -> Option<&'static str> {
-        let hazard = self.hazard.words();
-        let given = [
-            (hazard.get("place").is_some(), "--place"),
-            (hazard.get("site").is_some(), "--site"),
-            (
-                hazard.get("return_period_years").is_some(),
-                "--return-period",
-            ),
-            (self.storeys.is_some(), "--storeys"),
-            (self.strict, "--strict"),
-            (self.assess_anchored, "--assess-anchored"),
-            (self.library.is_some(), "--library"),
-            (self.cushion_library.is_some(), "--cushion-library"),
-        ];
-        given
-            .into_iter()
-            .find_map(|(is_given, flag)| is_given.then_some(flag))
-    }
-
-    /// The study with the flags in place of its keys, how the list is read, and the list.
-    pub(crate) fn read(
-        &self,
+    fn tell(
+        meant: Meant,
+        (): &(),
         global: &GlobalArgs,
-        pages: Option<usize>,
-    ) -> Result<(Study, ListRequest, Inventory), Failure> {
-        let overrides = Overrides {
-            seed: global.seed,
-            hazard: self.hazard.words(),
-            storeys: self.storeys,
-            ..Overrides::default()
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let study = meant.study()?;
+        let inventory = meant.list.inventory(&study)?;
+        let out = global.folder(FOLDER);
+        let part_rows = printer
+            .session()
+            .map(|_| watched_rows(inventory.items.len()));
+        let job = Job {
+            force: global.force,
+            part_rows,
+            ..meant.job
         };
-        let mut study = match &self.study {
-            Some(path) => load(path, &overrides)?,
-            None => builtin(&overrides)?,
+        if let Some(session) = printer.session() {
+            problem_reports(&inventory.findings, KeyStyle::Flag)
+                .iter()
+                .for_each(|problem| session.problem(problem));
+        }
+        let told = |row: &Map<String, Value>| {
+            printer
+                .session()
+                .into_iter()
+                .for_each(|session| session.object(row))
         };
-        let settings = &mut study.assessment;
-        settings.seed = global.seed.unwrap_or(settings.seed);
-        settings.pages = pages.unwrap_or(settings.pages);
-        settings.library = self.library.clone().or(settings.library.take());
-        settings.cushion_library = self
-            .cushion_library
-            .clone()
-            .or(settings.cushion_library.take());
-        let request = ListRequest {
-            cells: self.cells.request()?,
-            storeys: self.storeys.map(usize::from),
-            is_strict: self.strict,
-            assess_anchored: self.assess_anchored,
-        };
-        let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
-        Ok((study, request, inventory))
+        let finished: Option<Finished> = printer.session().is_some().then_some(&told);
+        let report = watched(printer, |progress| {
+            assess_telling(&study, &inventory, &out, &job, (progress, finished))
+        })?;
+        print(&report, &out, &inventory, printer)?;
+        if report.interrupted {
+            return Err(Failure::StoppedAfterWriting);
+        }
+        let mut fail_on = meant.fail_on.iter();
+        let is_named = fail_on.any(|verdict| report.count(*verdict) > 0);
+        Ok(Done {
+            criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named,
+        })
     }
 }
 

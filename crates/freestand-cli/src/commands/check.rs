@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand_app::place::{self, PlaceKeys};
+use freestand_app::request::Request as _;
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::hazard::HazardArgs;
 use crate::printer::{Printer, lines};
 
 /// Check a study without running it, and show how it was understood
@@ -20,12 +21,13 @@ Examples:
   freestand check study.toml --json
   freestand check            (the built-in study)
   freestand check study.toml --place Wellington --site D")]
+#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
 pub(crate) struct CheckArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
     #[command(flatten)]
-    hazard: HazardArgs,
+    hazard: PlaceKeys,
 }
 
 pub(crate) fn run(

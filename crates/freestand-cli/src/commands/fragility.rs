@@ -18,6 +18,7 @@ use freestand_output::json::document;
 use super::Done;
 use super::assess::watched;
 use super::fragility_runs::{self, RunArgs};
+use super::list::cells;
 use crate::args::{GlobalArgs, Named, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
@@ -206,14 +207,14 @@ fn run_table(
             "give --format, or leave out --inventory",
         ));
     }
-    let mut exports = Exports::new(args, costs)?;
+    let mut exports = Exports::new(args, costs.as_ref())?;
     if exports.hazard.is_some() && !exports.takes_hazard() {
         return Err(Failure::usage(
             "only OpenQuake takes a hazard curve",
             "add --format openquake",
         ));
     }
-    let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.curve.hazard.as_ref()]
+    let inputs: Vec<PathBuf> = [Some(outcomes), costs.as_ref(), args.curve.hazard.as_ref()]
         .into_iter()
         .flatten()
         .cloned()
@@ -344,7 +345,7 @@ impl Exports {
             idle,
             "no program of --format uses it (--realizations is for pelicun with --demand)",
         )?;
-        let list = args.runs.cells().request()?;
+        let list = cells(args.runs.cells())?;
         let request = |&format| ExportRequest {
             format,
             list: list.clone(),

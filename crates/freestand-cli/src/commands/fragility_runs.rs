@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::rocking::{Base, Restitution};
+use freestand_app::CellKeys;
+use freestand_app::list::ListKeys;
 use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS,
     Measure, Method, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures,
@@ -14,6 +16,7 @@ use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
+use freestand_input::written::Written;
 use freestand_output::facts::Facts;
 use freestand_output::json::document;
 use freestand_records::notes::grouped;
@@ -22,10 +25,10 @@ use freestand_study::restitution::checked;
 use freestand_study::unsolved::rocking_problem;
 
 use super::Done;
-use super::assess::{ListArgs, watched};
+use super::assess::watched;
 use super::block::ShapeArgs;
 use super::fragility::{Exports, FragilityArgs, curves_text, stopped};
-use super::list::CellsArgs;
+use super::list::{of_cells, of_list, read};
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -38,7 +41,7 @@ use crate::values::{Given, Reads, Values, choice, name_of};
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
     #[command(flatten)]
-    list: ListArgs,
+    list: ListKeys,
     /// Height of one object, instead of an inventory
     #[arg(long, positive = Dimension::Length, help_heading = "One object")]
     height: Option<Given>,
@@ -132,6 +135,11 @@ const MEASURE_COLUMNS: [Column; 8] = [
 /// Motions, what their readers noted, and their files.
 type Motions = (Vec<FloorMotion>, Vec<String>, Vec<InputFile>);
 
+/// The path that a person wrote.
+fn path(written: &Written) -> PathBuf {
+    PathBuf::from(written.text())
+}
+
 impl RunArgs {
     /// What is run: something that names an object.
     pub(crate) fn is_given(&self) -> bool {
@@ -147,13 +155,13 @@ impl RunArgs {
     }
 
     /// How the cells of the list are read.
-    pub(crate) fn cells(&self) -> &CellsArgs {
+    pub(crate) fn cells(&self) -> &CellKeys {
         &self.list.cells
     }
 
     /// The list of the objects.
-    pub(crate) fn inventory(&self) -> Option<&PathBuf> {
-        self.list.inventory.as_ref()
+    pub(crate) fn inventory(&self) -> Option<PathBuf> {
+        self.list.inventory.as_ref().map(path)
     }
 
     fn names_list(&self) -> bool {
@@ -278,13 +286,10 @@ impl RunArgs {
 
     /// Refuses flags of a list where nothing reads one.
     pub(super) fn refuse_list(&self) -> Result<(), Failure> {
-        let flag = self.list.of_list().or(self.worlds.map(|_| "--worlds"));
+        let worlds = self.worlds.map(|_| "--worlds".to_owned());
+        let flag = of_list(&self.list).or(worlds);
         // Beside outcomes, an inventory has the costs.
-        let flag = flag.or(self
-            .list
-            .cells
-            .given()
-            .filter(|_| self.list.inventory.is_none()));
+        let flag = flag.or(of_cells(&self.list.cells).filter(|_| self.list.inventory.is_none()));
         flag.map_or(Ok(()), |flag| {
             let message =
                 format!("{flag} is for an inventory in the building of a study, and none is run");
@@ -385,7 +390,7 @@ pub(crate) fn run(
         .flatten();
     values.finish()?;
 
-    let mut exports = Exports::new(args, runs.inventory())?;
+    let mut exports = Exports::new(args, runs.inventory().as_ref())?;
     // Stripes take it, or else a program; if nothing does, the runs say so.
     let hazard = exports
         .hazard
@@ -399,13 +404,12 @@ pub(crate) fn run(
             .chain(&runs.cushion.inputs()),
     );
     inputs.extend(
-        runs.list
-            .study
+        runs.options
             .iter()
-            .chain(&runs.list.inventory)
-            .chain(&runs.options)
             .chain(&args.curve.hazard)
-            .cloned(),
+            .cloned()
+            .chain(runs.list.study.iter().map(path))
+            .chain(runs.inventory()),
     );
     let files = Files::with_tables(
         global,
@@ -423,7 +427,7 @@ pub(crate) fn run(
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
-            let (of_study, _, of_list) = runs.list.read(global, None)?;
+            let (of_study, _, of_list) = read(&runs.list, global, None)?;
             (study, inventory) = (of_study, of_list);
             has_errors = inventory.has_errors();
             if let Some(path) = &study.source {

@@ -1,60 +1,54 @@
-//! Flags that say how a list is read: the same in every command that reads one.
+//! The study and the list of commands that have other arguments, too.
 
-use std::path::PathBuf;
+use freestand_app::CellKeys;
+use freestand_app::files::Files;
+use freestand_app::list::{ListKeys, ListMeant};
+use freestand_app::request::Request as _;
+use freestand_assess::inventory::{CellsRequest, Inventory};
+use freestand_input::keys::KeyStyle;
+use freestand_input::word_reader::WordReader;
+use freestand_study::study::Study;
 
-use clap::Args;
-use freestand_assess::inventory::{CellsRequest, Edit};
-use freestand_input::problem::Problems;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
 
-/// How the cells of a list are read.
-#[derive(Debug, Clone, Default, Args)]
-pub(crate) struct CellsArgs {
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    pub(crate) sheet: Option<String>,
-    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
-    #[arg(long, value_name = "MAP.toml")]
-    pub(crate) columns: Option<PathBuf>,
-    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
-    /// of a size, also with the text that the cell has, confirms that size
-    #[arg(long, value_name = "CELL=TEXT")]
-    pub(crate) edit: Vec<String>,
+/// What is asked of a study and its list, with both.
+pub(crate) fn read(
+    keys: &ListKeys,
+    global: &GlobalArgs,
+    pages: Option<usize>,
+) -> Result<(Study, ListMeant, Inventory), Failure> {
+    let words = keys.words();
+    let mut read = WordReader::new(&words);
+    let meant = keys.judged(&mut read, &Files::Disk, global.seed);
+    let meant = read.problems.finish(Some(meant))?;
+    let mut study = meant.study()?;
+    study.assessment.pages = pages.unwrap_or(study.assessment.pages);
+    let inventory = meant.inventory(&study)?;
+    Ok((study, meant, inventory))
 }
 
-impl CellsArgs {
-    /// The cells that are read otherwise.
-    ///
-    /// # Errors
-    /// What is not a cell and its text.
-    pub(crate) fn edits(&self) -> Result<Vec<Edit>, Problems> {
-        let mut problems = Problems::default();
-        let read =
-            |text: &String| problems.keep(Edit::parse(text).map_err(|one| one.named("edit")));
-        let edits = self.edit.iter().filter_map(read).collect();
-        problems.finish(Some(edits))
-    }
+/// How the cells of a list are read.
+pub(crate) fn cells(keys: &CellKeys) -> Result<CellsRequest, Failure> {
+    let words = keys.words();
+    let mut read = WordReader::new(&words);
+    let cells = keys.cells(&mut read, &Files::Disk);
+    Ok(read.problems.finish(Some(cells))?)
+}
 
-    /// How the cells of a list are read.
-    ///
-    /// # Errors
-    /// What is not a cell and its text.
-    pub(crate) fn request(&self) -> Result<CellsRequest, Problems> {
-        Ok(CellsRequest {
-            sheet: self.sheet.clone(),
-            columns: self.columns.clone(),
-            edits: self.edits()?,
-        })
-    }
+/// A flag that says how a list is read, if one is given.
+pub(crate) fn of_cells(keys: &CellKeys) -> Option<String> {
+    flag(keys.words().entries().map(|(key, _)| key).next())
+}
 
-    /// A flag that is given.
-    pub(crate) fn given(&self) -> Option<&'static str> {
-        let given = [
-            (self.sheet.is_some(), "--sheet"),
-            (self.columns.is_some(), "--columns"),
-            (!self.edit.is_empty(), "--edit"),
-        ];
-        given
-            .into_iter()
-            .find_map(|(is_given, flag)| is_given.then_some(flag))
-    }
+/// A flag that only a list or its study needs, if one is given.
+pub(crate) fn of_list(keys: &ListKeys) -> Option<String> {
+    let words = keys.words();
+    let cells = keys.cells.words();
+    let named = |key: &&str| !["study", "inventory"].contains(key) && cells.get(key).is_none();
+    flag(words.entries().map(|(key, _)| key).find(named))
+}
+
+fn flag(key: Option<&str>) -> Option<String> {
+    key.map(|key| KeyStyle::Flag.name(key))
 }

@@ -56,6 +56,9 @@ pub(crate) trait Tell: Question + Clone {
     /// The flags that say which files are written; the page has none.
     type Output: Default;
 
+    /// Whether it writes a folder even if none is named.
+    const WRITES_A_FOLDER: bool = false;
+
     /// Answers what is meant, writes the files and prints the result.
     fn tell(
         meant: Self::Meant,
@@ -131,16 +134,10 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    /// Whether it writes a folder even if none is named.
-    #[cfg(feature = "page")]
-    pub(crate) fn writes_a_folder(&self) -> bool {
-        matches!(self, Self::Run(_) | Self::Assess(_))
-    }
-
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
         match self {
             Self::Run(args) => run::run(args, global, printer),
-            Self::Assess(args) => assess::run(args, global, printer),
+            Self::Assess(args) => args.request.run(&(), global, printer),
             Self::Shard(args) => shard::run(args, global, printer),
             Self::Object(args) => args.request.run(&(), global, printer),
             Self::Check(args) => check::run(args, global, printer),

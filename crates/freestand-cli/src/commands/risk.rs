@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::fragility::FitKind;
+use freestand_app::CellKeys;
 use freestand_assess::fragility::{
     At, FITS, FragilityRequest, HAZARD_CODES, HazardCode, HazardGiven,
 };
@@ -16,7 +17,7 @@ use freestand_output::json::document;
 use super::Done;
 use super::assess::watched;
 use super::fragility::{PLACES, stopped};
-use super::list::CellsArgs;
+use super::list::{cells, of_cells};
 use crate::args::{GlobalArgs, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
@@ -93,7 +94,7 @@ pub(crate) struct RiskArgs {
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     inventory: Option<PathBuf>,
     #[command(flatten, next_help_heading = "Money")]
-    list: CellsArgs,
+    list: CellKeys,
     /// Options, such as straps or pads: id, option, cost [AUD], median_factor or curves (CSV)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     options: Option<PathBuf>,
@@ -212,8 +213,8 @@ fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
 }
 
 fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure> {
-    let list = args.list.request()?;
-    if let (None, Some(flag)) = (&args.inventory, args.list.given()) {
+    let list = cells(&args.list)?;
+    if let (None, Some(flag)) = (&args.inventory, of_cells(&args.list)) {
         let message = format!("{flag} says how an inventory is read, and none is given");
         return Err(Failure::usage(message, "give --inventory, or leave it out"));
     }

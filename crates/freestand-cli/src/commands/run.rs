@@ -6,6 +6,8 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::{ArgAction, Args};
+use freestand_app::place::{self, PlaceKeys};
+use freestand_app::request::Request as _;
 use freestand_input::words::counted;
 use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
@@ -24,7 +26,6 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::hazard::HazardArgs;
 use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::values::Values;
@@ -48,12 +49,13 @@ Examples:
   Both horizontal components, with objects that may rock in any direction:
     freestand run --motion record.V2 --components both \\
       --rotation-step \"10 deg\" --out results")]
+#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
     #[command(flatten)]
-    hazard: HazardArgs,
+    hazard: PlaceKeys,
     /// Records that replace the ground motions of the study
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use freestand_app::list::ListKeys;
 use freestand_assess::job::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
     plan_shards, run_shard,
@@ -12,7 +13,8 @@ use freestand_input::words::counted;
 use serde_json::json;
 
 use super::Done;
-use super::assess::{ListArgs, print, watched};
+use super::assess::{print, watched};
+use super::list::read;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::{Printer, significant};
@@ -61,7 +63,7 @@ Take shards of some minutes of work: 200 objects or more. Exit status: 0 planned
 cell of the list could not be read; 2 could not run.")]
 struct PlanArgs {
     #[command(flatten)]
-    list: ListArgs,
+    list: ListKeys,
     /// Number of shards
     #[arg(long, value_name = "N")]
     shards: usize,
@@ -135,12 +137,12 @@ fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done,
         global,
         "name the folder of the plan: one that all machines can read and write",
     )?;
-    let (study, list, inventory) = args.list.read(global, args.pages)?;
+    let (study, list, inventory) = read(&args.list, global, args.pages)?;
     let request = PlanRequest {
         study: &study,
         seed: global.seed,
         inventory: &inventory,
-        list: &list,
+        list: &list.request,
         shards: args.shards,
         outcomes: args.outcomes,
     };

@@ -77,9 +77,9 @@ class Record:
 def acceleration_unit(unit: str) -> float: ...
 def arrow_stream(columns: Sequence[tuple[str, str, bytes, list[str]]]) -> object: ...
 def assess(
-    inventory: _Path | None,
-    out: _Path,
-    values: dict[str, Any],
+    request: dict[str, Any],
+    files: _Files,
+    into: tuple[_Path, bool],
     threads: int | None,
     progress: Callable[[str, int, int], object] | None,
 ) -> str: ...

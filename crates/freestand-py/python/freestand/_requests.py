@@ -455,17 +455,21 @@ def assess(
     >>> found.objects.column("decision")  # doctest: +SKIP
     array(['restrain', 'leave'], dtype=object)
     """
-    values = given(
-        seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years), sheet=sheet,
-        columns=columns, edits=edits, storeys=storeys, strict=strict or None, assess_anchored=assess_anchored or None,
-        library=library, cushion_library=cushion_library, parquet=parquet or None, outcomes=outcomes or None,
-        resume=resume or None, force=force or None,
+    asked = given(
+        seed=seed, place=place, site=site, return_period_years=return_period_years, sheet=sheet, edit=edits,
+        storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
+        format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
+        resume=flag("resume", resume),
     )  # fmt: skip
-    source = study_given(study)
+    files = study_file(study) | {
+        "columns": (columns, None), "library": (library, None), "cushion_library": (cushion_library, None),
+    }  # fmt: skip
     _check_progress(progress)
     folder, own = _folder(out)
     with removed_on_failure(own), as_file(inventory) as listed:
-        text = _freestand.assess(listed.path, folder, values | source, threads_given(threads), progress)
+        files["inventory"] = (listed.path, None)
+        into = (folder, bool(flag("force", force)))
+        text = _freestand.assess(asked, files, into, threads_given(threads), progress)
         result = AssessResult._of(listed.named(text))
     result._in(folder, own)
     warn(result.warnings)

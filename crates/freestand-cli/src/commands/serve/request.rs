@@ -1,13 +1,10 @@
-//! How the page asks for commands: a request is the line that a person would type, read by the same
-//! parser, with files by the numbers of uploads instead of paths.
+//! How the page asks for commands: a request is the values of a struct by their keys, with files by the
+//! numbers of uploads instead of paths.
 
-use std::any::TypeId;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
-use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, Command, CommandFactory, FromArgMatches};
+use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
@@ -24,7 +21,7 @@ use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::tolerance::ToleranceSearch;
 use freestand_app::validate::Validate;
-use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
+use freestand_assess::inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::file::as_named;
@@ -37,17 +34,15 @@ use freestand_page::{
 };
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, Upward, read_all};
-use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
 use crate::args::GlobalArgs;
-use crate::commands::{Cli, Done, Tell};
-use crate::failure::{self, Failure};
+use crate::commands::{Done, Tell};
+use crate::failure::Failure;
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
 use crate::stop::Stop;
-use crate::values::finished;
 
 /// What the page's server knows of this program.
 pub(super) const PROGRAM: Program = Program {
@@ -56,32 +51,6 @@ pub(super) const PROGRAM: Program = Program {
     check,
     answer,
 };
-
-/// The commands that the page may ask for.
-const COMMANDS: [&str; 17] = [
-    "object",
-    "shock",
-    "rock",
-    "spectrum",
-    "shock-spectrum",
-    "motion info",
-    "motion spectrum",
-    "motion convert",
-    "motion code-spectrum",
-    "floor",
-    "cushion drop",
-    "cushion static",
-    "inventory check",
-    "assess",
-    "restrain",
-    "tolerance search",
-    "validate",
-];
-
-/// Options that belong to the shell: they say how it prints, writes and works.
-const OF_THE_SHELL: [&str; 8] = [
-    "json", "out", "quiet", "verbose", "threads", "force", "help", "version",
-];
 
 /// Motions of the last grounds and buildings that were asked for.
 static MEMORY: LazyLock<Arc<Memory>> = LazyLock::new(Arc::default);
@@ -93,7 +62,7 @@ fn facts() -> Value {
     };
     json!({
         "version": env!("CARGO_PKG_VERSION"),
-        "commands": COMMANDS,
+        "commands": COMMANDS.map(|command| command.name),
         "places": places().iter().map(place).collect::<Vec<_>>(),
         "sites": sites(),
         "withstands": withstands(),
@@ -220,27 +189,14 @@ fn kind(path: &Path) -> Kind {
 /// its study.
 fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
-    let read = || -> Result<(), Wrong> {
-        if let Some(command) = by_struct(request) {
-            return (command.check)(request);
-        }
-        parsed(request)?;
-        let studies = request
-            .files
-            .iter()
-            .filter(|(flag, _)| flag == "study")
-            .flat_map(|(_, paths)| paths);
-        for study in studies {
-            load(study, &Overrides::default())?;
-        }
-        Ok(())
-    };
-    read().map_err(|wrong| seen.refusal(&wrong))
+    let check = || (asked(request)?.check)(request);
+    check().map_err(|failure| seen.refusal(&failure))
 }
 
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
-    let run = || -> Result<Reply, Wrong> {
+    let run = || -> Result<Reply, Failure> {
+        let command = asked(request)?;
         let follow = match &request.history {
             History::Of { motion } => Some(Follow::Named(motion.clone())),
             other => other.is_wanted().then_some(Follow::Telling),
@@ -267,59 +223,49 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         };
         let session = Arc::new(session.with_rows(rows));
         let printer = Printer::keeping(Arc::clone(&session));
-        let global = GlobalArgs::of_request(request.folder.clone());
-        let done = match by_struct(request) {
-            Some(command) => (command.tell)(request, &global, &printer),
-            None => {
-                let mut cli = parsed(request)?;
-                let scratch = scratch(request, &mut cli)?;
-                let done = cli.command.run(&cli.global, &printer);
-                drop(scratch);
-                done.map_err(Wrong::from)
-            }
-        };
-        let kept = session.take();
-        match done {
-            Ok(_)
-            | Err(Wrong {
-                failure: Failure::StoppedAfterWriting,
-                ..
-            }) => Ok(reply(request, kept, &seen)?),
-            Err(wrong) => Err(wrong),
+        let is_unnamed = command.writes_a_folder && request.folder.is_none();
+        let scratch = is_unnamed.then(scratch).transpose()?;
+        let unnamed = scratch.as_ref().map(|folder| folder.path().join("results"));
+        let global = GlobalArgs::of_request(request.folder.clone().or(unnamed));
+        match (command.tell)(request, &global, &printer) {
+            Ok(_) | Err(Failure::StoppedAfterWriting) => reply(request, session.take(), &seen),
+            Err(failure) => Err(failure),
         }
     };
-    run().map_err(|wrong| seen.refusal(&wrong))
+    run().map_err(|failure| seen.refusal(&failure))
 }
 
-/// A command that is asked by a struct.
-struct ByStruct {
+/// A command that the page may ask for.
+struct Asked {
     name: &'static str,
-    check: fn(&Request) -> Result<(), Wrong>,
-    tell: fn(&Request, &GlobalArgs, &Printer) -> Result<Done, Wrong>,
+    check: fn(&Request) -> Result<(), Failure>,
+    tell: fn(&Request, &GlobalArgs, &Printer) -> Result<Done, Failure>,
+    /// Whether it writes a folder even if none is named.
+    writes_a_folder: bool,
 }
 
-/// The commands that are asked by structs; the others by the line that a person would type.
-const BY_STRUCTS: [ByStruct; 16] = [
-    ByStruct::of::<Floor>("floor"),
-    ByStruct::of::<CodeSpectrum>("motion code-spectrum"),
-    ByStruct::of::<MotionConvert>("motion convert"),
-    ByStruct::of::<MotionInfo>("motion info"),
-    ByStruct::of::<MotionSpectrum>("motion spectrum"),
-    ByStruct::of::<CheckList>("inventory check"),
-    ByStruct::of::<ToleranceSearch>("tolerance search"),
-    ByStruct::of::<Validate>("validate"),
-    ByStruct::of::<Object>("object"),
-    ByStruct::of::<Restrain>("restrain"),
-    ByStruct::of::<DropTests>("cushion drop"),
-    ByStruct::of::<StaticTests>("cushion static"),
-    ByStruct::of::<Rock>("rock"),
-    ByStruct::of::<Shock>("shock"),
-    ByStruct::of::<ShockSpectrum>("shock-spectrum"),
-    ByStruct::of::<Spectrum>("spectrum"),
+const COMMANDS: [Asked; 17] = [
+    Asked::by::<Object>("object"),
+    Asked::by::<Shock>("shock"),
+    Asked::by::<Rock>("rock"),
+    Asked::by::<Spectrum>("spectrum"),
+    Asked::by::<ShockSpectrum>("shock-spectrum"),
+    Asked::by::<MotionInfo>("motion info"),
+    Asked::by::<MotionSpectrum>("motion spectrum"),
+    Asked::by::<MotionConvert>("motion convert"),
+    Asked::by::<CodeSpectrum>("motion code-spectrum"),
+    Asked::by::<Floor>("floor"),
+    Asked::by::<DropTests>("cushion drop"),
+    Asked::by::<StaticTests>("cushion static"),
+    Asked::by::<CheckList>("inventory check"),
+    Asked::by::<Assess>("assess"),
+    Asked::by::<Restrain>("restrain"),
+    Asked::by::<ToleranceSearch>("tolerance search"),
+    Asked::by::<Validate>("validate"),
 ];
 
-impl ByStruct {
-    const fn of<Q: Tell>(name: &'static str) -> Self {
+impl Asked {
+    const fn by<Q: Tell>(name: &'static str) -> Self {
         Self {
             name,
             check: |request| {
@@ -329,18 +275,24 @@ impl ByStruct {
             tell: |request, global, printer| {
                 let (entries, files) = written(request)?;
                 let meant = from_entries::<Q>(&entries)?.resolve(&files)?;
-                Ok(Q::tell(meant, &Q::Output::default(), global, printer)?)
+                Q::tell(meant, &Q::Output::default(), global, printer)
             },
+            writes_a_folder: Q::WRITES_A_FOLDER,
         }
     }
 }
 
-fn by_struct(request: &Request) -> Option<&'static ByStruct> {
-    BY_STRUCTS.iter().find(|one| one.name == request.command)
+fn asked(request: &Request) -> Result<&'static Asked, Failure> {
+    let found = COMMANDS.iter().find(|one| one.name == request.command);
+    found.ok_or_else(|| {
+        let message = format!("the page cannot ask for {:?}", request.command);
+        let names = COMMANDS.map(|command| command.name);
+        Failure::usage(message, format!("commands: {}", names.join(", ")))
+    })
 }
 
 /// What was written, and the files that were sent with it: it names no others.
-fn written(request: &Request) -> Result<(Map<String, Value>, Files), Wrong> {
+fn written(request: &Request) -> Result<(Map<String, Value>, Files), Problem> {
     let mut entries = request.options.clone();
     let mut sent: Vec<Sent> = Vec::new();
     for (key, paths) in request.files.iter().filter(|(_, paths)| !paths.is_empty()) {
@@ -366,8 +318,7 @@ fn written(request: &Request) -> Result<(Map<String, Value>, Files), Wrong> {
         };
         if entries.insert(key.clone(), named).is_some() {
             let message = format!("{key} is given as a value and as a file");
-            let failure = Failure::usage(message, "keep one of them");
-            return Err(Wrong::option(key, failure));
+            return Err(Problem::value(message, "keep one of them").of_key(key.clone()));
         }
     }
     if !request.edits.is_empty() {
@@ -381,20 +332,14 @@ fn written(request: &Request) -> Result<(Map<String, Value>, Files), Wrong> {
 
 /// A folder for the files of a live request that writes some, which nobody will read: without it they
 /// would land in the folder in which the server was started.
-fn scratch(request: &Request, cli: &mut Cli) -> Result<Option<TempDir>, Failure> {
-    if request.folder.is_some() || !cli.command.writes_a_folder() {
-        return Ok(None);
-    }
-    let unmade = |error: std::io::Error| {
+fn scratch() -> Result<TempDir, Problem> {
+    TempDir::with_prefix("freestand-live-").map_err(|error| {
         Problem::new(
             ProblemKind::Io,
             format!("a folder for temporary files cannot be made: {error}"),
         )
         .hint("check that the folder for temporary files can be written and has room")
-    };
-    let folder = TempDir::with_prefix("freestand-live-").map_err(unmade)?;
-    cli.global.out = Some(folder.path().join("results"));
-    Ok(Some(folder))
+    })
 }
 
 /// The document, with what goes beside it.
@@ -425,242 +370,6 @@ fn reply(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure> {
         document: text,
         files,
         is_stopped: is_interrupted,
-    })
-}
-
-/// The arguments that a person would type.
-fn parsed(request: &Request) -> Result<Cli, Wrong> {
-    if !COMMANDS.contains(&request.command.as_str()) {
-        let message = format!("the page cannot ask for {:?}", request.command);
-        return Err(Failure::usage(message, format!("commands: {}", COMMANDS.join(", "))).into());
-    }
-    let mut whole = finished(Cli::command());
-    whole.build();
-    let command = request
-        .command
-        .split(' ')
-        .try_fold(&whole, |command, name| command.find_subcommand(name));
-    let command = command.ok_or_else(|| Failure::computation("the command is not there"))?;
-    let mut arguments: Vec<OsString> = vec!["freestand".into(), "--json".into()];
-    if let Some(folder) = &request.folder {
-        let mut out = OsString::from("--out=");
-        out.push(folder);
-        arguments.push(out);
-    }
-    arguments.extend(request.command.split(' ').map(OsString::from));
-    let mut positional: Vec<OsString> = Vec::new();
-    for (name, value) in &request.options {
-        let arg = option(command, request, name)?;
-        if names_a_file(arg) || OF_THE_SHELL.contains(&name.as_str()) {
-            let message = format!("--{name} names a file or belongs to the command line");
-            let hint = "leave it out; files are uploaded and named by their ids in `files`";
-            return Err(Wrong::option(name, Failure::usage(message, hint)));
-        }
-        for text in texts(name, value).map_err(|failure| Wrong::option(name, failure))? {
-            match (arg.is_positional(), text) {
-                (true, Some(text)) => positional.push(text.into()),
-                (false, Some(text)) => arguments.push(format!("--{name}={text}").into()),
-                (_, None) => arguments.push(format!("--{name}").into()),
-            }
-        }
-    }
-    for (name, paths) in &request.files {
-        let arg = option(command, request, name)?;
-        if !names_a_file(arg) || is_written(arg) {
-            let failure = Failure::usage(
-                format!("--{name} names no file that is read"),
-                "put its value into `options`",
-            );
-            return Err(Wrong::option(name, failure));
-        }
-        for path in paths {
-            match arg.is_positional() {
-                true => positional.push(path.into()),
-                false => {
-                    let mut argument = OsString::from(format!("--{name}="));
-                    argument.push(path);
-                    arguments.push(argument);
-                }
-            }
-        }
-    }
-    if !request.edits.is_empty() {
-        option(command, request, "edit")?;
-        // In one text with its value, a wrong name of a cell could pass for another cell.
-        for edit in &request.edits {
-            Edit::new(&edit.cell, &edit.value)
-                .map_err(|problem| Failure::from(problem.named("edit")))?;
-        }
-        let edits = request
-            .edits
-            .iter()
-            .map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
-        arguments.extend(edits);
-    }
-    if !positional.is_empty() {
-        arguments.push("--".into());
-        arguments.extend(positional);
-    }
-    let matches = whole.clone().try_get_matches_from(arguments);
-    matches
-        .and_then(|matches| Cli::from_arg_matches(&matches))
-        .map_err(|error| Wrong {
-            key: blamed(command, &error),
-            failure: refused_by_parser(&error),
-        })
-}
-
-/// Why a request fails, with the option of the request that is wrong, if it is one.
-struct Wrong {
-    key: Option<String>,
-    failure: Failure,
-}
-
-impl Wrong {
-    fn option(name: &str, failure: Failure) -> Self {
-        Self {
-            key: Some(name.to_owned()),
-            failure,
-        }
-    }
-}
-
-impl<T: Into<Failure>> From<T> for Wrong {
-    fn from(failure: T) -> Self {
-        Self {
-            key: None,
-            failure: failure.into(),
-        }
-    }
-}
-
-/// What the parser refuses, for who has filled in a field: no usage line, and no words of a programmer.
-fn refused_by_parser(error: &clap::Error) -> Failure {
-    let text = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text.as_str()),
-        Some(ContextValue::Strings(several)) => several.first().map(String::as_str),
-        _ => None,
-    };
-    let Some(shown) = text(ContextKind::InvalidArg) else {
-        return failure::usage(error);
-    };
-    let name = shown.split([' ', '=']).next().unwrap_or(shown);
-    match (error.kind(), text(ContextKind::InvalidValue)) {
-        (ErrorKind::MissingRequiredArgument, _) => {
-            Failure::usage(format!("{name} is missing"), "enter it")
-        }
-        (ErrorKind::ValueValidation, Some(value)) => {
-            let why = std::error::Error::source(error)
-                .map(ToString::to_string)
-                .unwrap_or_default();
-            let bounds = why
-                .split_once(" is not in ")
-                .and_then(|(_, range)| range.split_once("..="));
-            let (message, hint) = match bounds {
-                Some((low, high)) => (
-                    format!("{name}: {value:?} is not from {low} to {high}"),
-                    format!("enter {low} to {high}"),
-                ),
-                None => (
-                    format!("{name}: {value:?} is not a whole number"),
-                    "enter a whole number".to_owned(),
-                ),
-            };
-            Failure::usage(message, hint)
-        }
-        _ => failure::usage(error),
-    }
-}
-
-/// The option that an error of the parser is about: the parser shows each as it does in its usage.
-fn blamed(command: &Command, error: &clap::Error) -> Option<String> {
-    let shown = match error.get(ContextKind::InvalidArg)? {
-        ContextValue::String(shown) => shown,
-        ContextValue::Strings(several) => several.first()?,
-        _ => return None,
-    };
-    let arg = command
-        .get_arguments()
-        .find(|arg| arg.to_string() == *shown)?;
-    Some(
-        arg.get_long()
-            .unwrap_or_else(|| arg.get_id().as_str())
-            .to_owned(),
-    )
-}
-
-/// What people call the files of a command that takes them without a flag.
-const FILES: [&str; 7] = [
-    "file",
-    "files",
-    "motion",
-    "motions",
-    "record",
-    "records",
-    "inventory",
-];
-
-/// An option by its long flag, or an argument without a flag by its name in the usage line: `word`,
-/// `files`.
-fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a Arg, Wrong> {
-    let is_flag = |arg: &&Arg| arg.get_long() == Some(name);
-    let is_argument = |arg: &&Arg| {
-        let shown = arg.get_value_names().unwrap_or_default();
-        let is_named =
-            arg.get_id() == name || shown.iter().any(|shown| shown.eq_ignore_ascii_case(name));
-        arg.is_positional() && (is_named || names_a_file(arg) && FILES.contains(&name))
-    };
-    let found = command
-        .get_arguments()
-        .find(is_flag)
-        .or_else(|| command.get_arguments().find(is_argument));
-    found.ok_or_else(|| {
-        let message = format!("{} has no option --{name}", request.command);
-        Wrong::option(
-            name,
-            Failure::usage(message, format!("see freestand {} --help", request.command)),
-        )
-    })
-}
-
-/// Whether the value of an argument is the path of a file or a folder, or contains one.
-fn names_a_file(arg: &Arg) -> bool {
-    let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
-    let names = arg.get_value_names().unwrap_or_default();
-    is_path
-        || names.iter().any(|name| {
-            ["FILE", "DIR", "PATH", ".toml", ".csv"]
-                .iter()
-                .any(|end| name.contains(end))
-        })
-}
-
-/// Whether a file of this argument is written, not read.
-fn is_written(arg: &Arg) -> bool {
-    let flag = arg.get_long().unwrap_or_default();
-    ["out", "csv", "history", "plot", "write-columns"].contains(&flag)
-}
-
-/// The values of an option; `None`: the flag alone.
-fn texts(name: &str, value: &Value) -> Result<Vec<Option<String>>, Failure> {
-    Ok(match value {
-        Value::Null | Value::Bool(false) => Vec::new(),
-        Value::Bool(true) => vec![None],
-        Value::String(text) => vec![Some(text.clone())],
-        Value::Number(number) => vec![Some(number.to_string())],
-        Value::Array(all) => {
-            let all: Vec<Vec<Option<String>>> = all
-                .iter()
-                .map(|one| texts(name, one))
-                .collect::<Result<_, _>>()?;
-            all.concat()
-        }
-        Value::Object(_) => {
-            return Err(Failure::usage(
-                format!("--{name} is a table"),
-                "give a text, a number, true, or a list",
-            ));
-        }
     })
 }
 
@@ -695,8 +404,8 @@ impl Seen {
         })
     }
 
-    fn refusal(&self, wrong: &Wrong) -> Refusal {
-        let problems = match &wrong.failure {
+    fn refusal(&self, failure: &Failure) -> Refusal {
+        let problems = match failure {
             Failure::Problems(problems) => problems.as_slice(),
             Failure::Stopped { .. }
             | Failure::StoppedAfterWriting
@@ -712,9 +421,6 @@ impl Seen {
             };
         };
         first.others = all.collect();
-        if let Some(key) = &wrong.key {
-            first.key = Some(key.as_str().into());
-        }
         first
     }
 

@@ -1,0 +1,180 @@
+//! `assess`: which objects of a list must be restrained.
+
+use clap::{ArgAction, Args};
+use freestand_assess::job::Job;
+use freestand_assess::result::Decision;
+use freestand_input::problem::Problems;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::study::{Study, TitleBlock};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::list::{ListKeys, ListMeant};
+use crate::request::{
+    Question, Request as _, Switch, Unknown, one_of, one_or_many, reader, request, seed,
+};
+
+/// The schema of the response.
+pub use freestand_assess::job::SCHEMA;
+
+/// A list in the building of a study.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Assess {
+    /// The study and the list.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub list: ListKeys,
+    /// Continue an earlier run in the same folder
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub resume: Switch,
+    /// Tables to write besides objects.csv, assessment.xlsx and report.html [default: csv]
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = one_of(TABLES))]
+    #[serde(deserialize_with = "one_or_many")]
+    pub format: Vec<Written>,
+    /// Also write outcomes.csv: what happened to every object in every world, by each model
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub outcomes: Switch,
+    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+    #[arg(long, value_name = "N")]
+    pub pages: Option<Written>,
+    /// Print the card of every object too, where the report is printed
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
+    pub cards: Switch,
+    /// Date on the report [default: a line to fill in]
+    #[arg(long, value_name = "DATE", help_heading = "The report")]
+    pub date: Option<Written>,
+    /// Who prepared the report [default: a line to fill in]
+    #[arg(long, value_name = "NAME", help_heading = "The report")]
+    pub preparer: Option<Written>,
+    /// Revision of the report [default: a line to fill in]
+    #[arg(long, value_name = "TEXT", help_heading = "The report")]
+    pub revision: Option<Written>,
+    /// End with status 1 if an object gets this verdict; give it once for each verdict
+    #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
+    #[serde(deserialize_with = "one_or_many")]
+    pub fail_on: Vec<Written>,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Assess {
+    resume, format, outcomes, pages, cards, date, preparer, revision, fail_on, seed;
+    list, unknown
+});
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Table {
+    Csv,
+    Parquet,
+    Pdf,
+}
+
+const TABLES: &[(Table, &str, &str)] = &[
+    (Table::Csv, "csv", "objects.csv, always written"),
+    (Table::Parquet, "parquet", "objects.parquet"),
+    (Table::Pdf, "pdf", "Refused: print report.html"),
+];
+
+/// The verdicts by their names in outputs.
+const VERDICTS: &[(Decision, &str, &str)] = &[
+    (Decision::Restrain, "restrain", "Fix it to the building"),
+    (Decision::Soften, "soften", "Put it on a softer pad"),
+    (
+        Decision::Lock,
+        "lock",
+        "Lock it, tether it, or give it room",
+    ),
+    (Decision::NoVerdict, "no-verdict", "Data are missing"),
+    (Decision::Leave, "leave", "Leave it as it is"),
+];
+
+/// What is asked.
+#[derive(Debug, Clone)]
+pub struct Meant {
+    /// The study and the list.
+    pub list: ListMeant,
+    /// What is written, and where the work begins.
+    pub job: Job,
+    /// Verdicts that fail.
+    pub fail_on: Vec<Decision>,
+    pages: Option<usize>,
+    with_cards: bool,
+    title: TitleBlock,
+}
+
+impl Meant {
+    /// The study, with what was given in place of its keys.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn study(&self) -> Result<Study, Problems> {
+        let mut study = self.list.study()?;
+        study.assessment.pages = self.pages.unwrap_or(study.assessment.pages);
+        study.outputs.cards |= self.with_cards;
+        let (title, given) = (&mut study.outputs.title, self.title.clone());
+        title.date = given.date.or(title.date.take());
+        title.preparer = given.preparer.or(title.preparer.take());
+        title.revision = given.revision.or(title.revision.take());
+        Ok(study)
+    }
+}
+
+impl Question for Assess {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let seed = seed(&mut read);
+        let text = |read: &mut WordReader<'_>, key| read.one(key).map(str::to_owned);
+        let meant = Meant {
+            list: self.list.judged(&mut read, files, seed),
+            job: Job {
+                resume: read.flag("resume"),
+                force: false,
+                parquet: tables(&mut read).contains(&Table::Parquet),
+                outcomes: read.flag("outcomes"),
+                part_rows: None,
+            },
+            fail_on: read.choices("fail_on", VERDICTS),
+            pages: read.whole("pages").map(|pages| pages as usize),
+            with_cards: read.flag("cards"),
+            title: TitleBlock {
+                date: text(&mut read, "date"),
+                preparer: text(&mut read, "preparer"),
+                revision: text(&mut read, "revision"),
+            },
+        };
+        read.problems.finish(Some(meant))
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.resolve(files)?.study().map(drop)
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+/// The tables that are written.
+fn tables(read: &mut WordReader<'_>) -> Vec<Table> {
+    let tables = read.choices("format", TABLES);
+    if tables.contains(&Table::Pdf) {
+        read.note(
+            &["format"],
+            "`format = \"pdf\"`: freestand does not write PDF files",
+            "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
+        );
+    }
+    tables
+}

@@ -1,0 +1,126 @@
+//! The list of an assessment: its study, and how it is read.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_assess::inventory::Inventory;
+use freestand_assess::job::{ListRequest, inventory_of};
+use freestand_input::problem::Problems;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::resolve::{Overrides, StudySource, builtin};
+use freestand_study::study::Study;
+use serde::Deserialize;
+
+use crate::cells::{CellKeys, Libraries};
+use crate::files::Files;
+use crate::place::{self, PlaceKeys};
+use crate::request::{Request as _, Switch, request, whole};
+use crate::study::{self, MAX_STOREYS};
+
+/// The study of an assessment, its inventory, and how that is read.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
+pub struct ListKeys {
+    /// Study file (TOML) with hazard, building and settings [default: the built-in study]
+    #[arg(value_name = "STUDY.toml")]
+    pub study: Option<Written>,
+    /// A place.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub hazard: PlaceKeys,
+    /// Inventory (CSV or XLSX); replaces the inventory of the study
+    #[arg(long, value_name = "FILE")]
+    pub inventory: Option<Written>,
+    /// How its cells are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub cells: CellKeys,
+    /// Number of storeys: of the building where the study states none, else only to place floors by their
+    /// numbers [default: the study's]
+    #[arg(long, value_name = "N")]
+    pub storeys: Option<Written>,
+    /// Count every doubt about the list as an error
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub strict: Switch,
+    /// Also assess objects that are reported as anchored, as if they were free
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub assess_anchored: Switch,
+    /// The user's own libraries.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub libraries: Libraries,
+}
+
+request!(ListKeys {
+    study, inventory, storeys, strict, assess_anchored;
+    hazard, cells, libraries
+});
+
+/// The study of an assessment and its list, which have not been read.
+#[derive(Debug, Clone)]
+pub struct ListMeant {
+    source: Option<StudySource>,
+    overrides: Overrides,
+    libraries: [Option<PathBuf>; 2],
+    inventory: Option<PathBuf>,
+    /// How the list is read.
+    pub request: ListRequest,
+}
+
+impl ListMeant {
+    /// The study, with what was given in place of its keys.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn study(&self) -> Result<Study, Problems> {
+        let mut study = match &self.source {
+            Some(source) => source.load(&self.overrides)?,
+            None => builtin(&self.overrides)?,
+        };
+        let settings = &mut study.assessment;
+        settings.seed = self.overrides.seed.unwrap_or(settings.seed);
+        let [tolerances, cushions] = &self.libraries;
+        settings.library = tolerances.clone().or(settings.library.take());
+        settings.cushion_library = cushions.clone().or(settings.cushion_library.take());
+        Ok(study)
+    }
+
+    /// The list, which the study may name.
+    ///
+    /// # Errors
+    /// No list; a library, a mapping or a list that cannot be used.
+    pub fn inventory(&self, study: &Study) -> Result<Inventory, Problems> {
+        inventory_of(study, self.inventory.as_deref(), &self.request)
+    }
+}
+
+impl ListKeys {
+    /// What is asked of a study and its list.
+    pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
+        let hazard = self.hazard.words();
+        read.pass(&["place", "site", "return_period_years"]);
+        let storeys = whole(read, "storeys", MAX_STOREYS);
+        ListMeant {
+            source: study::source(read, files),
+            overrides: Overrides {
+                seed,
+                hazard,
+                storeys,
+                ..Overrides::default()
+            },
+            libraries: self.libraries.paths(read, files),
+            inventory: read
+                .one("inventory")
+                .and_then(|name| read.keep("inventory", files.path(name))),
+            request: ListRequest {
+                cells: self.cells.cells(read, files),
+                storeys: storeys.map(usize::from),
+                is_strict: read.flag("strict"),
+                assess_anchored: read.flag("assess_anchored"),
+            },
+        }
+    }
+}
