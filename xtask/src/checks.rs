@@ -70,8 +70,8 @@ pub enum Check {
     RiskTools,
 }
 
-/// Two rows that run side by side, each with what comes before the program is compiled and what needs
-/// it: the first row compiles it.
+/// Two rows that run side by side. The first part of the first row compiles the program; the second
+/// part of each row needs it.
 const ROWS: [[&[Check]; 2]; 2] = [
     [
         &[
@@ -350,14 +350,14 @@ impl From<String> for Problem {
 /// Runs every check, also after one that fails, and prints the table.
 pub fn all(root: &Path, extent: Extent) -> bool {
     let start = Instant::now();
-    let [[compiling, tests], [before, beside]] = ROWS;
+    let [[compiling, tests], [others, other_tests]] = ROWS;
     let (compiled, is_compiled) = mpsc::channel::<()>();
     let rows = std::thread::scope(|scope| {
         let other = scope.spawn(move || {
-            let mut rows = in_a_row(before, root, extent);
+            let mut rows = in_a_row(others, root, extent);
             // Nothing is sent: it ends when the sender is dropped.
             let _ = is_compiled.recv();
-            rows.extend(in_a_row(beside, root, extent));
+            rows.extend(in_a_row(other_tests, root, extent));
             rows
         });
         let mut rows = in_a_row(compiling, root, extent);

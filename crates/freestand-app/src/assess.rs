@@ -71,17 +71,10 @@ request!(Assess {
     list, unknown
 });
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Table {
-    Csv,
-    Parquet,
-    Pdf,
-}
-
-const TABLES: &[(Table, &str, &str)] = &[
-    (Table::Csv, "csv", "objects.csv, always written"),
-    (Table::Parquet, "parquet", "objects.parquet"),
-    (Table::Pdf, "pdf", "Refused: print report.html"),
+/// Tables, and whether each is one in Parquet.
+const TABLES: &[(bool, &str, &str)] = &[
+    (false, "csv", "objects.csv, always written"),
+    (true, "parquet", "objects.parquet"),
 ];
 
 /// The verdicts by their names in outputs.
@@ -117,8 +110,7 @@ impl Meant {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn study(&self) -> Result<Study, Problems> {
-        let mut study = self.list.study()?;
-        study.assessment.pages = self.pages.unwrap_or(study.assessment.pages);
+        let mut study = self.list.study(self.pages)?;
         study.outputs.cards |= self.with_cards;
         let (title, given) = (&mut study.outputs.title, self.title.clone());
         title.date = given.date.or(title.date.take());
@@ -141,7 +133,7 @@ impl Question for Assess {
             job: Job {
                 resume: read.flag("resume"),
                 force: false,
-                parquet: tables(&mut read).contains(&Table::Parquet),
+                parquet: parquet(&mut read),
                 outcomes: read.flag("outcomes"),
                 part_rows: None,
             },
@@ -166,15 +158,17 @@ impl Question for Assess {
     }
 }
 
-/// The tables that are written.
-fn tables(read: &mut WordReader<'_>) -> Vec<Table> {
-    let tables = read.choices("format", TABLES);
-    if tables.contains(&Table::Pdf) {
+/// Whether a table in Parquet is wanted.
+fn parquet(read: &mut WordReader<'_>) -> bool {
+    let mut names = read.words.all("format").flat_map(|text| text.split(','));
+    if names.any(|name| name.trim().eq_ignore_ascii_case("pdf")) {
+        read.pass(&["format"]);
         read.note(
             &["format"],
             "`format = \"pdf\"`: freestand does not write PDF files",
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         );
+        return false;
     }
-    tables
+    read.choices("format", TABLES).contains(&true)
 }

@@ -10,7 +10,7 @@ use freestand_input::written::Written;
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{one_or_many, request};
+use crate::request::{one_or_many, path, request};
 
 /// How the cells of a list are read.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
@@ -25,8 +25,8 @@ pub struct CellKeys {
     pub columns: Option<Written>,
     /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
     /// of a size, also with the text that the cell has, confirms that size
-    #[arg(long, value_name = "CELL=TEXT", action = ArgAction::Append)]
-    #[serde(deserialize_with = "one_or_many", alias = "edits")]
+    #[arg(long, alias = "edits", value_name = "CELL=TEXT", action = ArgAction::Append)]
+    #[serde(deserialize_with = "one_or_many")]
     pub edit: Vec<Written>,
 }
 
@@ -43,9 +43,7 @@ impl CellKeys {
         let edits = self.edit.iter().map(edit);
         CellsRequest {
             sheet: read.one("sheet").map(str::to_owned),
-            columns: read
-                .one("columns")
-                .and_then(|name| read.keep("columns", files.path(name))),
+            columns: path(read, "columns", files),
             edits: edits.filter_map(|edit| read.keep("edit", edit)).collect(),
         }
     }
@@ -77,23 +75,23 @@ request!(Libraries {
 impl Libraries {
     /// The files of tolerances and of cushions.
     pub(crate) fn paths(&self, read: &mut WordReader<'_>, files: &Files) -> [Option<PathBuf>; 2] {
-        ["library", "cushion_library"].map(|key| {
-            let name = read.one(key)?;
-            read.keep(key, files.path(name))
-        })
+        ["library", "cushion_library"].map(|key| path(read, key, files))
     }
 }
 
 /// A cell and its text: `D7=900 mm`, or a list of both, whose text may contain anything.
 fn edit(written: &Written) -> Result<Edit, Problem> {
+    let is_plain = |one: &Written| matches!(one, Written::Text(_) | Written::Number(_));
     match written {
-        Written::List(both) => match both.as_slice() {
-            [cell, text] => Edit::new(&cell.text(), &text.text()),
-            _ => Err(Problem::value(
-                "a cell and its text are expected",
-                "write a list of both, or a text such as \"D7=900 mm\"",
-            )),
-        },
-        other => Edit::parse(&other.text()),
+        Written::List(both) if both.iter().all(is_plain) && both.len() == 2 => {
+            let mut both = both.iter().map(Written::text);
+            let (cell, text) = (both.next(), both.next());
+            Edit::new(&cell.unwrap_or_default(), &text.unwrap_or_default())
+        }
+        one if is_plain(one) => Edit::parse(&one.text()),
+        _ => Err(Problem::value(
+            "a cell and its text are expected",
+            "write a list of both, or a text such as \"D7=900 mm\"",
+        )),
     }
 }

@@ -18,7 +18,9 @@ use serde::Deserialize;
 
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, Unknown, one_of, reader, request, whole};
+use crate::request::{
+    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request, whole,
+};
 use crate::study::{self, MAX_STOREYS};
 
 /// The schema of the response.
@@ -107,6 +109,7 @@ impl Meant {
     }
 
     /// The list as it is understood, and if it is wanted the workbook with a note at each cell that has a problem.
+    /// `unread` is asked about the problems of a list that cannot be read.
     ///
     /// # Errors
     /// A file that is no list, a library or a mapping that cannot be used.
@@ -114,6 +117,7 @@ impl Meant {
         &self,
         floors: Floors,
         wants_copy: bool,
+        unread: impl FnOnce(Problems) -> Problems,
     ) -> Result<(Reading, Option<Vec<u8>>), Problems> {
         let [tolerances, cushions] = &self.libraries;
         let libraries = Libraries::with_files(tolerances.as_deref(), cushions.as_deref())?;
@@ -133,7 +137,7 @@ impl Meant {
                 wants_cells: self.wants_cells,
                 lookup,
             };
-            let reading = inspect_inventory(&self.file, &options)?;
+            let reading = inspect_inventory(&self.file, &options).map_err(unread)?;
             let copy = wants_copy
                 .then(|| marked_copy(&self.file, &options, &reading.inventory.findings))
                 .transpose()?;
@@ -172,7 +176,10 @@ impl Question for CheckList {
         let is_headings = read.flag("headings");
         if is_headings {
             for key in OF_CELLS {
-                read.exclusive(key, "headings");
+                if read.has(key) {
+                    let message = format!("`{key}` says nothing about the headings alone");
+                    read.note(&[key], message, "leave it out, or leave `headings` out");
+                }
             }
         }
         let cells = self.how.cells(&mut read, files);
@@ -207,14 +214,8 @@ impl Question for CheckList {
 
 fn file(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
     if !read.has("file") {
-        read.missing(
-            &["file"],
-            "no list is named",
-            "name a file, such as objects.csv",
-        );
+        let hint = "name a file, such as objects.csv";
+        read.missing(&["file"], "no list is named", hint);
     }
-    let name = read.one("file")?;
-    // In the command line it has no flag that a message could name.
-    let path = files.path(name).map_err(|problem| problem.of(&["file"]));
-    read.problems.keep(path.map_err(Problems::from))
+    path_without_flag(read, "file", files)
 }

@@ -15,14 +15,14 @@ use serde::Deserialize;
 use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
-use crate::request::{Request as _, Switch, request, whole};
+use crate::request::{Request as _, Switch, path, request, whole};
 use crate::study::{self, MAX_STOREYS};
 
 /// The study of an assessment, its inventory, and how that is read.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
-#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
+#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
 pub struct ListKeys {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
@@ -71,11 +71,11 @@ pub struct ListMeant {
 }
 
 impl ListMeant {
-    /// The study, with what was given in place of its keys.
+    /// The study, with what was given in place of its keys; `pages` are those of the report.
     ///
     /// # Errors
     /// Everything that is wrong with it.
-    pub fn study(&self) -> Result<Study, Problems> {
+    pub fn study(&self, pages: Option<usize>) -> Result<Study, Problems> {
         let mut study = match &self.source {
             Some(source) => source.load(&self.overrides)?,
             None => builtin(&self.overrides)?,
@@ -85,6 +85,7 @@ impl ListMeant {
         let [tolerances, cushions] = &self.libraries;
         settings.library = tolerances.clone().or(settings.library.take());
         settings.cushion_library = cushions.clone().or(settings.cushion_library.take());
+        settings.pages = pages.unwrap_or(settings.pages);
         Ok(study)
     }
 
@@ -101,10 +102,10 @@ impl ListKeys {
     /// What is asked of a study and its list.
     pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
         let hazard = self.hazard.words();
-        read.pass(&["place", "site", "return_period_years"]);
+        read.pass(&place::KEYS);
         let storeys = whole(read, "storeys", MAX_STOREYS);
         ListMeant {
-            source: study::source(read, files),
+            source: study::source_without_flag(read, files),
             overrides: Overrides {
                 seed,
                 hazard,
@@ -112,9 +113,7 @@ impl ListKeys {
                 ..Overrides::default()
             },
             libraries: self.libraries.paths(read, files),
-            inventory: read
-                .one("inventory")
-                .and_then(|name| read.keep("inventory", files.path(name))),
+            inventory: path(read, "inventory", files),
             request: ListRequest {
                 cells: self.cells.cells(read, files),
                 storeys: storeys.map(usize::from),

@@ -20,7 +20,8 @@ use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
 use crate::request::{
-    Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed, whole,
+    Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed,
+    typed_units, whole,
 };
 use crate::study::{self, MAX_STOREYS};
 
@@ -271,10 +272,7 @@ impl Object {
         let floor = floor(&mut read);
         let worlds = from_one(&mut read, "worlds");
         let seed = seed(&mut read);
-        let units = read.choice("units", &UnitSystem::ALL).unwrap_or_else(|| {
-            let typed = ["mass", "height", "thickness"].map(|key| words.get(key));
-            UnitSystem::of_most_systems(typed.map(|text| text.and_then(UnitSystem::of)))
-        });
+        let units = read.choice("units", &UnitSystem::ALL);
         let request = object
             .zip(earthquake)
             .map(|(object, earthquake)| ObjectRequest {
@@ -283,10 +281,10 @@ impl Object {
                 floor,
                 worlds: worlds.map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX)),
                 seed,
-                units,
+                units: units.unwrap_or_else(|| typed_units(&words)),
             });
         if let Some(request) = &request {
-            read.problems.keep_others(one_object::check(request));
+            read.problems.keep_comparisons(one_object::check(request));
         }
         Ok((read.problems.finish(request)?, named))
     }
@@ -294,7 +292,7 @@ impl Object {
     /// Exactly one earthquake, with the keys that belong to it.
     fn earthquake(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Earthquake> {
         let hazard = self.hazard.words();
-        read.pass(&["place", "site", "return_period_years"]);
+        read.pass(&place::KEYS);
         let (has_place, has_study) = (read.has("place"), read.has("study"));
         if has_place && !has_study {
             read.problems.keep(check_place(&hazard));
@@ -526,17 +524,24 @@ fn friction(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
 /// One ratio, or the two ends of a range: `0.4`, `0.3-0.5`, `0.3 to 0.5`.
 fn ratios(text: &str) -> Result<(f64, f64), Problem> {
     let positive = |text: &str| quantity::parse_positive(text, Dimension::Ratio, "the value");
-    let (low, high) = text
-        .split_once(" to ")
-        .or_else(|| text.split_once('-').filter(|(low, _)| !low.is_empty()))
-        .unwrap_or((text, text));
+    // A minus sign after an e is that of an exponent.
+    let dashes = text.match_indices(['-', '\u{2013}']);
+    let mut between = dashes.filter(|(at, _)| {
+        let before = text.get(..*at).unwrap_or_default();
+        !before.trim().is_empty() && !before.ends_with(['e', 'E'])
+    });
+    let ends = text.split_once(" to ").or_else(|| {
+        let (at, dash) = between.next()?;
+        Some((text.get(..at)?, text.get(at + dash.len()..)?))
+    });
+    let (low, high) = ends.unwrap_or((text, text));
     range(positive(low)?, positive(high)?)
 }
 
 fn range(low: f64, high: f64) -> Result<(f64, f64), Problem> {
     if !(low > 0.0 && high.is_finite()) {
-        let message = format!("a range from {low} to {high} is not positive");
-        return Err(Problem::value(message, "give ratios above 0"));
+        let message = format!("{low} to {high} is not a range of finite ratios above 0");
+        return Err(Problem::value(message, "give ratios such as 0.3 to 0.5"));
     }
     if low > high {
         return Err(Problem::value(

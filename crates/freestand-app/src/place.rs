@@ -28,10 +28,17 @@ request!(PlaceKeys {
     return_period_years
 });
 
+/// These keys.
+pub(crate) const KEYS: [&str; 3] = ["place", "site", "return_period_years"];
+
+/// Their heading in the help of a command that has a study.
+pub const OF_STUDY: &str = "Hazard, in place of that of the study";
+
 /// Puts these keys under a heading of the help.
 pub fn under(arg: Arg, heading: &'static str) -> Arg {
-    match arg.get_id().as_str() {
-        "place" | "site" | "return_period_years" => arg.help_heading(heading),
-        _ => arg,
+    if KEYS.contains(&arg.get_id().as_str()) {
+        arg.help_heading(heading)
+    } else {
+        arg
     }
 }

@@ -10,7 +10,7 @@ use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
@@ -234,8 +234,16 @@ const FILES: [&str; 6] = ["file", "files", "motion", "motions", "record", "recor
 pub(crate) fn names_of(arg: &Arg) -> Vec<String> {
     let mut names = vec![arg.get_id().to_string()];
     let aliases = arg.get_all_aliases().unwrap_or_default();
-    let files = FILES.iter().filter(|_| arg.is_positional()).copied();
-    for name in arg.get_long().into_iter().chain(aliases).chain(files) {
+    let is_file = arg.is_positional() && arg.get_value_names().is_some_and(|of| of == ["FILE"]);
+    let files = FILES.iter().filter(|_| is_file).copied();
+    // Without a flag, an argument is also known by its name in the usage line.
+    let shown = arg.get_value_names().and_then(|names| names.first());
+    let shown = shown.filter(|name| {
+        arg.is_positional() && name.chars().all(|letter| letter.is_ascii_uppercase())
+    });
+    let shown = shown.map(|name| name.to_lowercase());
+    let flags = arg.get_long().into_iter().chain(aliases).chain(files);
+    for name in flags.chain(shown.as_deref()) {
         let name = name.replace('-', "_");
         if !names.contains(&name) {
             names.push(name);
@@ -308,6 +316,29 @@ fn unit(ending: &str) -> Option<(&'static str, &'static [&'static str])> {
     found.map(|(_, unit, values)| (*unit, *values))
 }
 
+/// The file that a key names, if it names one.
+pub(crate) fn path(read: &mut WordReader<'_>, key: &'static str, files: &Files) -> Option<PathBuf> {
+    let name = read.one(key)?;
+    read.keep(key, files.path(name))
+}
+
+/// As [`path`], of a key that has no flag in the command line that a message could name.
+pub(crate) fn path_without_flag(
+    read: &mut WordReader<'_>,
+    key: &'static str,
+    files: &Files,
+) -> Option<PathBuf> {
+    let name = read.one(key)?;
+    let path = files.path(name).map_err(|problem| problem.of(&[key]));
+    read.problems.keep(path)
+}
+
+/// The system of units in which most of mass, height and thickness were written.
+pub(crate) fn typed_units(words: &Words) -> UnitSystem {
+    let typed = ["mass", "height", "thickness"].map(|key| words.get(key));
+    UnitSystem::of_most_systems(typed.map(|text| text.and_then(UnitSystem::of)))
+}
+
 /// The files that a request names; it must name one.
 pub(crate) fn paths(
     read: &mut WordReader<'_>,
@@ -378,7 +409,7 @@ pub(crate) fn reader<'w, R: Request>(words: &'w Words, others: &Unknown) -> Word
 /// A problem for each key that the request does not know.
 pub(crate) fn unknown<R: Request>(unknown: &Unknown) -> impl Iterator<Item = Problem> {
     let known = keys::<R>();
-    // A part that has parts itself leaves its keys here, too.
+    // serde leaves the keys of a part that has parts here, although it has read them.
     let others: Vec<&String> = unknown.keys().filter(|key| !known.contains(key)).collect();
     others.into_iter().map(move |key| {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use clap::{Arg, ArgAction, Args};
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
-    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest,
-    RestrainRequest,
+    self, DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard,
+    RestrainListRequest, RestrainRequest,
 };
 use freestand_input::file::load as load_file;
 use freestand_input::keys::Words;
@@ -22,8 +22,12 @@ use serde::Deserialize;
 use crate::block::sizes;
 use crate::cells::CellKeys;
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, Unknown, from_one, one_of, reader, request};
-use crate::study;
+use crate::place;
+use crate::request::{
+    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
+    typed_units, whole,
+};
+use crate::study::{self, MAX_STOREYS};
 use crate::target::TargetKeys;
 
 /// The schema of the response.
@@ -169,7 +173,7 @@ fn of_parts(arg: Arg) -> Arg {
 /// What is asked, in SI.
 #[derive(Debug, Clone)]
 pub struct Meant {
-    /// One object or a list, shaken by no acceleration: a study is read at last.
+    /// One object or a list; its hazard is added when the study has been read.
     asked: Asked,
     hazard: Hazard,
     /// The files that are read.
@@ -190,6 +194,17 @@ enum Hazard {
     Study(StudySource, Words),
     Code(Words),
     FloorAcceleration(f64),
+}
+
+impl Hazard {
+    /// What shakes the floor, unless a study has to be read for it.
+    fn without_study(&self) -> Option<RestrainHazard> {
+        match self {
+            Self::Study(..) => None,
+            Self::Code(words) => Some(RestrainHazard::Code(words.clone())),
+            Self::FloorAcceleration(of_g) => Some(RestrainHazard::FloorAcceleration(*of_g)),
+        }
+    }
 }
 
 impl Meant {
@@ -222,19 +237,26 @@ impl Question for Restrain {
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let list = read
-            .one("list")
-            .map(|name| read.keep("list", files.path(name)));
-        let asked = match &list {
-            Some(path) => self.list(&mut read, path.clone(), files).map(Asked::List),
-            None => self.one(&mut read, &words).map(Asked::One),
+        let list = path_without_flag(&mut read, "list", files);
+        let asked = match read.has("list") {
+            true => self.list(&mut read, list.clone(), files).map(Asked::List),
+            false => self.one(&mut read, &words).map(Asked::One),
         };
         let hazard = self.hazard(&mut read, files);
-        if let Some(path) = list.flatten()
+        if let (Some(Asked::One(one)), Some(hazard)) = (&asked, &hazard)
+            && let Some(hazard) = hazard.without_study()
+        {
+            let one = RestrainRequest {
+                hazard,
+                ..one.clone()
+            };
+            read.problems.keep_comparisons(restrain::check(one));
+        }
+        if let Some(path) = list
             && !read.problems.is_empty()
             && let Err(problem) = load_file(&path)
         {
-            // What to mend first; where all else is right, the list is opened when it is read.
+            // Told first. If nothing else is wrong, the list is read later and tells this itself.
             read.problems.problems.insert(0, problem);
         }
         let mut inputs = self.cells.inputs(files);
@@ -265,22 +287,22 @@ const OF_ONE: [&str; 7] = [
     "compare",
 ];
 
-/// The keys that may stand beside a study: another place, or another ground.
-const BESIDE_STUDY: [&str; 3] = ["place", "site", "return_period_years"];
+/// The most anchors along an edge.
+const MAX_ANCHORS: u16 = 100;
 
 /// In place of what shakes an object, until that is known.
 const NOTHING: RestrainHazard = RestrainHazard::FloorAcceleration(0.0);
 
 impl Restrain {
     fn one(&self, read: &mut WordReader<'_>, words: &Words) -> Option<RestrainRequest> {
-        let cells = self.cells.words();
-        for (key, _) in cells.entries() {
-            read.pass(&[key]);
-            read.note(
-                &[key],
-                format!("`{key}` says how a list is read, and there is none"),
-                "give a list, or leave it out",
-            );
+        for key in ["sheet", "columns", "edit"] {
+            if read.has(key) {
+                read.note(
+                    &[key],
+                    format!("`{key}` says how a list is read, and there is none"),
+                    "give a list, or leave it out",
+                );
+            }
         }
         if !read.has("mass") {
             let hint = "give the mass of the object, such as `mass = \"140 kg\"`";
@@ -294,10 +316,7 @@ impl Restrain {
         let component = read.one("component").map(str::to_owned);
         let is_compared = read.flag("compare");
         let (height_m, thickness_m) = size?;
-        let units = common.units.unwrap_or_else(|| {
-            let typed = ["mass", "height", "thickness"].map(|key| words.get(key));
-            UnitSystem::of_most_systems(typed.map(|text| text.and_then(UnitSystem::of)))
-        });
+        let units = common.units.unwrap_or_else(|| typed_units(words));
         Some(RestrainRequest {
             mass_kg: mass_kg?,
             height_m,
@@ -355,7 +374,7 @@ impl Restrain {
         let source = study::source(read, files);
         read.exclusive("study", "floor_acceleration");
         if read.has("study") {
-            for key in keys.into_iter().filter(|key| !BESIDE_STUDY.contains(key)) {
+            for key in keys.into_iter().filter(|key| !place::KEYS.contains(key)) {
                 read.note(
                     &[key],
                     format!("`{key}` has no meaning beside `study`"),
@@ -398,7 +417,7 @@ fn common(read: &mut WordReader<'_>) -> Common {
         floor: RestrainFloor {
             name: read.one("floor").map(str::to_owned),
             level_ratio: read.non_negative("level_ratio", Dimension::Ratio),
-            storeys: from_one(read, "storeys"),
+            storeys: whole(read, "storeys", MAX_STOREYS).map(usize::from),
             storey_height_m: read.positive("storey_height", Dimension::Length),
         },
         factors: RestrainFactors {
@@ -410,8 +429,8 @@ fn common(read: &mut WordReader<'_>) -> Common {
             building_ductility_ratio: read.positive("building_ductility", Dimension::Ratio),
         },
         anchor_inset_m: read.non_negative("anchor_inset", Dimension::Length),
-        anchors_per_edge: from_one(read, "anchors_per_edge")
-            .unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get()),
+        anchors_per_edge: whole(read, "anchors_per_edge", MAX_ANCHORS)
+            .map_or(DEFAULT_ANCHORS_PER_EDGE.get(), usize::from),
         units: read.choice("units", &UnitSystem::ALL),
     }
 }

@@ -1,5 +1,6 @@
 //! The study that a request names.
 
+use freestand_input::problem::Problem;
 use freestand_input::word_reader::WordReader;
 use freestand_study::resolve::StudySource;
 
@@ -10,11 +11,21 @@ pub(crate) const MAX_STOREYS: u16 = 500;
 
 /// Where the study is, if one is named.
 pub(crate) fn source(read: &mut WordReader<'_>, files: &Files) -> Option<StudySource> {
-    let name = read.one("study")?;
-    let source = files.find(name).and_then(|content| match content {
+    let found = found(read.one("study")?, files);
+    read.keep("study", found)
+}
+
+/// As [`source`], where the key has no flag in the command line that a message could name.
+pub(crate) fn source_without_flag(read: &mut WordReader<'_>, files: &Files) -> Option<StudySource> {
+    let found = found(read.one("study")?, files);
+    let found = found.map_err(|problem| problem.of(&["study"]));
+    read.problems.keep(found)
+}
+
+fn found(name: &str, files: &Files) -> Result<StudySource, Problem> {
+    match files.find(name)? {
         Content::At(path) => Ok(StudySource::File(path)),
         Content::Text(text) => Ok(StudySource::Text(text)),
         Content::Motion(_) => Err(not_sent(name)),
-    });
-    read.keep("study", source)
+    }
 }

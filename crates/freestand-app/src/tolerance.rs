@@ -8,7 +8,7 @@ use freestand_input::written::Written;
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, one_or_many, reader, request};
+use crate::request::{Question, Request as _, Unknown, one_or_many, path, reader, request};
 
 /// What is searched.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
@@ -17,7 +17,7 @@ use crate::request::{Question, Request as _, Unknown, one_or_many, reader, reque
 pub struct ToleranceSearch {
     /// Words
     #[arg(value_name = "WORD")]
-    #[serde(deserialize_with = "one_or_many", alias = "word")]
+    #[serde(deserialize_with = "one_or_many")]
     pub words: Vec<Written>,
     /// Your own library: adds to the built-in one and replaces entries with the same id
     #[arg(long, value_name = "FILE.csv")]
@@ -50,9 +50,15 @@ impl Question for ToleranceSearch {
         if self.words.is_empty() {
             read.missing(&["words"], "no word is given", "give one or more words");
         }
-        let library = read
-            .one("library")
-            .and_then(|name| read.keep("library", files.path(name)));
+        let is_word = |one: &Written| match one {
+            Written::Text(text) => !text.trim().is_empty(),
+            one => matches!(one, Written::Number(_)),
+        };
+        if !self.words.iter().all(is_word) {
+            let hint = "give words such as \"bookcase\"";
+            read.note(&["words"], "a word is empty, or is none", hint);
+        }
+        let library = path(&mut read, "library", files);
         let meant = Meant {
             words: self.words.iter().map(Written::text).collect(),
             library,

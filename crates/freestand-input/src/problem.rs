@@ -207,9 +207,9 @@ impl Problems {
         self.keep(result.map_err(|problem| problem.named(key)))
     }
 
-    /// Adds the problems of values that agree with each other or not, but for those about a key whose
-    /// value is wrong by itself: it was left out when they were compared.
-    pub fn keep_others(&mut self, compared: Result<(), Self>) {
+    /// Adds the problems of a comparison of values. It leaves out those about a key that has a problem
+    /// already.
+    pub fn keep_comparisons(&mut self, compared: Result<(), Self>) {
         let own = self.len();
         for problem in compared.err().into_iter().flatten() {
             let mut before = self.problems.iter().take(own);

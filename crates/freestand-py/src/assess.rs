@@ -137,7 +137,7 @@ pub(crate) fn check_inventory(
     let meant = request.resolve(&files).map_err(raised_all)?;
     let floors = meant.floors().map_err(of_study)?;
     let work = || -> Result<_, Problems> {
-        let (reading, copy) = meant.reading(floors, marked.is_some())?;
+        let (reading, copy) = meant.reading(floors, marked.is_some(), |problems| problems)?;
         if let Some((place, copy)) = marked.as_ref().zip(copy) {
             write_file(place, &copy, &meant.inputs)?;
         }

@@ -26,18 +26,31 @@ pub(crate) fn check_object(
     files: Named,
     threads: Option<usize>,
 ) -> PyResult<String> {
+    // What is under an edge is one key, and two arguments.
+    let under = match request.contains("stiffness_n_m")? {
+        true => "stiffness",
+        false => "on",
+    };
+    let raised = |problems: Problems| {
+        let problems = problems.into_iter();
+        raised_all(
+            problems
+                .map(|one| one.renamed("on", under))
+                .collect::<Problems>(),
+        )
+    };
     let motions = motions.iter().map(|record| ("motion", record.read.clone()));
     let (request, files) = asked::<Object>(request, motions, files)?;
-    let meant = request.resolve(&files).map_err(raised_all)?;
+    let meant = request.resolve(&files).map_err(raised)?;
     let report = watched(py, threads, |stop| {
         one_object(&meant.object, &|| stop.load(Ordering::Relaxed))
     })?;
-    let report = report.map_err(raised_all)?;
+    let report = report.map_err(raised)?;
     told(SCHEMA, &report.facts, &report.warnings)
 }
 
-/// What is asked of a restraint; a study that cannot be used is one.
-fn held(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Asked> {
+/// What a request asks of restraints. A study that cannot be used raises a `StudyError`.
+fn restraints(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Asked> {
     let (request, files) = asked::<Restrain>(request, std::iter::empty(), files)?;
     let meant = request.resolve(&files).map_err(raised_all)?;
     meant.asked().map_err(of_study)
@@ -50,7 +63,7 @@ pub(crate) fn restrain(
     request: &Bound<'_, PyDict>,
     files: Named,
 ) -> PyResult<(String, Option<String>)> {
-    let work = match held(request, files)? {
+    let work = match restraints(request, files)? {
         Asked::One(one) => watched(py, None, |_| {
             let report = restrained(one)?;
             let document = report.facts.clone().key("sheet", None::<String>);

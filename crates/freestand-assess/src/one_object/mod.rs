@@ -356,7 +356,7 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
         }
     } else if tolerance.is_some() && (mass_kg.is_none() || rests_on.is_none()) {
         note(
-            &["tolerance", "mass", "on"],
+            &["tolerance", "mass", "on", "casters"],
             "`tolerance` needs `mass` and `on`: without them no shock can be calculated",
             "add what is missing, such as `on = \"rubber-foot\"`, or leave `tolerance` out: whether it falls needs no \
              tolerance",
@@ -419,7 +419,7 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
             }
             if *place == FloorPlace::Ground && (storeys.is_some() || storey_height_m.is_some()) {
                 note(
-                    &["storeys", "storey_height"],
+                    &["storeys", "storey_height", "floor", "level_ratio"],
                     "`storeys` and `storey_height` describe a building, but no floor of it is named",
                     "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
                 );
@@ -496,28 +496,33 @@ fn surroundings_agree(
     let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
     if !has_wall && (around.wall_height_m.is_some() || around.wall_restitution.is_some()) {
         note(
-            &["wall_height", "wall_restitution"],
+            &[
+                "wall_height",
+                "wall_restitution",
+                "wall_gap",
+                "neighbour_gap",
+            ],
             "`wall_height` and `wall_restitution` describe a wall, but there is none",
             "add `wall_gap` or `neighbour_gap` (0 where they touch), or leave them out",
         );
     }
     if around.wall_stiffness_n_m.is_some() && !has_wall && !is_free {
         note(
-            &["wall_stiffness"],
+            &["wall_stiffness", "wall_gap", "neighbour_gap", "casters"],
             "`wall_stiffness` describes a wall or the stop of free casters, but there is neither",
             "add `wall_gap`, `neighbour_gap` or `casters = \"free\"`, or leave it out",
         );
     }
     if around.neighbour_gap_m.is_some() && width_m.is_none() && !is_free {
         note(
-            &["neighbour_gap"],
+            &["neighbour_gap", "width", "casters"],
             "`neighbour_gap` is measured in the direction of the width, which is not given",
             "add `width`; a wall behind the object is `wall_gap`",
         );
     }
     if around.rolling_resistance_ratio.is_some() && !is_free {
         note(
-            &["rolling_resistance"],
+            &["rolling_resistance", "casters"],
             "`rolling_resistance` is that of free casters",
             "add `casters = \"free\"`, or leave it out",
         );

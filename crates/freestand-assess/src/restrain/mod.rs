@@ -201,6 +201,14 @@ pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
     Ok(report::report(&case))
 }
 
+/// Everything that is wrong with a request.
+///
+/// # Errors
+/// All of it, under its keys.
+pub fn check(request: RestrainRequest) -> Result<(), Problems> {
+    case(request).map(drop)
+}
+
 fn case(request: RestrainRequest) -> Result<Case, Problems> {
     let kind = component(&request).map(|component| ObjectKind {
         component,
@@ -401,7 +409,10 @@ fn blocks(
         Some(block.map(|block| (axis, block)))
     };
     let blocks: Result<Vec<_>, _> = sides.into_iter().filter_map(block).collect();
-    blocks.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object"))
+    blocks.map_err(|error| {
+        let hint = "check the dimensions of the object";
+        Problem::value(error.to_string(), hint).of(&["thickness", "width", "height", "cg_height"])
+    })
 }
 
 /// The code; `None` for a floor acceleration.
@@ -420,11 +431,10 @@ fn target(request: &RestrainRequest) -> Result<Option<Target>, Problems> {
         RestrainHazard::FloorAcceleration(_) if request.is_compared => {
             let hint =
                 "leave `compare` out, or give a place or a code in place of `floor_acceleration`";
-            Err(Problem::value(
-                "codes cannot be compared: a floor acceleration has no spectrum",
-                hint,
-            )
-            .into())
+            let message = "codes cannot be compared: a floor acceleration has no spectrum";
+            Err(Problem::value(message, hint)
+                .of(&["compare", "floor_acceleration"])
+                .into())
         }
         RestrainHazard::FloorAcceleration(_) => Ok(None),
     }
@@ -445,10 +455,8 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
     {
         let message =
             format!("`building_ductility` must be at least {LEAST_BUILDING_DUCTILITY_RATIO}");
-        problems.push(Problem::value(
-            message,
-            "leave it out: 1.3 stands for a building that is not known",
-        ));
+        let hint = "leave it out: 1.3 stands for a building that is not known";
+        problems.push(Problem::value(message, hint).of(&["building_ductility"]));
     }
     for (name, ratio, _) in request.factors.stated(FactorsOf::OtherCode) {
         if ratio.is_some_and(|ratio| !FACTORS.contains(&ratio)) {
@@ -457,10 +465,8 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
                 FACTORS.start(),
                 FACTORS.end()
             );
-            problems.push(Problem::value(
-                message,
-                "give the factor of the code, or leave it out",
-            ));
+            let hint = "give the factor of the code, or leave it out";
+            problems.push(Problem::value(message, hint).of(&[name]));
         }
     }
     if request.is_compared {
@@ -483,10 +489,8 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
         FactorsOf::Floor => "leave it out: only `amplification` multiplies a floor acceleration",
     };
     for name in request.factors.strangers(of) {
-        problems.push(Problem::value(
-            format!("`{name}` is not a factor of {by}"),
-            hint,
-        ));
+        let message = format!("`{name}` is not a factor of {by}");
+        problems.push(Problem::value(message, hint).of(&[name]));
     }
 }
 
@@ -506,22 +510,27 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
         storey_height_m,
     } = &request.floor;
     let mut problems = Problems::default();
-    let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
+    let mut note = |keys: &[&'static str], message: &str, hint: &str| {
+        problems.push(Problem::value(message, hint).of(keys));
+    };
     let has_building = storeys.is_some() || storey_height_m.is_some();
     if name.is_some() && level_ratio.is_some() {
         note(
+            &["floor", "level_ratio"],
             "`floor` and `level_ratio` exclude each other",
             "keep one of them",
         );
     }
     if level_ratio.is_some_and(|ratio| !(0.0..=1.0).contains(&ratio)) {
         note(
+            &["level_ratio"],
             "`level_ratio` must be from 0 (the ground) to 1 (the roof)",
             "give the height of the floor over the roof's",
         );
     }
     if storeys.is_some_and(|storeys| !(1..=MAX_STOREYS).contains(&storeys)) {
         note(
+            &["storeys"],
             &format!("`storeys` must be from 1 to {MAX_STOREYS}"),
             "give the number of storeys above the ground",
         );
@@ -531,27 +540,32 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
             if name.is_some() || level_ratio.is_some() || has_building =>
         {
             note(
+                &["floor", "level_ratio", "storeys", "storey_height"],
                 "the acceleration is that of the floor of the object: a floor or a building has no meaning beside it",
                 "leave them out, or give a place or a code in place of `floor_acceleration`",
             )
         }
         RestrainHazard::Study(_) if has_building => note(
+            &["storeys", "storey_height"],
             "the study describes the building: `storeys` and `storey_height` have no meaning beside it",
             "leave them out, or change the table [building] of the study",
         ),
         RestrainHazard::Code(_) => {
             if name.is_some() && storeys.is_none() {
                 note(
+                    &["floor", "storeys"],
                     "`floor` needs `storeys`: the number of storeys of the building",
                     "add `storeys`, such as 6",
                 );
             } else if storey_height_m.is_some() && storeys.is_none() {
                 note(
+                    &["storey_height", "storeys"],
                     "`storey_height` needs `storeys`",
                     "add the number of storeys",
                 );
             } else if has_building && name.is_none() && level_ratio.is_none() {
                 note(
+                    &["storeys", "storey_height", "floor", "level_ratio"],
                     "`storeys` and `storey_height` describe a building, but no floor of it is named",
                     "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
                 );
@@ -570,7 +584,8 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
     let mut assumptions = Vec::new();
     let (level, words) = match (name, level_ratio) {
         (Some(name), _) => {
-            let ratio = level_of_floor(&floors, name)?;
+            let ratio = level_of_floor(&floors, name);
+            let ratio = ratio.map_err(|problem| problem.of(&["floor"]))?;
             let of = floors.storeys.map_or_else(String::new, |storeys| {
                 format!(" ({})", counted(storeys, "storey"))
             });
@@ -614,7 +629,8 @@ fn floor_of_list(hazard: &RestrainHazard, floor: &RestrainFloor) -> Result<Floor
         return Err(Problem::value(
             message,
             "leave them out, or give the object in place of the list",
-        ));
+        )
+        .of(&["floor", "level_ratio"]));
     }
     Ok(match hazard {
         RestrainHazard::Study(study) => floors_of(study, None),

@@ -21,7 +21,7 @@ Examples:
   freestand check study.toml --json
   freestand check            (the built-in study)
   freestand check study.toml --place Wellington --site D")]
-#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
+#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
 pub(crate) struct CheckArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]

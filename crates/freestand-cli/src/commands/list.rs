@@ -22,8 +22,7 @@ pub(crate) fn read(
     let mut read = WordReader::new(&words);
     let meant = keys.judged(&mut read, &Files::Disk, global.seed);
     let meant = read.problems.finish(Some(meant))?;
-    let mut study = meant.study()?;
-    study.assessment.pages = pages.unwrap_or(study.assessment.pages);
+    let study = meant.study(pages)?;
     let inventory = meant.inventory(&study)?;
     Ok((study, meant, inventory))
 }

@@ -22,7 +22,8 @@ use crate::printer::{Printer, lines, table};
 Examples:
   A cabinet on the third floor of six, in Los Angeles, in US units:
     freestand restrain --mass 800lb --height 6ft --thickness 24in --width 36in \\
-      --component cabinet --anchor-inset 3in --place \"Los Angeles\" --floor 3 --storeys 6 --storey-height 13ft
+      --component cabinet --anchor-inset 3in --place \"Los Angeles\" --floor 3 \\
+      --storeys 6 --storey-height 13ft
   The same on the roof in Wellington, with a sheet to print and other codes beside it:
     freestand restrain --mass 360kg --height 1.8m --thickness 0.6m --width 0.9m \\
       --place Wellington --level-ratio 1 --compare --out restraint
@@ -46,12 +47,12 @@ impl Tell for Restrain {
     type Output = ();
 
     fn tell(
-        meant: Meant,
+        mut meant: Meant,
         (): &(),
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        let inputs = meant.inputs.clone();
+        let inputs = std::mem::take(&mut meant.inputs);
         match meant.asked()? {
             Asked::One(one) => {
                 let report = restrain(one)?;
@@ -84,7 +85,8 @@ fn list_text(report: &RestrainListReport) -> String {
         "tension of an edge",
         "in concrete",
     ];
-    let rows: Vec<Vec<String>> = report.lines.iter().map(|row| row.to_vec()).collect();
+    let cells = |row: &[String; 6]| row.each_ref().map(|cell| KeyStyle::Flag.shown(cell));
+    let rows: Vec<Vec<String>> = report.lines.iter().map(|row| cells(row).to_vec()).collect();
     let mut text = table(&headings, &rows);
     text.push_str(&format!(
         "\n{} of {} objects have a force\n",
@@ -118,7 +120,7 @@ fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
         text.extend(
             assumptions
                 .iter()
-                .map(|assumption| format!("assumed: {assumption}\n")),
+                .map(|assumption| format!("assumed: {}\n", KeyStyle::Flag.shown(assumption))),
         );
     }
     text

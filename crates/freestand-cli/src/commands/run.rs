@@ -49,7 +49,7 @@ Examples:
   Both horizontal components, with objects that may rock in any direction:
     freestand run --motion record.V2 --components both \\
       --rotation-step \"10 deg\" --out results")]
-#[command(mut_args(|arg| place::under(arg, "Hazard, in place of that of the study")))]
+#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]

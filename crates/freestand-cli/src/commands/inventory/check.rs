@@ -65,9 +65,8 @@ impl Tell for CheckList {
         if meant.is_headings {
             return headings(&meant, write_columns, files, printer);
         }
-        let (reading, copy) = meant
-            .reading(meant.floors()?, files.wanted())
-            .map_err(|problems| unread(&meant, write_columns, problems))?;
+        let unread = |problems| unread(&meant, write_columns, problems);
+        let (reading, copy) = meant.reading(meant.floors()?, files.wanted(), unread)?;
         if let Some(path) = write_columns {
             write_file(path, reading.mapping_file.as_bytes(), &meant.inputs)?;
         }

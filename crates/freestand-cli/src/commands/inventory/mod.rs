@@ -7,6 +7,7 @@ mod template;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
+use freestand_app::check_list::SCHEMA;
 use freestand_assess::inventory::Target;
 use freestand_output::folder::write_file;
 
@@ -47,8 +48,6 @@ pub(crate) fn run(
         InventoryCommand::Convert(args) => convert::run(args, global, printer),
     }
 }
-
-use freestand_app::check_list::SCHEMA;
 
 /// A format of an inventory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

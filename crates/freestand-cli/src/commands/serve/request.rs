@@ -325,7 +325,10 @@ fn written(request: &Request) -> Result<(Map<String, Value>, Files), Problem> {
         // In one text with its value, a wrong name of a cell could pass for another cell.
         let edits = request.edits.iter();
         let edits = edits.map(|edit| json!([edit.cell, edit.value]));
-        entries.insert("edit".into(), edits.collect());
+        if entries.insert("edit".into(), edits.collect()).is_some() {
+            let message = "`edit` is given as an option and as `edits`";
+            return Err(Problem::value(message, "keep one of them").of(&["edit"]));
+        }
     }
     Ok((entries, Files::Sent(sent)))
 }
