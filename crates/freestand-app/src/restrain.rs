@@ -62,7 +62,7 @@ pub struct Restrain {
     #[arg(long, value_name = "LENGTH")]
     pub cg_height: Option<Written>,
 
-    /// Study (TOML) whose code, building and [restraint] are used
+    /// Study (TOML) whose code, building and table `restraint` are used
     #[arg(
         long,
         value_name = "FILE.toml",
