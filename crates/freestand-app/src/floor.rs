@@ -8,7 +8,6 @@ use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::counted;
 use freestand_input::written::Written;
 use freestand_study::building::{self, BuildingInput};
 use freestand_study::floor::{DEFAULT_LEVELS, FloorRequest, SpectraRequest, every_floor};
@@ -17,10 +16,11 @@ use freestand_study::target::{Target, usual_periods_s};
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::{NamedRecords, Records, components};
+use crate::records::{NamedRecords, Records};
 use crate::request::{
     Question, Request, Switch, Unknown, from_one, one_or_many, paths, reader, request,
 };
+use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 
 /// The schema of the response.
@@ -33,6 +33,8 @@ const MAX_LEVELS: usize = 1000;
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
 #[serde(default)]
 #[group(skip)]
+// Known only to be refused with a hint.
+#[command(mut_arg("rotation_step", |arg| arg.hide(true)))]
 pub struct Floor {
     /// Records of the ground motion; of several, medians are printed
     #[arg(long, value_name = "FILE", num_args = 1..)]
@@ -71,20 +73,10 @@ pub struct Floor {
     /// columns, more in the middle of a slab [default: 1]
     #[arg(long, value_name = "RATIO")]
     pub vertical_amplification: Option<Written>,
-    /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
-    #[arg(
-        long,
-        value_name = "both|NAME, NAME",
-        help_heading = "Two horizontal components"
-    )]
-    pub components: Option<Written>,
-    /// Files with the second component, one for each file of the first
-    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "Two horizontal components")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub across: Vec<Written>,
-    /// Known only to be refused with a hint.
-    #[arg(long, value_name = "ANGLE", hide = true)]
-    pub rotation_step: Option<Written>,
+    /// The second components of the records.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub second: SecondKeys,
     /// How the records are read.
     #[command(flatten)]
     #[serde(flatten)]
@@ -101,9 +93,8 @@ pub struct Floor {
 }
 
 request!(Floor {
-    motion, levels, tail, upsample, spectra, spectrum_damping, periods, vertical, vertical_amplification, components,
-    across, rotation_step;
-    building, records, target, unknown
+    motion, levels, tail, upsample, spectra, spectrum_damping, periods, vertical, vertical_amplification;
+    building, second, records, target, unknown
 });
 
 /// A building: its height and its period, or a table of storeys or of modes.
@@ -243,7 +234,7 @@ impl Floor {
         let named = self.records.named_alone(&mut read, &self.motion, files);
         let mut how = named.how().clone();
         how.vertical = self.upward(&mut read, files);
-        how.second = self.second(&mut read, files);
+        how.second = self.second.second(&mut read, self.motion.len(), files);
         let mut inputs = named.paths();
         if let Second::Files(across) = &how.second {
             inputs.extend(across.iter().cloned());
@@ -323,41 +314,8 @@ impl Floor {
                 read.pass(&["vertical"]);
                 Upward::SameFile
             }
-            all => Upward::Files(self.beside(read, ("vertical", all), files)),
+            all => Upward::Files(beside(read, ("vertical", all), self.motion.len(), files)),
         }
-    }
-
-    /// Where the second horizontal components are.
-    fn second(&self, read: &mut WordReader<'_>, files: &Files) -> Second {
-        read.exclusive("components", "component");
-        read.exclusive("components", "across");
-        let second = read.text("components").map(components);
-        let second = second.and_then(|second| read.keep("components", second));
-        match self.across.as_slice() {
-            [] => second.unwrap_or_default(),
-            all => Second::Files(self.beside(read, ("across", all), files)),
-        }
-    }
-
-    /// Files of which there is one for each record.
-    fn beside(
-        &self,
-        read: &mut WordReader<'_>,
-        (key, names): (&'static str, &[Written]),
-        files: &Files,
-    ) -> Vec<PathBuf> {
-        if names.len() != self.motion.len() {
-            read.note(
-                &[key],
-                format!(
-                    "`{key}` has {}, `motion` {}",
-                    counted(names.len(), "file"),
-                    self.motion.len()
-                ),
-                "name one file for each file of `motion`, in the same order",
-            );
-        }
-        paths(read, key, names, files)
     }
 
     fn amplification(&self, read: &mut WordReader<'_>) -> Option<f64> {

@@ -1,13 +1,14 @@
 //! Studies and inventories.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand_app::assess::{Assess, SCHEMA};
 use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
 use freestand_app::request::Question as _;
+use freestand_app::run::Run;
 use freestand_assess::inventory::check_report;
 use freestand_assess::job::{Job, assess_into};
 use freestand_assess::output::object_rows;
@@ -16,15 +17,12 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{OutputFolder, write_file};
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::outputs::{expected_names, write_outputs};
-use freestand_study::resolve::{
-    Overrides, builtin, builtin_toml, load, motion_paths, resolve_with,
-};
+use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::study::Study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{Given, told};
+use crate::arguments::told;
 use crate::asked::{Named, asked};
 use crate::errors::{of_study, raised_all};
 use crate::work::watched_with;
@@ -33,19 +31,6 @@ use crate::work::watched_with;
 #[pyfunction]
 pub(crate) fn study_toml() -> &'static str {
     builtin_toml()
-}
-
-/// The study that was given as a path or as text, or the built-in one.
-pub(crate) fn study_of(values: &Bound<'_, PyDict>, overrides: &Overrides) -> PyResult<Study> {
-    let mut given = Given::new(values);
-    let (path, text) = (given.path("study"), given.text("study_text"));
-    given.finish()?;
-    let study = match (path, text) {
-        (Some(path), _) => load(&path, overrides),
-        (None, Some(text)) => resolve_with(&text, None, Path::new(""), overrides),
-        (None, None) => builtin(overrides),
-    };
-    study.map_err(of_study)
 }
 
 /// The last step of work, which a function of Python is told.
@@ -72,15 +57,6 @@ impl Told {
             (Some(progress), Some(step)) => progress.call1(step).map(|_| ()),
             _ => Ok(()),
         }
-    }
-}
-
-/// Overrides of a study: seed and hazard.
-fn overrides(given: &mut Given<'_, '_>) -> Overrides {
-    Overrides {
-        seed: given.whole("seed", 0),
-        hazard: given.words("hazard"),
-        ..Overrides::default()
     }
 }
 
@@ -153,23 +129,21 @@ pub(crate) fn check_inventory(
 #[pyfunction]
 pub(crate) fn run(
     py: Python<'_>,
-    out: PathBuf,
-    values: &Bound<'_, PyDict>,
+    request: &Bound<'_, PyDict>,
+    files: Named,
+    into: (PathBuf, bool),
     threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let mut given = Given::new(values);
-    let overrides = overrides(&mut given);
-    let force = given.flag("force");
-    let source = given.path("study");
-    let parquet = given.flag("parquet");
-    given.finish()?;
-    let mut study = study_of(values, &overrides)?;
-    study.outputs.parquet |= parquet;
+    let (request, files) = asked::<Run>(request, std::iter::empty(), files)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
+    let study = meant.study().map_err(of_study)?;
+    let (out, force) = into;
     let schema = freestand_study::summary::SCHEMA;
     let told_step = Told::default();
     let work = |stop: &AtomicBool| {
-        let inputs: Vec<PathBuf> = source.iter().cloned().chain(motion_paths(&study)).collect();
+        let mut inputs = meant.study.inputs.clone();
+        inputs.extend(motion_paths(&study));
         let folder = OutputFolder::stage(&out, force, &inputs)?.of_command(schema)?;
         folder.check(&expected_names(&study, false))?;
         let result = run_study(&study, &|step| told_step.step(step, stop))?;

@@ -14,6 +14,7 @@ use freestand_app::object::Object;
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
+use freestand_app::run::{CheckStudy, Run};
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
@@ -127,6 +128,11 @@ fn without_files() -> Vec<Asked> {
             json!({"sheet": "Ward 3", "storeys": "6", "strict": true, "edit": "D7=900 mm"}),
         ),
         ("inventory check", json!({"headings": true})),
+        ("check", json!({"place": "Wellington", "site": "D"})),
+        (
+            "run",
+            json!({"place": "Wellington", "vary": "damping = 2 %, 10 %", "parquet": true, "rotation_step": "10 deg"}),
+        ),
         (
             "assess",
             json!({"place": "Christchurch", "storeys": "7", "format": "csv,parquet", "fail_on": "restrain", "pages": "10",
@@ -158,7 +164,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 17] = [
+const COMMANDS: [Command; 19] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -167,6 +173,8 @@ const COMMANDS: [Command; 17] = [
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
     command::<Assess>("assess"),
+    command::<CheckStudy>("check"),
+    command::<Run>("run"),
     command::<CheckList>("inventory check"),
     command::<ToleranceSearch>("tolerance search"),
     command::<Validate>("validate"),
@@ -283,6 +291,12 @@ fn of_programs() -> Vec<Asked> {
             json!({"study": "/etc/passwd", "inventory": "/etc/passwd", "format": ["csv", "pdf"], "fail_on": ["fall"], "threads": 8,
                 "storeys": 0, "pages": -1, "edits": [["D7", "1"], ["D7"], "D"], "columns": "/etc/passwd", "force": true, "seed": "x"}),
         ),
+        (
+            "run",
+            json!({"study": "/etc/passwd", "motion": ["/etc/passwd"], "components": "both", "across": ["/etc/passwd", "b"],
+                "vary": ["damping", "nope = 3", 5], "rotation_step_deg": 0, "parquet": "yes", "out": "/tmp/x", "dump_study": true}),
+        ),
+        ("check", json!({"study": ["a"], "seed": -1, "threads": 2})),
         ("validate", json!({"table": 1})),
         (
             "tolerance search",

@@ -11,6 +11,7 @@ use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::{Results, Rock, SCHEMA};
+use freestand_app::run::{CheckStudy, Run};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
@@ -69,6 +70,11 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "assess.request.json",
             of_request::<Assess>("assess", &["seed"]),
+        ),
+        ("run.request.json", of_request::<Run>("run", &["seed"])),
+        (
+            "check.request.json",
+            of_request::<CheckStudy>("check", &["seed"]),
         ),
         (
             "inventory-check.request.json",

@@ -1,13 +1,11 @@
 //! `freestand check`: validates and explains a study without running it.
 
-use std::path::PathBuf;
-
 use clap::Args;
-use freestand_app::place::{self, PlaceKeys};
-use freestand_app::request::Request as _;
-use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
+use freestand_app::run::{CHECK_SCHEMA, CheckStudy, StudyMeant};
+use freestand_study::check::check;
+use freestand_study::resolve::motion_paths;
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -21,43 +19,28 @@ Examples:
   freestand check study.toml --json
   freestand check            (the built-in study)
   freestand check study.toml --place Wellington --site D")]
-#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
 pub(crate) struct CheckArgs {
-    /// Study file (TOML) [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    study: Option<PathBuf>,
     #[command(flatten)]
-    hazard: PlaceKeys,
+    pub(super) request: CheckStudy,
 }
 
-pub(crate) fn run(
-    args: &CheckArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let overrides = Overrides {
-        seed: global.seed,
-        hazard: args.hazard.words(),
-        ..Overrides::default()
-    };
-    let study = match &args.study {
-        Some(path) => load(path, &overrides)?,
-        None => builtin(&overrides)?,
-    };
-    let inputs: Vec<PathBuf> = args
-        .study
-        .iter()
-        .cloned()
-        .chain(motion_paths(&study))
-        .collect();
-    let files = Files::begin(global, &inputs)?;
-    let facts = freestand_study::check::check(&study);
-    files.print(
-        printer,
-        "freestand.check/1",
-        &facts,
-        &study.warnings,
-        || lines(&facts),
-    )?;
-    Ok(Done::OK)
+impl Tell for CheckStudy {
+    type Output = ();
+
+    fn tell(
+        meant: StudyMeant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let study = meant.study()?;
+        let mut inputs = meant.inputs;
+        inputs.extend(motion_paths(&study));
+        let files = Files::begin(global, &inputs)?;
+        let facts = check(&study);
+        files.print(printer, CHECK_SCHEMA, &facts, &study.warnings, || {
+            lines(&facts)
+        })?;
+        Ok(Done::OK)
+    }
 }

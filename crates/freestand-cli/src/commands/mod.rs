@@ -140,7 +140,7 @@ impl Command {
             Self::Assess(args) => args.request.run(&(), global, printer),
             Self::Shard(args) => shard::run(args, global, printer),
             Self::Object(args) => args.request.run(&(), global, printer),
-            Self::Check(args) => check::run(args, global, printer),
+            Self::Check(args) => args.request.run(&(), global, printer),
             Self::Shock(args) => args.request.run(&(), global, printer),
             Self::ShockSpectrum(args) => args.request.run(&args.output, global, printer),
             Self::Rock(args) => args.request.run(&args.output, global, printer),

@@ -1,34 +1,29 @@
 //! `freestand run`: a whole study, from the ground motions to the report.
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
 
-use clap::{ArgAction, Args};
-use freestand_app::place::{self, PlaceKeys};
-use freestand_app::request::Request as _;
+use clap::Args;
+use freestand_app::files::Files as Sources;
+use freestand_app::request::Question as _;
+use freestand_app::run::{Meant, Run};
 use freestand_input::words::counted;
 use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
-use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
-use freestand_study::resolve::{
-    Overrides, builtin, builtin_toml, is_study_file, load, motion_paths,
-};
+use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
 use freestand_study::run::{Stage, Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
-use freestand_study::vary::{Variation, default_variations, parse_variation, vary};
+use freestand_study::vary::vary;
 use serde_json::Value;
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, table};
-use crate::reading::{ReadArgs, SecondArgs};
-use crate::values::Values;
 
 /// Run a whole study: motions, building, spectra of a grid of objects, figures and report
 #[derive(Debug, Args)]
@@ -49,27 +44,9 @@ Examples:
   Both horizontal components, with objects that may rock in any direction:
     freestand run --motion record.V2 --components both \\
       --rotation-step \"10 deg\" --out results")]
-#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
 pub(crate) struct RunArgs {
-    /// Study file (TOML) [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    study: Option<PathBuf>,
     #[command(flatten)]
-    hazard: PlaceKeys,
-    /// Records that replace the ground motions of the study
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    motion: Vec<PathBuf>,
-    #[command(flatten)]
-    read: ReadArgs,
-    #[command(flatten)]
-    second: SecondArgs,
-    /// Run the study again with one value changed at a time: the usual values of damping, period,
-    /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
-    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append)]
-    vary: Option<Vec<String>>,
-    /// Write each table of results as Parquet too; the same as parquet = true in [outputs]
-    #[arg(long)]
-    parquet: bool,
+    request: Run,
     /// Print the built-in study as TOML, ready to edit
     #[arg(long, conflicts_with_all = ["study", "motion", "vary"])]
     dump_study: bool,
@@ -79,62 +56,36 @@ pub(crate) struct RunArgs {
 const FOLDER: &str = "freestand-out";
 
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    if args.motion.is_empty() {
-        args.read.refuse_without_record(|keys| {
-            format!("name the records with --motion, or write {keys} next to motions in the study's [ground]")
-        })?;
-        if args.second.names_records() {
-            return Err(Failure::usage(
-                "--components and --across need records",
-                "name them with --motion, or write components or across next to motions in the study's [ground]",
-            ));
-        }
-    }
     if args.dump_study {
+        // What is wrong with other flags is told, too.
+        args.request.resolve(&Sources::Disk)?;
         return dump_study(global, printer);
     }
-    // In `--motion a.AT2 study.toml`, clap takes the study for a second record.
-    if let (None, Some(study)) = (
-        &args.study,
-        args.motion.iter().find(|path| is_study_file(path)),
-    ) {
-        let study = study.display();
-        return Err(Failure::usage(
-            format!("--motion: {study} is a study, not a record"),
-            format!("put the study first: freestand run {study} --motion FILE"),
-        ));
+    args.request.run(&(), global, printer)
+}
+
+impl Tell for Run {
+    type Output = ();
+
+    const WRITES_A_FOLDER: bool = true;
+
+    fn tell(
+        meant: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        whole_study(&meant, global, printer)
     }
+}
+
+fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let start = Instant::now();
-    let mut values = Values::default();
-    let motions = (!args.motion.is_empty()).then(|| MotionFiles {
-        second: args.second.second(args.motion.len(), &mut values),
-        ..args.read.files(&args.motion, &mut values)
-    });
-    let rotation_step_deg = args.second.rotation_step_deg(&mut values);
-    let variations = args
-        .vary
-        .as_ref()
-        .map(|texts| variations(texts, &mut values));
-    values.finish()?;
-    let overrides = Overrides {
-        seed: global.seed,
-        hazard: args.hazard.words(),
-        motions,
-        rotation_step_deg,
-        ..Overrides::default()
-    };
-    let mut study = match &args.study {
-        Some(path) => load(path, &overrides)?,
-        None => builtin(&overrides)?,
-    };
-    study.outputs.parquet |= args.parquet;
+    let variations = &meant.variations;
+    let study = meant.study()?;
     let out = global.folder(FOLDER);
-    let inputs: Vec<PathBuf> = args
-        .study
-        .iter()
-        .cloned()
-        .chain(motion_paths(&study))
-        .collect();
+    let mut inputs = meant.study.inputs.clone();
+    inputs.extend(motion_paths(&study));
     let stop = printer.stop();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?
         .of_command(freestand_study::summary::SCHEMA)?;
@@ -165,10 +116,10 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         }
     };
     let result = run_study(&study, &progress).and_then(|mut result| {
-        if let Some(variations) = &variations {
-            result.sensitivity = Some(vary(
-                &study, &result, variations, &overrides, &tell, &progress,
-            )?);
+        if let Some(variations) = variations {
+            let overrides = &meant.study.overrides;
+            let varied = vary(&study, &result, variations, overrides, &tell, &progress)?;
+            result.sensitivity = Some(varied);
         }
         Ok(result)
     });
@@ -225,17 +176,6 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     Ok(Done {
         criterion_met: failed == 0 && !exceeded,
     })
-}
-
-/// The variations: those that the user named, or the default ones.
-fn variations(texts: &[String], values: &mut Values) -> Vec<Variation> {
-    if texts.is_empty() {
-        return default_variations();
-    }
-    texts
-        .iter()
-        .filter_map(|text| values.keep("vary", parse_variation(text)))
-        .collect()
 }
 
 /// The variations at the highest level; `vary.csv` has those of all levels.

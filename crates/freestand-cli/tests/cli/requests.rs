@@ -121,7 +121,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
 #[test]
 fn what_the_page_asks_has_the_problems_of_the_table() {
     let page = Page::open();
-    for line in table() {
+    // The page runs no study.
+    let is_asked = |line: &Value| line["command"] != "run" && line["command"] != "check";
+    for line in table().into_iter().filter(is_asked) {
         let (status, answer) =
             page.run(&json!({"command": line["command"], "options": line["request"]}));
         let first = &answer["error"];

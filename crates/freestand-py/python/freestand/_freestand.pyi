@@ -105,8 +105,9 @@ def rock(
     history: bool,
 ) -> tuple[str, tuple[str, bytes] | None]: ...
 def run(
-    out: _Path,
-    values: dict[str, Any],
+    request: dict[str, Any],
+    files: _Files,
+    into: tuple[_Path, bool],
     threads: int | None,
     progress: Callable[[str, int, int], object] | None,
 ) -> str: ...

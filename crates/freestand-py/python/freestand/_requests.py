@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from . import _freestand
 from ._convert import Numbers, PathLike, bad, flag, given, path_text, removed_on_failure, sizes_m, threads_given
 from ._convert import inventory as as_file
-from ._convert import study as study_given
-from ._convert import study_file
-from ._convert import warn, words
+from ._convert import study_file, warn
 from ._ground import TargetArguments, target_words
 from ._motion import Motion, several
 from ._results import (
@@ -520,15 +518,15 @@ def run(
     >>> fs.run("study.toml", "out").rows.num_rows  # doctest: +SKIP
     5120
     """
-    values = given(
-        seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years),
-        parquet=parquet or None, force=force or None,
+    asked = given(
+        seed=seed, place=place, site=site, return_period_years=return_period_years, parquet=flag("parquet", parquet),
     )  # fmt: skip
-    source = study_given(study)
     _check_progress(progress)
     folder, own = _folder(out)
     with removed_on_failure(own):
-        result = RunResult._of(_freestand.run(folder, values | source, threads_given(threads), progress))
+        into = (folder, bool(flag("force", force)))
+        text = _freestand.run(asked, study_file(study), into, threads_given(threads), progress)
+        result = RunResult._of(text)
     result._in(folder, own)
     warn(result.warnings)
     return result
