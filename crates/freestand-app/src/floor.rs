@@ -17,9 +17,7 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{
-    Question, Request, Switch, Unknown, from_one, one_or_many, paths, reader, request,
-};
+use crate::request::{Question, Request, Switch, Unknown, from_one, one_or_many, reader, request};
 use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 

@@ -5,83 +5,21 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use freestand_input::file::as_named;
 use freestand_input::keys::KeyStyle;
-use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::counted;
-use freestand_records::processing::{azimuth_deg, parse_target_source};
-use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
+use freestand_records::processing::parse_target_source;
+use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 
 use crate::failure::Failure;
 use crate::keys::Keys;
 use crate::processing::ReadKeys;
-use crate::values::{Given, Reads, Values, two_names};
+use crate::values::{Given, Reads, Values};
 
 /// Flags for how records are read and processed.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct ReadArgs {
     #[command(flatten)]
     keys: Keys<ReadKeys>,
-}
-
-/// Two components of one file: `both`, or two by name.
-pub(crate) fn components(text: &str) -> Result<Second, Problem> {
-    if text.trim().eq_ignore_ascii_case("both") {
-        return Ok(Second::SameFile(None));
-    }
-    let wrong = |one: freestand_input::problem::Problem| {
-        one.hint("write both, or \"1, 2\", or \"N-S, E-W\"")
-    };
-    two_names(text)
-        .map(|both| Second::SameFile(Some(both)))
-        .map_err(wrong)
-}
-
-/// Flags for the second horizontal component of records, and for the directions in which objects
-/// may rock.
-#[derive(Debug, Clone, Default, Args)]
-#[command(next_help_heading = "Two horizontal components")]
-pub(crate) struct SecondArgs {
-    /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
-    #[arg(long, value_name = "both|NAME, NAME", conflicts_with = "component", read = components)]
-    components: Option<Given<Second>>,
-    /// Files with the second component, one for each file of the first
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "components")]
-    pub(crate) across: Vec<PathBuf>,
-    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
-    /// deg]
-    #[arg(long, positive = Dimension::Angle)]
-    pub(crate) rotation_step: Option<Given>,
-}
-
-impl SecondArgs {
-    /// Whether any of the flags that need records was given.
-    pub(crate) fn names_records(&self) -> bool {
-        self.components.is_some() || !self.across.is_empty()
-    }
-
-    /// Where the second component is, for `first` files; problems are added to `values`.
-    pub(crate) fn second(&self, first: usize, values: &mut Values) -> Second {
-        if !self.across.is_empty() {
-            if self.across.len() != first {
-                let message = format!(
-                    "--across has {}, --motion {first}",
-                    counted(self.across.len(), "file")
-                );
-                values.push(Problem::value(
-                    message,
-                    "name one file for each file of --motion, in the same order",
-                ));
-            }
-            return Second::Files(self.across.clone());
-        }
-        values.read(&self.components).unwrap_or(Second::None)
-    }
-
-    /// The step between directions \[degrees\].
-    pub(crate) fn rotation_step_deg(&self, values: &mut Values) -> Option<f64> {
-        values.read(&self.rotation_step).map(azimuth_deg)
-    }
 }
 
 /// Flags for reading the vertical record of a motion. `--vertical`, which names it, is a flag of

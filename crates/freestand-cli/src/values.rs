@@ -211,11 +211,6 @@ impl Values {
         self.problems.keep(result)
     }
 
-    /// The value of a result; a problem is collected under the name of the flag.
-    pub(crate) fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
-        self.take(result.map_err(|problem| named(flag, problem)))
-    }
-
     /// Adds a problem.
     pub(crate) fn push(&mut self, problem: Problem) {
         self.problems.push(problem);

@@ -88,6 +88,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "keep_mean",
             "pairs",
             "compare",
+            "parquet",
             "assess_anchored",
             "resume",
             "outcomes",
