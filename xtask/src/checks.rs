@@ -498,6 +498,10 @@ fn printed(
 
 pub fn arrows(root: &Path) -> Result<(), String> {
     let files = source::read(root, "crates", arrows::wanted)?;
+    // Whoever reads the wrong folder finds nothing wrong in it.
+    if files.len() <= 300 {
+        return Err(format!("only {} files were read", files.len()));
+    }
     let (shares, problems) = arrows::check(&files)?;
     println!("{}", shares.join("\n"));
     if problems.is_empty() {

@@ -189,22 +189,12 @@ pub enum Asked {
     List(RestrainListRequest),
 }
 
+/// What shakes the floor.
 #[derive(Debug, Clone)]
 enum Hazard {
-    Study(StudySource, Words),
-    Code(Words),
-    FloorAcceleration(f64),
-}
-
-impl Hazard {
-    /// What shakes the floor, unless a study has to be read for it.
-    fn without_study(&self) -> Option<RestrainHazard> {
-        match self {
-            Self::Study(..) => None,
-            Self::Code(words) => Some(RestrainHazard::Code(words.clone())),
-            Self::FloorAcceleration(of_g) => Some(RestrainHazard::FloorAcceleration(*of_g)),
-        }
-    }
+    Known(RestrainHazard),
+    /// A study to read, with a place in place of its own.
+    OfStudy(StudySource, Words),
 }
 
 impl Meant {
@@ -214,15 +204,14 @@ impl Meant {
     /// Everything that is wrong with a study.
     pub fn asked(self) -> Result<Asked, Problems> {
         let hazard = match self.hazard {
-            Hazard::Study(source, hazard) => {
+            Hazard::Known(hazard) => hazard,
+            Hazard::OfStudy(source, hazard) => {
                 let overrides = Overrides {
                     hazard,
                     ..Overrides::default()
                 };
                 RestrainHazard::Study(Arc::new(source.load(&overrides)?))
             }
-            Hazard::Code(words) => RestrainHazard::Code(words),
-            Hazard::FloorAcceleration(of_g) => RestrainHazard::FloorAcceleration(of_g),
         };
         Ok(match self.asked {
             Asked::One(one) => Asked::One(RestrainRequest { hazard, ..one }),
@@ -243,11 +232,9 @@ impl Question for Restrain {
             false => self.one(&mut read, &words).map(Asked::One),
         };
         let hazard = self.hazard(&mut read, files);
-        if let (Some(Asked::One(one)), Some(hazard)) = (&asked, &hazard)
-            && let Some(hazard) = hazard.without_study()
-        {
+        if let (Some(Asked::One(one)), Some(Hazard::Known(hazard))) = (&asked, &hazard) {
             let one = RestrainRequest {
-                hazard,
+                hazard: hazard.clone(),
                 ..one.clone()
             };
             read.problems.keep_comparisons(restrain::check(one));
@@ -381,13 +368,14 @@ impl Restrain {
                     "leave it out: beside a study stand `place`, `site` and `return_period_years` alone",
                 );
             }
-            return Some(Hazard::Study(source?, words?));
+            return Some(Hazard::OfStudy(source?, words?));
         }
         if read.has("floor_acceleration") {
             for key in keys {
                 read.exclusive(key, "floor_acceleration");
             }
-            return Some(Hazard::FloorAcceleration(acceleration? / G0_M_S2));
+            let of_g = acceleration? / G0_M_S2;
+            return Some(Hazard::Known(RestrainHazard::FloorAcceleration(of_g)));
         }
         if keys.is_empty() {
             read.missing(
@@ -399,7 +387,7 @@ impl Restrain {
         }
         let words = words?;
         read.problems.keep(Target::for_parts(&words))?;
-        Some(Hazard::Code(words))
+        Some(Hazard::Known(RestrainHazard::Code(words)))
     }
 }
 

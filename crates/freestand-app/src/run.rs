@@ -239,14 +239,10 @@ fn variations(read: &mut WordReader<'_>) -> Option<Vec<Variation>> {
     if texts.is_empty() {
         return None;
     }
+    if texts.iter().all(|text| *text == "true") {
+        return Some(default_variations());
+    }
     let named = texts.into_iter().filter(|text| *text != "true");
-    let named: Vec<Variation> = named
-        .filter_map(|text| read.keep("vary", parse_variation(text)))
-        .collect();
-    let is_usual = named.is_empty() && words.all("vary").all(|text| text == "true");
-    Some(if is_usual {
-        default_variations()
-    } else {
-        named
-    })
+    let variations = named.filter_map(|text| read.keep("vary", parse_variation(text)));
+    Some(variations.collect())
 }

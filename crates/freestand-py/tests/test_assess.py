@@ -37,7 +37,9 @@ def test_edits_are_those_of_the_command(tmp_path):
     ours = fs.check_inventory(tmp_path / "list.csv", edits=["D2=1500 mm"])
     same(ours.to_dict(), told("inventory", "check", tmp_path / "list.csv", "--edit", "D2=1500 mm"))
     assert ours.table["height_m"][0] == 1.5
-    for wrong in ([1], ["D2"]):
+    # One text is one edit, not an edit for each of its letters.
+    same(fs.check_inventory(tmp_path / "list.csv", edits="D2=1500 mm").to_dict(), ours.to_dict())
+    for wrong in ([1], ["D2"], "D2"):
         with pytest.raises(fs.BadValue, match="edit|no ="):
             fs.check_inventory(tmp_path / "list.csv", edits=wrong)
 

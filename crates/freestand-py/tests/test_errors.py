@@ -99,6 +99,8 @@ def caught(kind, call):
         # Every thread takes memory; a typing error once took all of it.
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], threads=10**9), "threads"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", friction=(0.4, 0.3)), "friction"),
+        (lambda: fs.check_object(2, 0.3, place="Melbourne", friction="0.3 m"), "friction"),
+        (lambda: fs.check_object(2, 0.3, place="Melbourne", friction="0.4 to 0.3"), "friction"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", stiffness_n_m=-5), "stiffness_n_m"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", cushion="5 N/mm"), "cushion"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", cushion="rubber-foot", stiffness_n_m=5), "cushion"),
