@@ -379,10 +379,7 @@ impl NamedRecords<'_> {
         let of = |motions: Vec<ReadMotion>| motions.into_iter().map(OneMotion::from).collect();
         let horizontal = problems.keep(self.motions("motion", &self.horizontal, &how).map(of));
         let second = problems.keep(self.motions("motion_y", &across, &self.how).map(of));
-        let vertical = problems.keep(
-            self.motions("vertical", &self.vertical, &self.upward)
-                .map(of),
-        );
+        let vertical = problems.keep(self.verticals().map(of));
         let ((horizontal, second), vertical): ((Vec<OneMotion>, Vec<OneMotion>), _) =
             problems.finish(horizontal.zip(second).zip(vertical))?;
         let last = horizontal.last().and_then(|one| one.across.clone());
@@ -407,6 +404,16 @@ impl NamedRecords<'_> {
     /// The horizontal motions, read in this way.
     pub(crate) fn read_as(&self, how: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
         self.motions("motion", &self.horizontal, how)
+    }
+
+    /// The vertical motions.
+    pub(crate) fn verticals(&self) -> Result<Vec<ReadMotion>, Problems> {
+        self.motions("vertical", &self.vertical, &self.upward)
+    }
+
+    /// The files of all records.
+    pub(crate) fn all_paths(&self) -> Vec<PathBuf> {
+        self.paths_of(self.horizontal.iter().chain(&self.vertical))
     }
 
     /// The files of the horizontal records.

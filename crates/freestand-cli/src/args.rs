@@ -1,11 +1,9 @@
 //! Arguments that several commands share.
 
 use std::num::NonZeroUsize;
-use std::ops::Deref;
 use std::path::PathBuf;
 
-use clap::parser::ValueSource;
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use clap::Args;
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::failure::Failure;
@@ -61,56 +59,6 @@ impl GlobalArgs {
     /// Each command has its own, because a folder belongs to the command that wrote it.
     pub(crate) fn folder(&self, default: &str) -> PathBuf {
         self.out.clone().unwrap_or_else(|| PathBuf::from(default))
-    }
-}
-
-/// Arguments, and which of their flags were given.
-#[derive(Debug, Clone)]
-pub(crate) struct Named<A> {
-    args: A,
-    /// Names of the flags, without dashes, in the order of their definition.
-    pub(crate) given: Vec<String>,
-}
-
-impl<A> Deref for Named<A> {
-    type Target = A;
-
-    fn deref(&self) -> &A {
-        &self.args
-    }
-}
-
-impl<A: Args> FromArgMatches for Named<A> {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let is_given = |arg: &&Arg| {
-            matches.value_source(arg.get_id().as_str()) == Some(ValueSource::CommandLine)
-        };
-        let command = A::augment_args(Command::new("flags"));
-        let given = command
-            .get_arguments()
-            .filter(is_given)
-            .filter_map(Arg::get_long)
-            .map(str::to_owned)
-            .collect();
-        Ok(Self {
-            args: A::from_arg_matches(matches)?,
-            given,
-        })
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Self::from_arg_matches(matches)?;
-        Ok(())
-    }
-}
-
-impl<A: Args> Args for Named<A> {
-    fn augment_args(command: Command) -> Command {
-        A::augment_args(command)
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        A::augment_args_for_update(command)
     }
 }
 

@@ -89,17 +89,6 @@ impl CushionArgs {
         Ok(values.take(with_file(&words, file)).unwrap_or(words))
     }
 
-    /// The cushion under one edge of an object of `mass_kg`; `None` if no flag describes it, or one
-    /// is wrong.
-    pub(crate) fn edge(
-        &self,
-        mass_kg: Option<f64>,
-        values: &mut Values,
-    ) -> Result<Option<EdgeCushion>, Failure> {
-        let words = self.words(values)?;
-        Ok(self.resolved(&words, mass_kg, values))
-    }
-
     /// The cushion that these texts describe; `None` if there are none, or one is wrong.
     pub(crate) fn resolved(
         &self,
@@ -121,11 +110,6 @@ impl CushionArgs {
             }
         });
         resolved.ok()
-    }
-
-    /// Whether any of these flags is given.
-    pub(crate) fn is_given(&self) -> bool {
-        !self.keys.words.is_empty()
     }
 
     /// The file that `--cushion` names.

@@ -5,7 +5,6 @@ mod commands;
 mod cushion;
 mod failure;
 mod files;
-mod hazard;
 mod keys;
 mod printer;
 mod processing;

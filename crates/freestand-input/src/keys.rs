@@ -126,6 +126,10 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("shaking_s", "shaking", " s"),
     ("envelope_s", "envelope", " s"),
     ("pga_g", "pga", " g"),
+    ("ceiling_g", "ceiling", " g"),
+    ("discount_ratio", "discount", ""),
+    ("accepted_rate", "accepted", " /yr"),
+    ("site_deg", "site_coordinates", ""),
 ];
 
 /// Keys whose arguments have the same name, and bare values.

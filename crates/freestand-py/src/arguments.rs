@@ -2,10 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_assess::inventory::{CellsRequest, Edit};
 use freestand_input::keys::{Words, argument_key};
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::words::Choices;
 use freestand_output::facts::{Facts, Value};
 use freestand_output::json::document;
 use freestand_study::cushion::{self, EdgeCushion, read_cushion_file, with_file};
@@ -88,15 +86,6 @@ impl<'a, 'py> Given<'a, 'py> {
         self.accepted(name, |value| value > 0.0, "a number above 0, in SI units")
     }
 
-    /// A number of zero or more.
-    pub(crate) fn non_negative(&mut self, name: &str) -> Option<f64> {
-        self.accepted(
-            name,
-            |value| value >= 0.0,
-            "a number of 0 or more, in SI units",
-        )
-    }
-
     /// A whole number from `least`.
     pub(crate) fn whole(&mut self, name: &str, least: u64) -> Option<u64> {
         let value = self.value(name)?;
@@ -139,38 +128,6 @@ impl<'a, 'py> Given<'a, 'py> {
         text
     }
 
-    pub(crate) fn path(&mut self, name: &str) -> Option<PathBuf> {
-        let value = self.value(name)?;
-        let path = value.extract::<PathBuf>().ok();
-        if path.is_none() {
-            self.wrong(name, "a path");
-        }
-        path
-    }
-
-    pub(crate) fn texts(&mut self, name: &str, example: &str) -> Vec<String> {
-        let texts = self.value(name).map(|value| value.extract::<Vec<String>>());
-        if matches!(texts, Some(Err(_))) {
-            self.wrong(name, &format!("a list of texts such as \"{example}\""));
-        }
-        texts.and_then(Result::ok).unwrap_or_default()
-    }
-
-    /// How the cells of a list are read.
-    pub(crate) fn cells(&mut self) -> CellsRequest {
-        let texts = self.texts("edits", "D7=900 mm");
-        let read = |text: &String| {
-            self.problems
-                .keep(Edit::parse(text).map_err(|problem| problem.named("edits")))
-        };
-        let edits = texts.iter().filter_map(read).collect();
-        CellsRequest {
-            sheet: self.text("sheet"),
-            columns: self.path("columns"),
-            edits,
-        }
-    }
-
     /// Numbers of an array, as the Python layer passes them: bytes of doubles.
     pub(crate) fn numbers(&mut self, name: &str) -> Option<Vec<f64>> {
         let value = self.value(name)?;
@@ -179,34 +136,6 @@ impl<'a, 'py> Given<'a, 'py> {
             self.wrong(name, "numbers");
         }
         numbers
-    }
-
-    /// Two numbers.
-    pub(crate) fn point(&mut self, name: &str) -> Option<(f64, f64)> {
-        let value = self.value(name)?;
-        let point = two(&value);
-        if point.is_none() {
-            self.wrong(name, "two finite numbers (x, z), in SI units");
-        }
-        point
-    }
-
-    /// A choice by its name.
-    pub(crate) fn choice<T: Copy>(&mut self, name: &str, choices: Choices<T>) -> Option<T> {
-        let text = self.text(name)?;
-        let found = choices
-            .iter()
-            .find(|(_, word, _)| *word == text)
-            .map(|(value, ..)| *value);
-        if found.is_none() {
-            let names: Vec<&str> = choices.iter().map(|(_, word, _)| *word).collect();
-            let message = format!("{name} \"{text}\" is not known");
-            self.problems.push(Problem::value(
-                message,
-                format!("give one of {}", names.join(", ")),
-            ));
-        }
-        found
     }
 
     /// The texts of the dictionary called `name`, by the keys that requests know.
@@ -305,12 +234,6 @@ fn texts(value: &Bound<'_, PyAny>, unit: &str) -> Option<Vec<String>> {
         .ok()
         .filter(|number| number.is_finite())?;
     Some(vec![format!("{number}{unit}")])
-}
-
-/// Two finite numbers: a tuple, a list or an array.
-fn two(value: &Bound<'_, PyAny>) -> Option<(f64, f64)> {
-    let [first, second] = value.extract::<[f64; 2]>().ok()?;
-    (first.is_finite() && second.is_finite()).then_some((first, second))
 }
 
 /// A value of Python in a message.

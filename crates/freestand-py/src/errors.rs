@@ -67,52 +67,6 @@ pub(crate) fn raised_all(problems: impl Into<Problems>) -> PyErr {
     }
 }
 
-/// As [`raised_all`], for a function whose arguments are named otherwise than their keys: `names` are
-/// keys with their arguments. Requests name a key as the command does, so that one key is another
-/// argument in another function: `at` is a point (`at_m`) in `shock`, and a place in `fragility`.
-pub(crate) fn raised_by(names: &[(&str, &str)], problems: impl Into<Problems>) -> PyErr {
-    let mut problems: Problems = problems.into();
-    for problem in &mut problems.problems {
-        problem.message = with_arguments(names, &problem.message);
-        problem.hint = problem
-            .hint
-            .as_deref()
-            .map(|hint| with_arguments(names, hint));
-    }
-    raised_all(problems)
-}
-
-/// A text with the keys of a table as arguments; what else is marked stays marked. A value is left out
-/// where the argument is in a unit, or of another kind.
-fn with_arguments(names: &[(&str, &str)], text: &str) -> String {
-    let mut shown = String::with_capacity(text.len());
-    for (at, part) in text.split('`').enumerate() {
-        let (key, value) = part
-            .split_once(" = ")
-            .map_or((part, None), |(key, value)| (key, Some(value)));
-        let argument = names
-            .iter()
-            .find(|(known, _)| *known == key)
-            .map(|(_, argument)| *argument);
-        match argument.filter(|_| at % 2 == 1) {
-            Some(argument) => {
-                shown.push_str(argument);
-                if let Some(value) = value.filter(|_| argument == key) {
-                    shown.push('=');
-                    shown.push_str(value);
-                }
-            }
-            None if at % 2 == 1 => {
-                shown.push('`');
-                shown.push_str(part);
-                shown.push('`');
-            }
-            None => shown.push_str(part),
-        }
-    }
-    shown
-}
-
 /// The exception of a study or an inventory that cannot be used, with all its problems.
 pub(crate) fn of_study(problems: impl Into<Problems>) -> PyErr {
     let problems: Problems = problems.into();

@@ -9,12 +9,15 @@ use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
+use freestand_app::fragility::Fragility;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
+use freestand_app::risk::Risk;
 use freestand_app::rock::Rock;
 use freestand_app::run::{CheckStudy, Run};
+use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
@@ -140,6 +143,32 @@ fn without_files() -> Vec<Asked> {
         ),
         ("tolerance search", json!({})),
         (
+            "fragility",
+            json!({"height": "1.8 m", "thickness": "0.5 m", "mass": "150 kg", "stiffness": "4380 N/mm", "tolerance": "5 g",
+            "im": "pfv, sa(0.5)", "method": "stripes", "scales": "0.1 m/s:2 m/s:5", "format": "openquake", "demand": "1 m/s"}),
+        ),
+        (
+            "fragility",
+            json!({"tolerance": "5 g", "ceiling": "22 g", "fit": "two-stage", "bootstrap": "0", "format": "pelicun",
+            "demand": "1 m/s", "realizations": "100"}),
+        ),
+        (
+            "risk",
+            json!({"hazard_code": "as1170.4", "hazard_im": "pga", "site": "De", "hazard_factor": "0.12", "years": "50 yr",
+            "accepted": "1e-4 /yr"}),
+        ),
+        (
+            "risk",
+            json!({"hazard_power": "k0=1e-4 /yr, k=2.5, reference=1 m/s", "hazard_im": "pgv", "budget": "20000 AUD",
+            "horizon_years": "40 yr", "discount": "3 %"}),
+        ),
+        (
+            "shard plan",
+            json!({"place": "Wellington", "storeys": "7", "shards": "4", "outcomes": true, "pages": "10"}),
+        ),
+        ("shard run", json!({"shard": "3"})),
+        ("shard merge", json!({})),
+        (
             "floor",
             json!({"storeys": "12", "storey_height": "3 m", "spectra": true, "levels": "0.5, 1"}),
         ),
@@ -164,7 +193,12 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 19] = [
+const COMMANDS: [Command; 24] = [
+    command::<Fragility>("fragility"),
+    command::<Risk>("risk"),
+    command::<ShardMerge>("shard merge"),
+    command::<ShardPlan>("shard plan"),
+    command::<ShardRun>("shard run"),
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -297,6 +331,42 @@ fn of_programs() -> Vec<Asked> {
                 "vary": ["damping", "nope = 3", 5], "rotation_step_deg": 0, "parquet": "yes", "out": "/tmp/x", "dump_study": true}),
         ),
         ("check", json!({"study": ["a"], "seed": -1, "threads": 2})),
+        (
+            "fragility",
+            json!({"outcomes": "/etc/passwd", "height_m": 2, "motion": ["a"], "place": "Wellington", "ceiling_g": 9,
+                "inventory": "/etc/passwd", "hazard": "/etc/passwd", "worlds": 3, "unit": "g", "fit": 3, "out": "/tmp/x"}),
+        ),
+        (
+            "fragility",
+            json!({"inventory": "/etc/passwd", "height_m": 2, "motion": ["a"], "vertical": ["b"], "unit": "g", "ceiling_g": 9,
+                "worlds": 1, "bootstrap": 1e9, "im": ["pfv", "pgx"], "site_deg": [1], "beta": 0, "options": ["a", "b"]}),
+        ),
+        (
+            "fragility",
+            json!({"height_m": 2, "thickness_m": 0.5, "motion": ["a", "b"], "vertical": "c", "stiffness_n_m": 4e6,
+                "tolerance_duration_s": 0.01, "resume": true, "options": "d", "strict": true, "sheet": "S", "hazard_im": "pgv",
+                "scales": [0, 1], "restitution": 0.9, "restitution_factor": 0.9, "inertia_kg_m2": 3}),
+        ),
+        (
+            "risk",
+            json!({"fragility": "/etc/passwd", "outcomes": "/etc/passwd", "hazard": "/etc/passwd", "hazard_power": "a",
+                "hazard_code": "as1170.4", "hazard_im": "pga", "fault_distance_m": 3000, "fit": "ordered", "horizon_years": -1,
+                "accepted_rate": 0, "years": 0, "budget": 5, "edits": [["D7", "1"], ["D7"]], "csv": "/tmp/x"}),
+        ),
+        (
+            "risk",
+            json!({"site": "De", "hazard_factor": 0.1, "site_deg": [151.2, -33.9], "discount_ratio": 0.03, "sheet": "A"}),
+        ),
+        (
+            "risk",
+            json!({"outcomes": "/etc/passwd", "hazard_code": "nzs1170.5", "site_deg": [151.2, 91]}),
+        ),
+        (
+            "shard plan",
+            json!({"shards": 200000, "study": "/etc/passwd", "out": "/tmp/x", "seed": -1}),
+        ),
+        ("shard run", json!({"dir": "/etc/passwd", "shard": -1})),
+        ("shard merge", json!({"dir": ["a", "b"], "out": "/tmp/x"})),
         ("validate", json!({"table": 1})),
         (
             "tolerance search",

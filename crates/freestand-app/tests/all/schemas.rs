@@ -7,12 +7,15 @@ use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
+use freestand_app::fragility::Fragility;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::restrain::Restrain;
+use freestand_app::risk::Risk;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
 use freestand_app::schema::{of_request, of_response};
+use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
@@ -25,6 +28,23 @@ use freestand_study::shock::ShockAnswer;
 fn the_schemas_are_those_of_the_structs() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/schema");
     let schemas = [
+        (
+            "fragility.request.json",
+            of_request::<Fragility>("fragility", &["seed"]),
+        ),
+        ("risk.request.json", of_request::<Risk>("risk", &["seed"])),
+        (
+            "shard-plan.request.json",
+            of_request::<ShardPlan>("shard plan", &["seed"]),
+        ),
+        (
+            "shard-run.request.json",
+            of_request::<ShardRun>("shard run", &[]),
+        ),
+        (
+            "shard-merge.request.json",
+            of_request::<ShardMerge>("shard merge", &[]),
+        ),
         ("shock.request.json", of_request::<Shock>("shock", &[])),
         (
             "spectrum.request.json",

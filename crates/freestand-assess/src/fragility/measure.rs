@@ -162,11 +162,7 @@ impl Measure {
                     place.name(),
                     given.name()
                 );
-                Err(Problem::value(
-                    message,
-                    format!("leave out `at`, or write `at = \"{}\"`", place.name()),
-                )
-                .of(&["at"]))
+                Err(Problem::value(message, "leave out `at`").of(&["at"]))
             }
             (place, given) => Ok(place.or(given).unwrap_or(At::Ground)),
         }

@@ -33,7 +33,7 @@ use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub(crate) use curves::{cautions, contradictions};
 pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, MeasuredHazard, hazard_of, number_and_unit};
-pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
+pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
@@ -213,7 +213,10 @@ pub fn fragility_watched(
 pub const MAX_REPLICATES: u32 = 100_000;
 
 /// Refuses more samples than memory has room for.
-fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
+///
+/// # Errors
+/// More than [`MAX_REPLICATES`].
+pub fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
     let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else {
         return Ok(());
     };

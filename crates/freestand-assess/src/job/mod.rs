@@ -10,8 +10,8 @@ pub(crate) use key::resume_key;
 pub use portfolio::Finished;
 pub(crate) use portfolio::progress_names;
 pub use shards::{
-    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
-    plan_shards, run_shard,
+    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, check_shards,
+    merge_shards, plan_shards, run_shard,
 };
 pub(crate) use store::{PROGRESS, Part, Store};
 

@@ -135,27 +135,6 @@ pub enum RiskCurves {
     Outcomes(FragilityRequest),
 }
 
-impl RiskCurves {
-    /// The fragilities of a file, or of outcomes, for which `of_outcomes` makes the fit.
-    ///
-    /// # Errors
-    /// Neither of them; outcomes take the place of a file.
-    pub fn given(
-        file: Option<PathBuf>,
-        outcomes: Option<PathBuf>,
-        of_outcomes: impl FnOnce(PathBuf) -> FragilityRequest,
-    ) -> Result<Self, Problem> {
-        match (file, outcomes) {
-            (_, Some(outcomes)) => Ok(Self::Outcomes(of_outcomes(outcomes))),
-            (Some(path), None) => Ok(Self::File(path)),
-            (None, None) => Err(Problem::value(
-                "no fragility is given",
-                "give `fragility` or `outcomes`",
-            )),
-        }
-    }
-}
-
 /// A question about risk.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RiskRequest {

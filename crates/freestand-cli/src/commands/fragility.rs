@@ -1,30 +1,19 @@
 //! `freestand fragility`: how likely objects rock, are damaged and overturn at an intensity.
 
-use std::path::PathBuf;
-
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand::fragility::FitKind;
-use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export, export};
-use freestand_assess::fragility::{
-    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, HazardGiven,
-    HazardSource, ShockLimits, fragility_watched,
-};
-use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::Dimension;
-use freestand_input::words::Choices;
+use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
+use freestand_assess::export::{ExportRequest, export};
+use freestand_assess::fragility::{FragilityReport, FragilityRequest, fragility_watched};
+use freestand_input::problem::Problems;
 use freestand_output::json::document;
 
-use super::Done;
 use super::assess::watched;
-use super::fragility_runs::{self, RunArgs};
-use super::list::cells;
-use crate::args::{GlobalArgs, Named, refuse_idle};
+use super::{Done, Tell, fragility_runs};
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
-use crate::hazard::CurveArgs;
 use crate::printer::{Column, Printer, facts_table};
-use crate::values::{Given, Reads, Values, choice, name_of};
+use crate::stop::Stop;
 
 /// Calculate fragilities: how likely it is that an object rocks, is damaged or overturns
 ///
@@ -66,62 +55,11 @@ Examples:
     freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
       --site-coordinates \"151.2,-33.9\" --hazard hazard.csv --inventory costs.csv --out export")]
 pub(crate) struct FragilityArgs {
-    /// Table of outcomes (CSV) of earlier runs; nothing is run
-    #[arg(long, value_name = "FILE")]
-    outcomes: Option<PathBuf>,
     #[command(flatten)]
-    pub(super) runs: Named<RunArgs>,
-    /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
-    /// is on the ground [default: ground; with --motion, floor]
-    #[arg(long, value_parser = choice(PLACES))]
-    pub(super) at: Option<At>,
-    /// How the limit states of an object are fitted
-    #[arg(long, value_parser = choice(FIT_METHODS), default_value = name_of(FIT_METHODS, FitMethod::Curves(FitKind::Ordered)))]
-    pub(super) fit: FitMethod,
-    /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
-    /// fit of `exceeds` uses the shocks of the column edge_acceleration [g], not the outcomes
-    #[arg(long, positive = Dimension::Acceleration, help_heading = "One object")]
-    pub(super) tolerance: Option<Given>,
-    /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
-    #[arg(long, positive = Dimension::Acceleration, requires = "tolerance", help_heading = "From the shocks")]
-    pub(super) ceiling: Option<Given>,
-    /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
-    #[arg(long, value_name = "N")]
-    pub(super) bootstrap: Option<u32>,
+    pub(super) request: Fragility,
     #[command(flatten)]
-    pub(super) tables: TableArgs,
-
-    /// Write a folder for another program into --out; may be given several times
-    #[arg(long, value_parser = choice(FORMATS), help_heading = "Other programs")]
-    format: Vec<ExportFormat>,
-    /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
-    #[arg(
-        long,
-        value_name = "INTENSITY",
-        requires = "format",
-        help_heading = "Other programs"
-    )]
-    demand: Option<String>,
-    /// Realizations of pelicun with --demand [default: 10000]
-    #[arg(long, value_name = "N", requires = "format", help_heading = "Other programs", value_parser = clap::value_parser!(u32).range(1..))]
-    realizations: Option<u32>,
-    /// β for limit states that have none, such as a step
-    #[arg(long, positive = Dimension::Ratio, requires = "format", help_heading = "Other programs")]
-    beta: Option<Given>,
-    /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
-    #[arg(long, requires = "format", help_heading = "Other programs")]
-    discrete: bool,
-    #[command(
-        flatten,
-        next_help_heading = "Hazard (for --method stripes and --format openquake)"
-    )]
-    pub(super) curve: CurveArgs,
+    pub(super) output: TableArgs,
 }
-
-pub(crate) const PLACES: Choices<At> = &[
-    (At::Ground, "ground", "of the ground motion"),
-    (At::Floor, "floor", "of the floor motion"),
-];
 
 const COLUMNS: [Column; 9] = [
     ("id", "object", 0),
@@ -135,137 +73,72 @@ const COLUMNS: [Column; 9] = [
     ("upper", "all above", 4),
 ];
 
-pub(crate) fn run(
-    args: &FragilityArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    if !args.format.is_empty() && global.out.is_none() {
-        return Err(Failure::usage(
-            "--format writes a folder, and --out is not given",
-            "give --out DIR",
-        ));
-    }
-    match &args.outcomes {
-        Some(_) if args.runs.is_given_beside_outcomes() => Err(Failure::usage(
-            "--outcomes contains the runs, so there is nothing else to run",
-            "leave out --outcomes, or leave out the size, the motions and the study",
-        )),
-        Some(outcomes) => run_table(outcomes, args, global, printer),
-        None if args.runs.is_given() => fragility_runs::run(args, global, printer),
-        None => Err(Failure::usage(
-            "there is nothing to run and nothing to fit",
-            "give --height, --thickness and --motion, or --inventory with a study, or --outcomes FILE",
-        )),
+impl Tell for Fragility {
+    type Output = TableArgs;
+
+    fn tell(
+        meant: Meant,
+        tables: &TableArgs,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        if !meant.exports.is_empty() && global.out.is_none() {
+            return Err(Failure::usage(
+                "--format writes a folder, and --out is not given",
+                "give --out DIR",
+            ));
+        }
+        let seed = Some(global.seed());
+        let files = Files::with_tables(global, &meant.inputs, tables, SCHEMA, seed)?;
+        match meant.fitted {
+            Fitted::Outcomes(request) => fit(request, &meant.exports, files, printer),
+            Fitted::Runs(runs) => {
+                fragility_runs::run(*runs, &meant.exports, files, global, printer)
+            }
+        }
     }
 }
 
 /// The fit of a table of outcomes.
-fn run_table(
-    outcomes: &PathBuf,
-    args: &FragilityArgs,
-    global: &GlobalArgs,
+fn fit(
+    request: FragilityRequest,
+    exports: &[ExportRequest],
+    files: Files,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    // The inventory has quantities and costs for --format; everything else describes runs.
-    let idle = args
-        .runs
-        .given
-        .iter()
-        .map(String::as_str)
-        .filter(|flag| *flag != "inventory");
-    refuse_idle(idle, "--outcomes contains the runs, so nothing is run")?;
-    let mut values = Values::default();
-    let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
-    if args.tolerance.is_some() && args.ceiling.is_none() {
-        let message = "--tolerance with --outcomes needs the ceiling of the shocks";
-        values.push(Problem::value(
-            message,
-            "give --ceiling, the ceiling_g that freestand shock states",
-        ));
-    } else if args.tolerance.is_none() && args.fit == FitMethod::TwoStage {
-        let message =
-            "--fit two-stage with --outcomes needs the tolerance and the ceiling of the shocks";
-        values.push(Problem::value(
-            message,
-            "give --tolerance and --ceiling, the ceiling_g that freestand shock states",
-        ));
-    }
-    values.finish()?;
-    let shock = tolerance
-        .zip(ceiling)
-        .map(|(tolerance, ceiling)| ShockLimits {
-            tolerance_g: tolerance / G0_M_S2,
-            ceiling_g: ceiling / G0_M_S2,
-        });
-    let costs = args.runs.inventory();
-    if costs.is_some() && args.format.is_empty() {
-        let message =
-            "--inventory with --outcomes has quantities and costs for --format, which is not given";
-        return Err(Failure::usage(
-            message,
-            "give --format, or leave out --inventory",
-        ));
-    }
-    let mut exports = Exports::new(args, costs.as_ref())?;
-    if exports.hazard.is_some() && !exports.takes_hazard() {
-        return Err(Failure::usage(
-            "only OpenQuake takes a hazard curve",
-            "add --format openquake",
-        ));
-    }
-    let inputs: Vec<PathBuf> = [Some(outcomes), costs.as_ref(), args.curve.hazard.as_ref()]
-        .into_iter()
-        .flatten()
-        .cloned()
-        .collect();
-    let files = Files::with_tables(
-        global,
-        &inputs,
-        &args.tables,
-        FRAGILITY_SCHEMA,
-        Some(global.seed()),
-    )?;
-    let request = FragilityRequest {
-        outcomes: outcomes.clone(),
-        at: args.at,
-        fit: args.fit.kind(),
-        shock,
-        replicates: args.bootstrap,
-        seed: global.seed(),
-    };
     // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
-    let go_on = || {
-        if stop.wanted() {
-            Err(Failure::Stopped { printed: false })
-        } else {
-            Ok(())
-        }
-    };
     let found = watched(printer, |progress| fragility_watched(request, progress));
     let mut report = found.map_err(stopped)?;
     // Before anything is written, so that what cannot be exported leaves no folder.
-    exports.make(&report)?;
-    report.warnings.append(&mut exports.warnings);
+    let exported = Exported::of(&report, exports)?;
+    report.warnings.extend(exported.warnings);
     let facts = report.facts();
     if files.wanted() {
+        let go_on = || go_on(&stop);
         files.table("fragility", || report.table())?;
         go_on()?;
         files.table("empirical", || report.empirical_table())?;
         go_on()?;
-        let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
+        let json = document(SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
         go_on()?;
         files.figure("fragility", || report.figure())?;
         go_on()?;
-        exports.write(&files)?;
+        write(exported.files, &files)?;
     }
-    files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
-    printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || {
-        curves_text(&report)
-    })?;
+    files.finish_result(SCHEMA, &report.warnings)?;
+    printer.result(SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
+}
+
+/// Refuses to continue after a signal.
+pub(super) fn go_on(stop: &Stop) -> Result<(), Failure> {
+    if stop.wanted() {
+        Err(Failure::Stopped { printed: false })
+    } else {
+        Ok(())
+    }
 }
 
 /// The failure of a calculation, which a signal may have stopped.
@@ -277,134 +150,39 @@ pub(super) fn stopped(problems: Problems) -> Failure {
     }
 }
 
-/// The folders for other programs.
-pub(super) struct Exports {
-    requests: Vec<ExportRequest>,
-    /// The hazard that was given.
-    pub(super) hazard: Option<HazardSource>,
-    made: Vec<(String, Vec<u8>)>,
+/// Folders for other programs.
+#[derive(Debug, Default)]
+pub(super) struct Exported {
+    /// Their files, with their contents.
+    pub(super) files: Vec<(String, Vec<u8>)>,
     /// Warnings about them.
     pub(super) warnings: Vec<String>,
 }
 
-impl Exports {
-    /// What is asked for, checked as far as it can be without fits.
-    pub(super) fn new(args: &FragilityArgs, inventory: Option<&PathBuf>) -> Result<Self, Failure> {
-        let mut values = Values::default();
-        let beta = values.read(&args.beta);
-        let site_deg = values.read(&args.curve.site_coordinates);
-        let hazard = args.curve.given(&mut values);
-        values.finish()?;
-        let hazard = if hazard == HazardGiven::default() {
-            None
-        } else {
-            Some(hazard.source()?)
-        };
-        let has = |format| args.format.contains(&format);
-        let idle = [
-            (
-                args.realizations.is_some()
-                    && !(has(ExportFormat::Pelicun) && args.demand.is_some()),
-                "realizations",
-            ),
-            (
-                args.curve.site_coordinates.is_some()
-                    && args.curve.hazard.is_none()
-                    && !has(ExportFormat::OpenQuake),
-                "site-coordinates",
-            ),
-            (
-                args.demand.is_some()
-                    && args
-                        .format
-                        .iter()
-                        .all(|format| *format == ExportFormat::Csv),
-                "demand",
-            ),
-            (
-                args.beta.is_some()
-                    && args
-                        .format
-                        .iter()
-                        .all(|format| *format == ExportFormat::Csv),
-                "beta",
-            ),
-            (
-                args.discrete
-                    && args
-                        .format
-                        .iter()
-                        .all(|format| *format == ExportFormat::Csv),
-                "discrete",
-            ),
-        ];
-        let idle = idle
-            .into_iter()
-            .filter_map(|(is_idle, flag)| is_idle.then_some(flag));
-        refuse_idle(
-            idle,
-            "no program of --format uses it (--realizations is for pelicun with --demand)",
-        )?;
-        let list = cells(args.runs.cells())?;
-        let request = |&format| ExportRequest {
-            format,
-            list: list.clone(),
-            demand: args.demand.clone(),
-            realizations: args.realizations,
-            beta,
-            is_discrete: args.discrete,
-            site_deg,
-            inventory: inventory.cloned(),
-            hazard: None,
-        };
-        let requests: Vec<ExportRequest> = args.format.iter().map(request).collect();
-        requests.iter().try_for_each(check_export)?;
-        Ok(Self {
-            requests,
-            hazard,
-            made: Vec::new(),
-            warnings: Vec::new(),
-        })
-    }
-
-    /// Whether a program reads the hazard.
-    pub(super) fn takes_hazard(&self) -> bool {
-        self.requests
-            .iter()
-            .any(|request| request.format == ExportFormat::OpenQuake)
-    }
-
-    /// Makes the files.
-    pub(super) fn make(&mut self, report: &FragilityReport) -> Result<(), Failure> {
-        for request in &self.requests {
-            let hazard = self
-                .hazard
-                .clone()
-                .filter(|_| request.format == ExportFormat::OpenQuake);
-            let folder = export(
-                report,
-                &ExportRequest {
-                    hazard,
-                    ..request.clone()
-                },
-            )?;
+impl Exported {
+    pub(super) fn of(
+        report: &FragilityReport,
+        requests: &[ExportRequest],
+    ) -> Result<Self, Problems> {
+        let mut all = Self::default();
+        for request in requests {
+            let folder = export(report, request)?;
             for warning in folder.warnings {
                 // Two programs may say the same of an object.
-                if !report.warnings.contains(&warning) && !self.warnings.contains(&warning) {
-                    self.warnings.push(warning);
+                if !report.warnings.contains(&warning) && !all.warnings.contains(&warning) {
+                    all.warnings.push(warning);
                 }
             }
-            self.made.extend(folder.files);
+            all.files.extend(folder.files);
         }
-        Ok(())
+        Ok(all)
     }
+}
 
-    /// Writes them.
-    pub(super) fn write(self, files: &Files) -> Result<(), Failure> {
-        self.made
-            .into_iter()
-            .try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
-    }
+/// Writes files with their contents.
+pub(super) fn write(made: Vec<(String, Vec<u8>)>, files: &Files) -> Result<(), Failure> {
+    made.into_iter()
+        .try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
 }
 
 /// The curves by one measure, for people.

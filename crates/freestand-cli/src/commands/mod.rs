@@ -1,7 +1,6 @@
 //! One file for each command.
 
 mod assess;
-mod block;
 mod check;
 mod completions;
 mod cushion;
@@ -10,7 +9,6 @@ mod fragility;
 mod fragility_runs;
 mod inventory;
 mod library;
-mod list;
 mod motion;
 mod object;
 mod place;
@@ -152,8 +150,8 @@ impl Command {
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),
             Self::Restrain(args) => args.request.run(&(), global, printer),
-            Self::Fragility(args) => fragility::run(args, global, printer),
-            Self::Risk(args) => risk::run(args, global, printer),
+            Self::Fragility(args) => args.request.run(&args.output, global, printer),
+            Self::Risk(args) => args.request.run(&args.output, global, printer),
             Self::Validate(args) => args.request.run(&(), global, printer),
             #[cfg(feature = "page")]
             Self::Serve(args) => serve::run(args, global, printer),

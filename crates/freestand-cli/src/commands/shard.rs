@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use freestand_app::list::ListKeys;
+use freestand_app::shard::{PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun};
 use freestand_assess::job::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
     plan_shards, run_shard,
@@ -12,9 +12,9 @@ use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 use serde_json::json;
 
-use super::Done;
 use super::assess::{print, watched};
-use super::list::read;
+use super::fragility::stopped;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::{Printer, significant};
@@ -63,16 +63,7 @@ Take shards of some minutes of work: 200 objects or more. Exit status: 0 planned
 cell of the list could not be read; 2 could not run.")]
 struct PlanArgs {
     #[command(flatten)]
-    list: ListKeys,
-    /// Number of shards
-    #[arg(long, value_name = "N")]
-    shards: usize,
-    /// Also make outcomes.csv: what happened to every object in every world, by each model
-    #[arg(long)]
-    outcomes: bool,
-    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-    #[arg(long, value_name = "N")]
-    pages: Option<usize>,
+    request: ShardPlan,
 }
 
 /// Assess the objects of one shard
@@ -89,12 +80,8 @@ Examples:
 
 Exit status: 0 the shard is finished; 2 could not run; 130 stopped, the finished parts are kept.")]
 struct RunArgs {
-    /// Folder of the plan
-    #[arg(value_name = "DIR")]
-    dir: PathBuf,
-    /// Number of the shard, counted from 0
-    #[arg(long, value_name = "N")]
-    shard: usize,
+    #[command(flatten)]
+    request: ShardRun,
 }
 
 /// Write the outputs of the assessment from the results of all shards
@@ -109,9 +96,8 @@ Examples:
 Exit status: 0 done; 1 shards are missing, which are listed with the command that runs them (nothing
 is written), a cell of the list could not be read, or a history failed; 2 could not run.")]
 struct MergeArgs {
-    /// Folder of the plan
-    #[arg(value_name = "DIR")]
-    dir: PathBuf,
+    #[command(flatten)]
+    request: ShardMerge,
 }
 
 pub(crate) fn run(
@@ -120,9 +106,9 @@ pub(crate) fn run(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     match &args.command {
-        ShardCommand::Plan(args) => plan(args, global, printer),
-        ShardCommand::Run(args) => shard(args, global, printer),
-        ShardCommand::Merge(args) => merge(args, global, printer),
+        ShardCommand::Plan(args) => args.request.run(&(), global, printer),
+        ShardCommand::Run(args) => args.request.run(&(), global, printer),
+        ShardCommand::Merge(args) => args.request.run(&(), global, printer),
     }
 }
 
@@ -132,36 +118,46 @@ fn out<'g>(global: &'g GlobalArgs, hint: &str) -> Result<&'g Path, Failure> {
     Ok(global.out.as_deref().ok_or_else(missing)?)
 }
 
-fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let out = out(
-        global,
-        "name the folder of the plan: one that all machines can read and write",
-    )?;
-    let (study, list, inventory) = read(&args.list, global, args.pages)?;
-    let request = PlanRequest {
-        study: &study,
-        seed: global.seed,
-        inventory: &inventory,
-        list: &list.request,
-        shards: args.shards,
-        outcomes: args.outcomes,
-    };
-    let report = plan_shards(&request, out, global.force)?;
-    let said = report
-        .problems
-        .iter()
-        .map(|line| format!("in the list: {line}"));
-    let warnings: Vec<String> = report
-        .no_study
-        .iter()
-        .cloned()
-        .chain(said)
-        .chain(report.warnings.clone())
-        .collect();
-    printer.result(PLAN_SCHEMA, &report, &warnings, || planned(&report))?;
-    Ok(Done {
-        criterion_met: !inventory.has_errors(),
-    })
+impl Tell for ShardPlan {
+    type Output = ();
+
+    fn tell(
+        meant: PlanMeant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let out = out(
+            global,
+            "name the folder of the plan: one that all machines can read and write",
+        )?;
+        let study = meant.list.study(meant.pages)?;
+        let inventory = meant.list.inventory(&study)?;
+        let request = PlanRequest {
+            study: &study,
+            seed: meant.seed,
+            inventory: &inventory,
+            list: &meant.list.request,
+            shards: meant.shards,
+            outcomes: meant.outcomes,
+        };
+        let report = plan_shards(&request, out, global.force)?;
+        let said = report
+            .problems
+            .iter()
+            .map(|line| format!("in the list: {line}"));
+        let warnings: Vec<String> = report
+            .no_study
+            .iter()
+            .cloned()
+            .chain(said)
+            .chain(report.warnings.clone())
+            .collect();
+        printer.result(PLAN_SCHEMA, &report, &warnings, || planned(&report))?;
+        Ok(Done {
+            criterion_met: !inventory.has_errors(),
+        })
+    }
 }
 
 fn planned(report: &PlanReport) -> String {
@@ -191,105 +187,115 @@ fn planned(report: &PlanReport) -> String {
     )
 }
 
-fn shard(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    if global.out.is_some() || global.seed.is_some() {
-        let hint = "leave it out: the folder of the plan has the seed, and gets the results";
-        return Err(Failure::usage(
-            "shard run takes neither --out nor --seed",
-            hint,
-        ));
-    }
-    let report = watched(printer, |progress| {
-        run_shard(&args.dir, args.shard, progress)
-    })
-    .map_err(|error| {
-        if error.is_stopped() {
-            Failure::StoppedInShard
-        } else {
-            error.into()
+impl Tell for ShardRun {
+    type Output = ();
+
+    fn tell(
+        RunMeant { dir, shard }: RunMeant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        if global.out.is_some() || global.seed.is_some() {
+            let hint = "leave it out: the folder of the plan has the seed, and gets the results";
+            return Err(Failure::usage(
+                "shard run takes neither --out nor --seed",
+                hint,
+            ));
         }
-    })?;
-    printer.result(SHARD_SCHEMA, &report, &[], || {
-        let ShardReport {
-            index,
-            rows,
-            seconds,
-            failed,
-            was_finished,
-            ..
-        } = &report;
-        let when = if *was_finished {
-            "was finished before"
-        } else {
-            "is finished"
-        };
-        let failed = match failed {
-            0 => String::new(),
-            failed => format!(
-                "; {} with histories that failed",
-                counted(*failed, "object")
-            ),
-        };
-        format!(
-            "shard {index} {when}: {}, {} s{failed}\n",
-            counted(*rows, "object"),
-            significant(*seconds, 3)
-        )
-    })?;
-    Ok(Done::OK)
+        let report =
+            watched(printer, |progress| run_shard(&dir, shard, progress)).map_err(|error| {
+                if error.is_stopped() {
+                    Failure::StoppedInShard
+                } else {
+                    error.into()
+                }
+            })?;
+        printer.result(SHARD_SCHEMA, &report, &[], || {
+            let ShardReport {
+                index,
+                rows,
+                seconds,
+                failed,
+                was_finished,
+                ..
+            } = &report;
+            let when = if *was_finished {
+                "was finished before"
+            } else {
+                "is finished"
+            };
+            let failed = match failed {
+                0 => String::new(),
+                failed => format!(
+                    "; {} with histories that failed",
+                    counted(*failed, "object")
+                ),
+            };
+            format!(
+                "shard {index} {when}: {}, {} s{failed}\n",
+                counted(*rows, "object"),
+                significant(*seconds, 3)
+            )
+        })?;
+        Ok(Done::OK)
+    }
 }
 
 /// Missing shards that are listed by their commands.
 const LISTED: usize = 20;
 
-fn merge(args: &MergeArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let out = out(global, "name the folder for the results")?;
-    if global.seed.is_some() {
-        return Err(Failure::usage(
-            "shard merge takes no --seed",
-            "leave it out: the plan has the seed",
-        ));
-    }
-    let merged = watched(printer, |progress| {
-        merge_shards(&args.dir, out, global.force, progress)
-    });
-    match merged.map_err(|error| {
-        if error.is_stopped() {
-            Failure::Stopped { printed: false }
-        } else {
-            error.into()
+impl Tell for ShardMerge {
+    type Output = ();
+
+    fn tell(
+        dir: PathBuf,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let out = out(global, "name the folder for the results")?;
+        if global.seed.is_some() {
+            return Err(Failure::usage(
+                "shard merge takes no --seed",
+                "leave it out: the plan has the seed",
+            ));
         }
-    })? {
-        Merged::Missing(missing) => {
-            let dir = quoted(&args.dir.display().to_string());
-            let commands: Vec<String> = missing
-                .iter()
-                .map(|shard| format!("freestand shard run {dir} --shard {shard}"))
-                .collect();
-            if printer.json() {
-                let body = json!({"missing": missing, "commands": commands});
-                printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
-            } else {
-                printer.print(&format!(
-                    "{} not finished, so nothing was written. Run them:\n{}",
-                    if missing.len() == 1 {
-                        "1 shard is".to_owned()
-                    } else {
-                        format!("{} shards are", missing.len())
-                    },
-                    listed(&commands, &missing, &dir)
-                ))?;
+        let merged = watched(printer, |progress| {
+            merge_shards(&dir, out, global.force, progress)
+        });
+        match merged.map_err(stopped)? {
+            Merged::Missing(missing) => {
+                let dir = quoted(&dir.display().to_string());
+                let commands: Vec<String> = missing
+                    .iter()
+                    .map(|shard| format!("freestand shard run {dir} --shard {shard}"))
+                    .collect();
+                if printer.json() {
+                    let body = json!({"missing": missing, "commands": commands});
+                    printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
+                } else {
+                    printer.print(&format!(
+                        "{} not finished, so nothing was written. Run them:\n{}",
+                        if missing.len() == 1 {
+                            "1 shard is".to_owned()
+                        } else {
+                            format!("{} shards are", missing.len())
+                        },
+                        listed(&commands, &missing, &dir)
+                    ))?;
+                }
+                Ok(Done {
+                    criterion_met: false,
+                })
             }
-            Ok(Done {
-                criterion_met: false,
-            })
-        }
-        Merged::Done(done) => {
-            let (report, inventory) = *done;
-            print(&report, out, &inventory, printer)?;
-            Ok(Done {
-                criterion_met: report.failed == 0 && !inventory.has_errors(),
-            })
+            Merged::Done(done) => {
+                let (report, inventory) = *done;
+                print(&report, out, &inventory, printer)?;
+                Ok(Done {
+                    criterion_met: report.failed == 0 && !inventory.has_errors(),
+                })
+            }
         }
     }
 }

@@ -608,11 +608,11 @@ fn what_cannot_be_run_is_refused() {
         said(&["--ceiling", "9g", "--tolerance", "2g"])
             .contains("--ceiling is for --outcomes only")
     );
-    assert!(said(&["--inventory", "list.csv"]).contains("describes one object"));
+    assert!(said(&["--inventory", "list.csv"]).contains("is for one object and its motions"));
     let alone = |flags: &[&str]| refused(folder, &[&["fragility"], flags].concat());
     assert!(alone(&[]).contains("nothing to run and nothing to fit"));
     assert!(alone(&["--height", "2m", "--thickness", "0.5m"]).contains("no motions"));
-    assert!(alone(&["--motion", "m0.csv"]).contains("the size of the object is missing"));
+    assert!(alone(&["--motion", "m0.csv"]).contains("--height is missing"));
     let no_shock = alone(&[
         "--height",
         "2m",
@@ -1100,7 +1100,7 @@ fn runs_of_an_inventory_that_are_killed_go_on() {
         &["fragility", "--inventory", "list.csv", "--resume"],
     );
     assert!(
-        said.contains("--resume continues runs of an inventory"),
+        said.contains("--resume continues runs in their folder"),
         "{said}"
     );
 }
@@ -1250,7 +1250,7 @@ fn flags_that_would_be_ignored_are_refused() {
         read.status.code() == Some(2)
             && String::from_utf8(read.stderr)
                 .unwrap()
-                .contains("--unit without a record")
+                .contains("--unit is for one object and its motions")
     );
 }
 

@@ -449,7 +449,7 @@ fn flags_without_effect_are_refused() {
         (&["--restitution", "0.5"], "--restitution"),
         (
             &["--mass", "-1 kg", "--law", "nonsense", "--scale", "rm -rf"],
-            "--law",
+            "--mass",
         ),
     ] {
         let told = refused(folder.path(), &[&fit[..], idle].concat());

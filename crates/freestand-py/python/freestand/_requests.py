@@ -572,11 +572,11 @@ def fragility(
     >>> print(f"{found.curve('cabinet', 'overturns')['median']:.3f} m/s")
     0.472 m/s
     """
-    values = given(
+    asked = given(
         at=at, fit=fit, tolerance_g=tolerance_g, ceiling_g=ceiling_g, bootstrap=bootstrap, seed=seed,
     )  # fmt: skip
     with as_file(outcomes, "outcomes") as runs:
-        text, seen = _freestand.fragility(values | given(outcomes=runs.path), threads_given(threads))
+        text, seen = _freestand.fragility(asked, {"outcomes": (runs.path, None)}, threads_given(threads))
     result = FragilityResult(json.loads(runs.named(text)), seen)
     warn(result.warnings)
     return result
@@ -631,7 +631,7 @@ def risk(
     hazard_factor, fault_distance_m : float, optional
         Values of the code.
     site_deg : tuple of float, optional
-        Latitude and longitude [degrees].
+        Longitude and latitude [degrees], for a file of `hazard` with several sites.
     at, fit, bootstrap, seed : optional
         As in `fragility`.
     inventory : path or table, optional
@@ -662,19 +662,22 @@ def risk(
     >>> sorted({item["id"] for item in found.objects})[:1]
     ['cabinet']
     """
-    values = given(
-        fragility=fragility, hazard=hazard, hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im,
-        site=site, hazard_factor=hazard_factor, fault_distance_m=fault_distance_m, site_deg=site_deg, at=at, fit=fit,
+    asked = given(
+        hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im, site=site,
+        hazard_factor=hazard_factor, fault_distance_m=fault_distance_m, site_deg=site_deg, at=at, fit=fit,
         bootstrap=bootstrap, seed=seed, budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
-        accepted_rate=accepted_rate, years=years, sheet=sheet, columns=columns, edits=edits,
+        accepted_rate=accepted_rate, years=years, sheet=sheet, edit=edits,
     )  # fmt: skip
     with (
         as_file(outcomes, "outcomes") as runs,
         as_file(inventory) as costs,
         as_file(options, "options") as bought,
     ):
-        files = given(outcomes=runs.path, inventory=costs.path, options=bought.path)
-        text = _freestand.risk(values | files, threads_given(threads))
+        files = {
+            "fragility": (fragility, None), "hazard": (hazard, None), "outcomes": (runs.path, None),
+            "inventory": (costs.path, None), "columns": (columns, None), "options": (bought.path, None),
+        }  # fmt: skip
+        text = _freestand.risk(asked, files, threads_given(threads))
     result = RiskResult._of(bought.named(costs.named(runs.named(text))))
     warn(result.warnings)
     return result

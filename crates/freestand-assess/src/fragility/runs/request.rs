@@ -1,5 +1,7 @@
 //! What is run.
 
+use std::sync::Arc;
+
 use freestand::block::Block;
 use freestand::rocking::Restitution;
 use freestand_input::file::InputFile;
@@ -184,15 +186,15 @@ impl Limits {
 
 /// The objects of runs.
 #[derive(Debug, Clone)]
-pub enum RunObjects<'a> {
+pub enum RunObjects {
     /// One by its numbers.
     Given(Box<GivenObject>),
     /// Those of a list on the floors of a study.
     Listed {
         /// The study.
-        study: &'a Study,
+        study: Arc<Study>,
         /// The list.
-        inventory: &'a Inventory,
+        inventory: Arc<Inventory>,
         /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`](super::DEFAULT_WORLDS).
         worlds: Option<u32>,
         /// Objects of the list that are run as options change them, too.
@@ -205,9 +207,9 @@ pub const GIVEN_ID: &str = "object";
 
 /// What is run and fitted.
 #[derive(Debug, Clone)]
-pub struct RunsRequest<'a> {
+pub struct RunsRequest {
     /// The objects.
-    pub objects: RunObjects<'a>,
+    pub objects: RunObjects,
     /// Measures; empty: `pfv` of given motions, `pgv` of a study.
     pub measures: Vec<Measure>,
     /// Where spectral accelerations are taken; `None`: at the ground where it is known.

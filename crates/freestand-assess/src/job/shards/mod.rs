@@ -30,7 +30,7 @@ use freestand_output::paths::io_problem;
 use freestand_study::run::{Progress, Stage, Step};
 
 use plan::Plan;
-pub use plan::{PLAN_SCHEMA, PlanReport, PlanRequest, plan_shards};
+pub use plan::{PLAN_SCHEMA, PlanReport, PlanRequest, check_shards, plan_shards};
 
 /// Schema of the file of a finished shard, and of the document of `freestand shard run`.
 pub const SHARD_SCHEMA: &str = "freestand.shard/1";

@@ -31,6 +31,19 @@ const MAX_SHARDS: usize = 100_000;
 
 const ANOTHER_FOLDER: &str = "name another folder with `out`";
 
+/// Refuses a number of shards that a plan cannot have.
+///
+/// # Errors
+/// None, or more than 100,000.
+pub fn check_shards(shards: usize) -> Result<(), Problem> {
+    if (1..=MAX_SHARDS).contains(&shards) {
+        return Ok(());
+    }
+    let message = format!("`shards` must be a whole number from 1 to {MAX_SHARDS}, not {shards}");
+    let hint = "take shards of some minutes of work: about 200 objects or more";
+    Err(Problem::value(message, hint).of(&["shards"]))
+}
+
 /// What is planned.
 #[derive(Debug, Clone, Copy)]
 pub struct PlanRequest<'r> {
@@ -152,12 +165,7 @@ pub fn plan_shards(request: &PlanRequest, dir: &Path, force: bool) -> Result<Pla
         shards,
         ..
     } = *request;
-    if !(1..=MAX_SHARDS).contains(&shards) {
-        let message =
-            format!("`shards` must be a whole number from 1 to {MAX_SHARDS}, not {shards}");
-        let hint = "take shards of some minutes of work: about 200 objects or more";
-        return Err(Problem::value(message, hint).of(&["shards"]).into());
-    }
+    check_shards(shards)?;
     let rows = inventory.items.len();
     let head = head(study, inventory);
     let said = said(study, &head);

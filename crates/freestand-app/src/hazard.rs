@@ -1,0 +1,154 @@
+//! A hazard curve: how often motions reach an intensity.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_assess::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
+use freestand_assess::risk::coordinates;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{one_of, path, request};
+
+/// A hazard curve of a file, or a power law.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct HazardCurve {
+    /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
+    #[arg(long, value_name = "FILE")]
+    pub hazard: Option<Written>,
+    /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+    #[arg(long, value_name = "LAW")]
+    pub hazard_power: Option<Written>,
+    /// Intensity measure of a hazard that is not from a file: pga, pgv, pfv, sa(0.5) and so on [default:
+    /// that of the fragilities]
+    #[arg(long, value_name = "IM")]
+    pub hazard_im: Option<Written>,
+    /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
+    /// of exported objects
+    #[arg(long, alias = "site-deg", value_name = "LON,LAT")]
+    pub site_coordinates: Option<Written>,
+}
+
+request!(HazardCurve {
+    hazard,
+    hazard_power,
+    hazard_im,
+    site_coordinates
+});
+
+/// The return periods of a code.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct HazardOfCode {
+    /// Return periods of a code, for pga or sa(T)
+    #[arg(long, value_name = "CODE", value_parser = one_of(HAZARD_CODES))]
+    pub hazard_code: Option<Written>,
+    /// Site class of the code
+    #[arg(long, value_name = "CLASS")]
+    pub site: Option<Written>,
+    /// Hazard factor Z of the code
+    #[arg(long, value_name = "RATIO")]
+    pub hazard_factor: Option<Written>,
+    /// Distance to the nearest major fault, of NZS 1170.5
+    #[arg(long, value_name = "LENGTH")]
+    pub fault_distance: Option<Written>,
+}
+
+request!(HazardOfCode {
+    hazard_code,
+    site,
+    hazard_factor,
+    fault_distance
+});
+
+impl HazardCurve {
+    /// The hazard; `None` if none is given, or something is wrong.
+    pub(crate) fn source(
+        read: &mut WordReader<'_>,
+        measure: Option<Measure>,
+        files: &Files,
+    ) -> Option<HazardSource> {
+        let file = path(read, "hazard", files);
+        let law = read.one("hazard_power").map(str::to_owned);
+        read.exclusive("hazard", "hazard_power");
+        if read.has("hazard") && read.has("hazard_im") {
+            unused(read, "hazard_im", "a hazard file, which names its measure,");
+        }
+        let law = law.map(|text| HazardSource::PowerLaw { text, measure });
+        file.map(HazardSource::File).or(law)
+    }
+
+    /// Longitude and latitude \[degrees\].
+    pub(crate) fn site_deg(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
+        let text = read.text("site_coordinates")?;
+        read.keep("site_coordinates", coordinates(text))
+    }
+
+    /// The file of the curve.
+    pub(crate) fn input(&self, files: &Files) -> Option<PathBuf> {
+        files.path_of(self.hazard.as_ref())
+    }
+}
+
+impl HazardOfCode {
+    /// The hazard; `None` if no code is given, or something is wrong.
+    pub(crate) fn source(
+        read: &mut WordReader<'_>,
+        measure: Option<Measure>,
+    ) -> Option<HazardSource> {
+        let code = read.choice("hazard_code", HAZARD_CODES);
+        let site = read.one("site").map(str::to_owned);
+        let hazard_factor = read.positive("hazard_factor", Dimension::Ratio);
+        let fault_distance_m = read.non_negative("fault_distance", Dimension::Length);
+        if !read.has("hazard_code") {
+            for key in ["site", "hazard_factor", "fault_distance"] {
+                if read.has(key) {
+                    unused(read, key, "a hazard that does not come from a code");
+                }
+            }
+            return None;
+        }
+        for (key, example) in [("site", "De"), ("hazard_factor", "0.12")] {
+            if !read.has(key) {
+                let hint = format!("give `{key}`, such as {example}");
+                read.missing(&[key], format!("the hazard needs `{key}`"), hint);
+            }
+        }
+        if code == Some(HazardCode::As1170_4) && read.has("fault_distance") {
+            unused(read, "fault_distance", "AS 1170.4");
+        }
+        Some(HazardSource::Code {
+            code: code?,
+            site: site?,
+            hazard_factor: hazard_factor?,
+            fault_distance_km: fault_distance_m.map(|distance_m| distance_m / 1e3),
+            measure,
+        })
+    }
+}
+
+/// A value that a source would ignore.
+fn unused(read: &mut WordReader<'_>, key: &'static str, source: &str) {
+    let message = format!("{source} does not use `{key}`");
+    read.note(&[key], message, format!("leave out `{key}`"));
+}
+
+/// The measure of a hazard that is not from a file.
+pub(crate) fn measure(read: &mut WordReader<'_>) -> Option<Measure> {
+    read.read("hazard_im", |text| {
+        Measure::parse(text).ok_or_else(|| {
+            let message = format!("\"{}\" is not an intensity measure", shorten(text));
+            Problem::value(
+                message,
+                "write pga, pgv, pfa, pfv, sa(0.5), sa_avg(0.2:2), velocity_ratio or acceleration_ratio",
+            )
+        })
+    })
+}

@@ -1,0 +1,186 @@
+//! `shard`: an assessment that several processes or machines share.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_assess::job::check_shards;
+use freestand_input::problem::Problems;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::list::{ListKeys, ListMeant};
+use crate::request::{
+    Question, Request as _, Switch, Unknown, path_without_flag, reader, request, seed,
+};
+
+/// An assessment that is divided into shards.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct ShardPlan {
+    /// The study and the list.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub list: ListKeys,
+    /// Number of shards
+    #[arg(long, value_name = "N")]
+    pub shards: Option<Written>,
+    /// Also make outcomes.csv: what happened to every object in every world, by each model
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub outcomes: Switch,
+    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+    #[arg(long, value_name = "N")]
+    pub pages: Option<Written>,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(ShardPlan { shards, outcomes, pages, seed; list, unknown });
+
+/// What is planned.
+#[derive(Debug, Clone)]
+pub struct PlanMeant {
+    /// The study and the list.
+    pub list: ListMeant,
+    /// Number of shards.
+    pub shards: usize,
+    /// Whether `outcomes.csv` is written too.
+    pub outcomes: bool,
+    /// Objects with a page in the report; `None`: those of the study.
+    pub pages: Option<usize>,
+    /// The seed in place of those of the study.
+    pub seed: Option<u64>,
+}
+
+impl Question for ShardPlan {
+    type Meant = PlanMeant;
+
+    fn resolve(&self, files: &Files) -> Result<PlanMeant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let seed = seed(&mut read);
+        let list = self.list.judged(&mut read, files, seed);
+        let shards = number(
+            &mut read,
+            "shards",
+            "say with `shards` how many there are: some minutes of work for each, about 200 objects or more",
+        );
+        if let Some(shards) = shards {
+            read.problems.keep(check_shards(shards));
+        }
+        let outcomes = read.flag("outcomes");
+        let pages = read.whole("pages").map(|pages| pages as usize);
+        let meant = shards.map(|shards| PlanMeant {
+            list,
+            shards,
+            outcomes,
+            pages,
+            seed,
+        });
+        read.problems.finish(meant)
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+/// One shard of a plan.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct ShardRun {
+    /// Folder of the plan
+    #[arg(value_name = "DIR")]
+    pub dir: Option<Written>,
+    /// Number of the shard, counted from 0
+    #[arg(long, value_name = "N")]
+    pub shard: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(ShardRun { dir, shard; unknown });
+
+/// A shard of a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RunMeant {
+    /// The folder of the plan.
+    pub dir: PathBuf,
+    /// The number of the shard.
+    pub shard: usize,
+}
+
+impl Question for ShardRun {
+    type Meant = RunMeant;
+
+    fn resolve(&self, files: &Files) -> Result<RunMeant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let dir = folder(&mut read, files);
+        let shard = number(
+            &mut read,
+            "shard",
+            "say with `shard` which one, counted from 0",
+        );
+        let meant = dir.zip(shard).map(|(dir, shard)| RunMeant { dir, shard });
+        read.problems.finish(meant)
+    }
+}
+
+/// All shards of a plan, which are put together.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct ShardMerge {
+    /// Folder of the plan
+    #[arg(value_name = "DIR")]
+    pub dir: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(ShardMerge { dir; unknown });
+
+impl Question for ShardMerge {
+    /// The folder of the plan.
+    type Meant = PathBuf;
+
+    fn resolve(&self, files: &Files) -> Result<PathBuf, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let dir = folder(&mut read, files);
+        read.problems.finish(dir)
+    }
+}
+
+/// The folder of a plan.
+fn folder(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
+    if !read.has("dir") {
+        let hint = "name the folder that freestand shard plan wrote";
+        read.missing(&["dir"], "no folder is named", hint);
+    }
+    path_without_flag(read, "dir", files)
+}
+
+/// A number that must be given.
+fn number(read: &mut WordReader<'_>, key: &'static str, hint: &str) -> Option<usize> {
+    if !read.has(key) {
+        read.missing(&[key], format!("`{key}` is missing"), hint);
+    }
+    read.whole(key).map(|number| number as usize)
+}
