@@ -232,7 +232,7 @@ fn check_together(read: &mut WordReader<'_>) {
         (
             !read.has("inventory"),
             &["sheet", "columns", "edit"],
-            "it says how an `inventory` is read, and none is given",
+            "it says how a list is read, and there is no `inventory`",
         ),
     ];
     for (is_idle, keys, why) in idle {

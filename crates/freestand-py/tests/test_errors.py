@@ -66,7 +66,7 @@ def caught(kind, call):
         (lambda: fs.check_object(2, 0.3, study=5), "study cannot be of type int"),
         (lambda: fs.fragility(5), "outcomes cannot be of type int"),
         (lambda: fs.risk(options=5, outcomes=RISK / "outcomes.csv"), "options cannot be of type int"),
-        (lambda: fs.risk(RISK / "curves.csv", outcomes=RISK / "outcomes.csv", hazard=RISK / "hazard.csv"), "only one of fragility and outcomes"),
+        (lambda: fs.risk(RISK / "curves.csv", outcomes=RISK / "outcomes.csv", hazard=RISK / "hazard.csv"), "fragility and outcomes exclude each other"),
         (lambda: fs.assess({"building": {"storeys": object()}}), "storeys"),
         (lambda: fs.assess(out=5), "out"),
         (lambda: fs.assess(progress=5), "progress"),

@@ -126,7 +126,7 @@ pub(crate) fn measures(
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
         let message =
             "options pay off over years, but the horizon or the discount rate is not given";
-        let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
+        let hint = "give `horizon_years = \"40 yr\"` and `discount = \"3 %\"`";
         return Err(Problem::value(message, hint)
             .of(&["horizon", "discount"])
             .into());
@@ -156,7 +156,7 @@ pub(crate) fn measures(
         );
     }
     let years = present_value_factor_years(discount, horizon)
-        .map_err(|error| Problem::value(error.to_string(), "correct `horizon` or `discount`"))?;
+        .map_err(|error| Problem::value(error.to_string(), "correct `horizon_years` or `discount`"))?;
     let places: HashMap<&str, usize> = objects
         .iter()
         .enumerate()

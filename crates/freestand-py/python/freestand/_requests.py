@@ -673,7 +673,7 @@ def risk(
         as_file(inventory) as costs,
         as_file(options, "options") as bought,
     ):
-        files = {
+        files: dict[str, tuple[PathLike | None, str | None]] = {
             "fragility": (fragility, None), "hazard": (hazard, None), "outcomes": (runs.path, None),
             "inventory": (costs.path, None), "columns": (columns, None), "options": (bought.path, None),
         }  # fmt: skip
