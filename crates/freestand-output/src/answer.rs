@@ -2,8 +2,10 @@
 //! type, and the label under which people read it; from these follow its document, its text and the
 //! schema of its document.
 
+use freestand_input::file::InputFile;
 use serde_json::{Map, Value as Json, json};
 
+use crate::answer;
 use crate::facts::Facts;
 
 /// A result that [`answer!`](crate::answer!) defined.
@@ -29,6 +31,19 @@ impl<A: Answer> Answer for Option<A> {
     }
 
     const IS_OPTIONAL: bool = true;
+}
+
+/// What is told of a struct, by reference.
+impl<A: Answer> Answer for &A {
+    fn facts(&self) -> Facts<'static> {
+        (*self).facts()
+    }
+
+    fn properties() -> Map<String, Json> {
+        A::properties()
+    }
+
+    const IS_OPTIONAL: bool = A::IS_OPTIONAL;
 }
 
 /// What a value is in a JSON schema (draft 2020-12).
@@ -94,6 +109,43 @@ described! {
 impl<A: Answer> Described for Vec<A> {
     fn schema() -> Json {
         json!({"type": "array", "items": A::schema()})
+    }
+}
+
+impl<A: Answer> Described for Option<Vec<A>> {
+    fn schema() -> Json {
+        or_null(Vec::<A>::schema())
+    }
+}
+
+impl Described for Option<Vec<f64>> {
+    fn schema() -> Json {
+        or_null(Vec::<f64>::schema())
+    }
+}
+
+impl Described for Option<Vec<String>> {
+    fn schema() -> Json {
+        or_null(Vec::<String>::schema())
+    }
+}
+
+answer! {
+    /// A file that was read.
+    pub struct Input {
+        /// Its path.
+        path: String,
+        /// The SHA-256 of its bytes.
+        sha256: String,
+    }
+}
+
+impl From<&InputFile> for Input {
+    fn from(file: &InputFile) -> Self {
+        Self {
+            path: file.path.display().to_string(),
+            sha256: file.sha256.clone(),
+        }
     }
 }
 
@@ -182,6 +234,73 @@ macro_rules! answer {
     (@describe $all:ident, $name:expr, $type:ty, $doc:expr, $($label:literal)?) => {
         let schema = <$type as $crate::answer::Described>::schema();
         $all.insert($name.to_owned(), $crate::answer::explained(schema, $doc, concat!($($label)?)));
+    };
+}
+
+/// Says how a struct is told: the names of its values in JSON, CSV and Python, their types, the values, and after
+/// `=>` the label under which people read one; `flat` puts the values of a part on the same level.
+///
+/// # Example
+/// ```
+/// use freestand_output::answer::Answer;
+/// use freestand_output::answer_of;
+///
+/// struct Fall {
+///     height_m: f64,
+/// }
+///
+/// answer_of!(Fall as fall {
+///     height_m: f64 = fall.height_m => "height";
+///     /// Just before the landing.
+///     speed_m_s: f64 = (2.0 * 9.81 * fall.height_m).sqrt();
+/// });
+///
+/// let fall = Fall { height_m: 0.5 };
+/// assert_eq!(fall.facts().lines(), [("height", "500 mm".to_owned())]);
+/// assert_eq!(Fall::properties()["speed_m_s"]["description"], "Just before the landing.");
+/// assert_eq!(serde_json::to_value(&fall)?["height_m"], 0.5);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[macro_export]
+macro_rules! answer_of {
+    ($told:ty as $me:ident { $(
+        $(#[doc = $doc:literal])* $field:ident : $type:ty = $value:expr $(=> $label:tt)?;
+    )* }) => {
+        impl $crate::answer::Answer for $told {
+            fn facts(&self) -> $crate::facts::Facts<'static> {
+                let $me = self;
+                let facts = $crate::facts::Facts::default();
+                $(
+                    let value: $type = $value;
+                    let facts = $crate::answer!(@add facts, stringify!($field), value, $($label)?);
+                )*
+                facts
+            }
+
+            fn properties() -> serde_json::Map<String, serde_json::Value> {
+                let mut all = serde_json::Map::new();
+                $( $crate::answer!(@describe all, stringify!($field), $type, concat!($($doc),*), $($label)?); )*
+                all
+            }
+        }
+
+        impl From<$told> for $crate::facts::Value<'static> {
+            fn from(told: $told) -> Self {
+                Self::Facts($crate::answer::Answer::facts(&told))
+            }
+        }
+
+        impl From<&$told> for $crate::facts::Value<'static> {
+            fn from(told: &$told) -> Self {
+                Self::Facts($crate::answer::Answer::facts(told))
+            }
+        }
+
+        impl serde::Serialize for $told {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                $crate::answer::Answer::facts(self).serialize(serializer)
+            }
+        }
     };
 }
 

@@ -74,7 +74,7 @@ pub(crate) fn fragility(
     let report =
         watched(py, threads, |stop| fitted(request, &until(stop)))?.map_err(raised_here)?;
     let seen = report.empirical_table().map_err(raised)?.to_string();
-    let document = told(FRAGILITY, &report.facts(), &report.warnings)?;
+    let document = told(FRAGILITY, &report, &report.warnings)?;
     Ok((document, seen))
 }
 
@@ -90,5 +90,5 @@ pub(crate) fn risk(
     let meant = request.resolve(&files).map_err(raised_here)?;
     let report =
         watched(py, threads, |stop| calculated(&meant.risk, &until(stop)))?.map_err(raised_here)?;
-    told(RISK, &report.facts(), &report.warnings)
+    told(RISK, &report, &report.warnings)
 }

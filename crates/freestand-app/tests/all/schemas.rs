@@ -7,11 +7,11 @@ use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
-use freestand_app::fragility::Fragility;
+use freestand_app::fragility::{self, Fragility};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::restrain::Restrain;
-use freestand_app::risk::Risk;
+use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
 use freestand_app::schema::{of_request, of_response};
@@ -21,6 +21,8 @@ use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::tolerance::ToleranceSearch;
+use freestand_assess::fragility::{FragilityReport, RunsReport};
+use freestand_assess::risk::RiskReport;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -31,6 +33,18 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "fragility.request.json",
             of_request::<Fragility>("fragility", &["seed"]),
+        ),
+        (
+            "fragility.response.json",
+            of_response(
+                "fragility",
+                fragility::SCHEMA,
+                &[FragilityReport::properties(), RunsReport::properties()],
+            ),
+        ),
+        (
+            "risk.response.json",
+            of_response("risk", risk::SCHEMA, &[RiskReport::properties()]),
         ),
         ("risk.request.json", of_request::<Risk>("risk", &["seed"])),
         (

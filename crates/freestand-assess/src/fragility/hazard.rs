@@ -10,7 +10,7 @@ use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, shortest};
-use freestand_output::facts::Facts;
+use freestand_output::{answer, answer_of};
 
 use super::table::{Row, RowProblems, Table};
 use super::{At, Measure, measure_of};
@@ -92,40 +92,39 @@ impl MeasuredHazard {
             .iter()
             .fold(problem, |problem, file| problem.in_file(&file.path)))
     }
+}
 
-    pub(crate) fn facts(&self) -> Facts<'static> {
-        let points: Option<Vec<Facts>> = match &self.hazard {
-            Hazard::Points(points) => Some(
-                points
-                    .iter()
-                    .map(|point| {
-                        Facts::default()
-                            .key("im", point.intensity)
-                            .key("annual_rate", point.annual_rate)
-                    })
-                    .collect(),
-            ),
-            Hazard::PowerLaw { .. } => None,
-        };
-        let law = match self.hazard {
-            Hazard::PowerLaw {
-                rate,
-                reference,
-                exponent,
-            } => Some(
-                Facts::default()
-                    .key("k0", rate)
-                    .key("k", exponent)
-                    .key("reference", reference),
-            ),
-            Hazard::Points(_) => None,
-        };
-        Facts::default()
-            .key("im", self.measure.name())
-            .key("im_unit", self.measure.unit())
-            .key("at", self.at.name())
-            .key("points", points)
-            .key("power_law", law)
+answer_of!(MeasuredHazard as measured {
+    /// The intensity measure.
+    im: String = measured.measure.name();
+    im_unit: &'static str = measured.measure.unit();
+    /// Where the measure is taken: ground or floor.
+    at: &'static str = measured.at.name();
+    points: Option<Vec<Point<'_>>> = match &measured.hazard {
+        Hazard::Points(points) => Some(points.iter().map(Point).collect()),
+        Hazard::PowerLaw { .. } => None,
+    };
+    power_law: Option<PowerLaw> = match measured.hazard {
+        Hazard::PowerLaw { rate, reference, exponent } => Some(PowerLaw { k0: rate, k: exponent, reference }),
+        Hazard::Points(_) => None,
+    };
+});
+
+/// A point of a hazard curve.
+#[derive(Clone, Copy)]
+struct Point<'h>(&'h HazardPoint);
+
+answer_of!(Point<'_> as point {
+    im: f64 = point.0.intensity;
+    annual_rate: f64 = point.0.annual_rate;
+});
+
+answer! {
+    /// k0 (im / reference)^−k.
+    pub struct PowerLaw {
+        k0: f64,
+        k: f64,
+        reference: f64,
     }
 }
 

@@ -1,5 +1,6 @@
 //! Fragilities of objects: fitted to a table of outcomes, and written for other programs.
 
+mod answer;
 mod curves;
 mod figure;
 mod hazard;
@@ -12,16 +13,14 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use freestand::fragility::{
-    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes,
-    ShockFitError, ShockRun, TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical,
-    fit_curves, fit_shock, goodness,
+    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, Outcomes, ShockFitError,
+    ShockRun, TwoStage, bootstrap, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
 use freestand::risk::{Capacity, capacities};
-use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
-use freestand_output::facts::{Facts, Value, table};
+use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
@@ -532,18 +531,6 @@ fn why_no_interval(why: NoInterval) -> String {
     }
 }
 
-/// A file in the document.
-fn input_facts(file: &InputFile) -> Facts<'static> {
-    Facts::default()
-        .key("path", file.path.display().to_string())
-        .key("sha256", file.sha256.clone())
-}
-
-/// A pair of ends as an array.
-pub(crate) fn ends(pair: Option<(f64, f64)>) -> Value<'static> {
-    pair.map(|(low, high)| [low, high]).into()
-}
-
 /// A sum of weights without the rounding of its parts, if it is a whole number. Weights of a user that
 /// do not sum to one stay as they are.
 fn whole(sum: f64) -> f64 {
@@ -578,16 +565,6 @@ impl ObjectFragility {
             .map_or(&[], |one| &one.1)
     }
 
-    fn capacity_facts(&self, state: LimitState) -> Vec<Facts<'static>> {
-        let one = |one: &Capacity| {
-            Facts::default()
-                .key("from", one.from)
-                .key("to", one.to)
-                .key("share", one.share)
-        };
-        self.capacities_of(state).iter().map(one).collect()
-    }
-
     /// How it was fitted.
     fn fit_name(&self) -> &'static str {
         match self.two_stage {
@@ -598,112 +575,6 @@ impl ObjectFragility {
 
     fn runs(&self) -> f64 {
         whole(self.outcomes.totals().iter().sum())
-    }
-
-    fn facts(&self, measure: Measure, at: At, method: &'static str) -> Facts<'static> {
-        let totals = self.outcomes.totals();
-        let count = |class: OutcomeClass| totals[class.index()];
-        let counts = Facts::default()
-            .key("no_uplift", count(OutcomeClass::NoUplift))
-            .key("rocked", count(OutcomeClass::Rocked))
-            .key("exceeded", count(OutcomeClass::Exceeded))
-            .key("overturned", count(OutcomeClass::Overturned));
-        let curves: Vec<Facts> = self
-            .fit
-            .curves
-            .iter()
-            .map(|curve| {
-                let interval = self.interval(curve.limit_state);
-                Facts::default()
-                    .key("limit_state", curve.limit_state.name())
-                    .key("kind", curve.kind.name())
-                    .key("median", curve.kind.median())
-                    .key("beta", curve.kind.beta())
-                    .key("median_ci95", ends(interval.map(|interval| interval.0)))
-                    .key("beta_ci95", ends(interval.map(|interval| interval.1)))
-                    .key(
-                        "why_no_ci95",
-                        self.lacks_interval(curve.limit_state).map(why_no_interval),
-                    )
-                    .key("lower", curve.kind.lower())
-                    .key("upper", curve.kind.upper())
-                    .key("capacity", self.capacity_facts(curve.limit_state))
-            })
-            .collect();
-        let shock = self.two_stage.map(|two_stage| {
-            let TwoStage {
-                shock,
-                ceiling_g,
-                tolerance_g,
-                ..
-            } = two_stage;
-            Facts::default()
-                .key("tolerance_g", tolerance_g)
-                .key("ceiling_g", ceiling_g)
-                .key("intercept", shock.map(|shock| shock.intercept))
-                .key("slope", shock.map(|shock| shock.slope))
-                .key("sigma", shock.map(|shock| shock.sigma))
-                .key("log_likelihood", shock.map(|shock| shock.log_likelihood))
-                .key("median", two_stage.median())
-                .key("why", two_stage.is_above_ceiling().then_some("ceiling"))
-        });
-        let goodness = self.goodness.map(|goodness| {
-            Facts::default()
-                .key("deviance", goodness.deviance)
-                .key("dof", goodness.dof as f64)
-                .key("p_value", goodness.p_value)
-                .key("ks", goodness.ks)
-                .key("misfit", goodness.is_misfit())
-        });
-        let bootstrap = self.bootstrap.as_ref().map(|samples| {
-            Facts::default()
-                .key("replicates", samples.samples.len())
-                .key("failed", samples.failed)
-        });
-        let has_fit = !self.fit.fitted_states().is_empty();
-        // Of the most severe limit state that has one.
-        let severe = self
-            .qualities
-            .iter()
-            .rfind(|quality| quality.efficiency.is_some());
-        let efficiency = match severe {
-            Some(quality) => quality.efficiency,
-            None => capacity_spread(&self.outcomes, LimitState::Overturns),
-        };
-        let levels = self.outcomes.levels();
-        let crossing = levels
-            .first()
-            .zip(levels.last())
-            .and_then(|(from, to)| self.fit.crossing(*from, *to));
-        Facts::default()
-            .key("id", self.id.clone())
-            .key("im", measure.name())
-            .key("im_unit", measure.unit())
-            .key("at", at.name())
-            .key("method", method)
-            .key("fit", self.fit_name())
-            .key("motions", self.outcomes.motions())
-            .key("runs", self.runs())
-            .key("unresolved", self.unresolved)
-            .key("counts", counts)
-            .key("curves", curves)
-            .key(CAUTION, self.caution.map(|why| name_of(TOO_MILD, why)))
-            .key("exceeds_by_shock", shock)
-            .key("crossing_im", crossing.map(|(_, _, x)| x))
-            .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
-            .key("goodness", goodness)
-            .key("efficiency", efficiency)
-            .key("sufficiency", severe.map(Quality::sufficiency))
-            .key(
-                "measures",
-                self.qualities
-                    .iter()
-                    .map(Quality::facts)
-                    .collect::<Vec<Facts>>(),
-            )
-            .key("resurrections", self.resurrections)
-            .key("scaled_above_4", self.scaled_above_4)
-            .key("bootstrap", bootstrap)
     }
 
     /// Why a lognormal curve has no interval although samples were drawn.
@@ -728,23 +599,6 @@ impl ObjectFragility {
 const METHOD: &str = "outcomes";
 
 impl FragilityReport {
-    /// The document.
-    pub fn facts(&self) -> Facts<'static> {
-        Facts::default()
-            .key("version", env!("CARGO_PKG_VERSION"))
-            .key("seed", self.request.seed)
-            .key("inputs", vec![input_facts(&self.table.file)])
-            .key("objects", self.object_facts())
-    }
-
-    /// The objects of the document.
-    fn object_facts(&self) -> Vec<Facts<'static>> {
-        self.objects
-            .iter()
-            .map(|object| object.facts(self.table.measure, self.at, self.method))
-            .collect()
-    }
-
     /// One row for each curve, for people.
     pub fn rows(&self) -> Vec<Facts<'static>> {
         let rows = self.objects.iter().flat_map(|object| {

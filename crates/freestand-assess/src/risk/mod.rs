@@ -19,7 +19,9 @@ use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant, shortest};
-use freestand_output::facts::{Facts, table};
+use freestand_output::answer::Input;
+use freestand_output::answer_of;
+use freestand_output::facts::table;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::run::Progress;
@@ -35,8 +37,8 @@ use crate::too_mild::TooMild;
 
 use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
-use plan::Measures;
-use portfolio::Portfolio;
+use plan::{Chosen, Measures, Worth};
+use portfolio::{InCurrency, Portfolio};
 use rates::{Levels, Open};
 
 pub use costs::load_changed;
@@ -756,15 +758,36 @@ fn unjudged(objects: &[ObjectRisk]) -> Option<String> {
     ))
 }
 
-impl NotRun {
-    fn facts(&self) -> Facts<'static> {
-        Facts::default()
-            .key("id", self.id.clone())
-            .key("item", self.item.clone())
-            .key("quantity", self.quantity)
-            .key("why", self.why.clone())
-    }
-}
+answer_of!(NotRun as object {
+    id: String = object.id.clone();
+    item: String = object.item.clone();
+    quantity: f64 = object.quantity;
+    /// Why it was not run, as far as that is known.
+    why: Option<String> = object.why.clone();
+});
+
+answer_of!(RiskReport as report {
+    version: &'static str = env!("CARGO_PKG_VERSION");
+    /// The files that were read.
+    inputs: Vec<Input> = report.inputs.iter().map(Input::from).collect();
+    /// Years of the stated probabilities.
+    years: f64 = report.years;
+    currency: Option<String> = report.currency.clone();
+    hazard: &MeasuredHazard = &report.hazard;
+    assumptions: Vec<String> = report.assumptions.clone();
+    objects: Vec<&ObjectRisk> = report.objects.iter().collect();
+    expected_annual_loss: Option<f64> = report.expected_annual_loss();
+    expected_annual_loss_lower: Option<f64> = report.loss_bounds().map(|loss| loss.0);
+    expected_annual_loss_upper: Option<f64> = report.loss_bounds().and_then(|loss| loss.1);
+    is_bound: bool = report.is_bound();
+    is_at_least: bool = report.is_at_least();
+    /// Objects of the inventory without a fragility.
+    not_run: Vec<&NotRun> = report.not_run.iter().collect();
+    portfolio: Option<InCurrency<'_>> = report.in_currency();
+    /// Options, the one that pays most first.
+    ranking: Option<Vec<&Worth>> = report.measures.as_ref().map(Measures::ranking);
+    plan: Option<&Chosen> = report.measures.as_ref().and_then(|measures| measures.plan.as_ref());
+});
 
 impl RiskReport {
     /// Whether every accepted rate is kept, as far as it is known.
@@ -819,64 +842,12 @@ impl RiskReport {
             .any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
     }
 
-    /// The document.
-    pub fn facts(&self) -> Facts<'static> {
-        let inputs: Vec<Facts> = self
-            .inputs
-            .iter()
-            .map(|file| {
-                Facts::default()
-                    .key("path", file.path.display().to_string())
-                    .key("sha256", file.sha256.clone())
-            })
-            .collect();
-        Facts::default()
-            .key("version", env!("CARGO_PKG_VERSION"))
-            .key("inputs", inputs)
-            .key("years", self.years)
-            .key("currency", self.currency.clone())
-            .key("hazard", self.hazard.facts())
-            .key("assumptions", self.assumptions.clone())
-            .key(
-                "objects",
-                self.objects
-                    .iter()
-                    .map(ObjectRisk::facts)
-                    .collect::<Vec<_>>(),
-            )
-            .key("expected_annual_loss", self.expected_annual_loss())
-            .key(
-                "expected_annual_loss_lower",
-                self.loss_bounds().map(|loss| loss.0),
-            )
-            .key(
-                "expected_annual_loss_upper",
-                self.loss_bounds().and_then(|loss| loss.1),
-            )
-            .key("is_bound", self.is_bound())
-            .key("is_at_least", self.is_at_least())
-            .key(
-                "not_run",
-                self.not_run.iter().map(NotRun::facts).collect::<Vec<_>>(),
-            )
-            .key(
-                "portfolio",
-                self.portfolio
-                    .as_ref()
-                    .map(|portfolio| portfolio.facts(self.currency.as_deref())),
-            )
-            .key(
-                "ranking",
-                self.measures
-                    .as_ref()
-                    .map(|measures| measures.ranking_facts()),
-            )
-            .key(
-                "plan",
-                self.measures
-                    .as_ref()
-                    .and_then(|measures| measures.plan_facts()),
-            )
+    fn in_currency(&self) -> Option<InCurrency<'_>> {
+        let (portfolio, currency) = (self.portfolio.as_ref()?, self.currency.as_deref());
+        Some(InCurrency {
+            portfolio,
+            currency,
+        })
     }
 
     /// `risk.csv`: one row for each object and limit state.

@@ -6,9 +6,10 @@ use freestand::risk::{
     probability_in_years,
 };
 use freestand_input::words::{name_of, number};
+use freestand_output::answer_of;
 use freestand_output::facts::Facts;
 
-use crate::fragility::{ObjectCurves, ObjectFragility, ends};
+use crate::fragility::{ObjectCurves, ObjectFragility};
 use crate::too_mild::TOO_MILD;
 
 use super::costs::{CostRow, Effect};
@@ -341,76 +342,6 @@ impl ObjectRisk {
             .is_none_or(StateRisk::is_at_least)
     }
 
-    pub(crate) fn facts(&self) -> Facts<'static> {
-        let states: Vec<Facts> = self
-            .states
-            .iter()
-            .map(|one| {
-                Facts::default()
-                    .key("limit_state", one.limit_state.name())
-                    .key("annual_rate", one.rates.annual_rate)
-                    .key("annual_rate_lower", one.rates.annual_rate_lower)
-                    .key("annual_rate_upper", one.rates.annual_rate_upper)
-                    .key("annual_rate_in_table", one.rates.annual_rate_in_table)
-                    .key("is_bound", one.rates.is_bound())
-                    .key("is_at_least", one.rates.is_at_least())
-                    .key("is_at_most", one.rates.is_at_most())
-                    .key("annual_rate_below_first_point", one.rates.below_first)
-                    .key("annual_rate_ci95", ends(one.ci95))
-                    .key("probability", one.probability)
-                    .key("years", one.years)
-            })
-            .collect();
-        let bins: Vec<Facts> = self
-            .deaggregation
-            .iter()
-            .map(|bin| {
-                Facts::default()
-                    .key("im_low", bin.low)
-                    .key("im_high", bin.high)
-                    .key("annual_rate", bin.annual_rate)
-                    .key("share", bin.share)
-            })
-            .collect();
-        Facts::default()
-            .key("id", self.id.clone())
-            .key("limit_states", states)
-            .key(
-                "caution",
-                self.curves.caution.map(|why| name_of(TOO_MILD, why)),
-            )
-            .key("deaggregation", bins)
-            .key("accepted_annual_rate", self.accepted_rate)
-            .key("accepted_exceed_annual_rate", self.accepted_exceed_rate)
-            .key("verdict", self.verdict.map(<&str>::from))
-            .key("certain", self.is_certain)
-            .key("why", self.why)
-            .key("expected_annual_loss", self.expected_annual_loss)
-            .key(
-                "expected_annual_loss_lower",
-                self.loss.map(|loss| loss.least),
-            )
-            .key(
-                "expected_annual_loss_upper",
-                self.loss.and_then(|loss| loss.most),
-            )
-            .key("is_bound", self.loss.is_some_and(|loss| loss.is_bound()))
-            .key("is_at_least", self.is_at_least)
-            .key(
-                "expected_annual_casualties",
-                self.expected_annual_casualties,
-            )
-            .key(
-                "expected_annual_casualties_lower",
-                self.casualty_bounds.map(|bounds| bounds.0),
-            )
-            .key(
-                "expected_annual_casualties_upper",
-                self.casualty_bounds.and_then(|bounds| bounds.1),
-            )
-            .key("not_counted", self.not_counted.clone())
-    }
-
     /// The words after a verdict that is not certain.
     pub(crate) fn uncertainty_words(&self) -> &'static str {
         match self.is_certain {
@@ -474,6 +405,64 @@ impl ObjectRisk {
         rows.collect()
     }
 }
+
+answer_of!(ObjectRisk as object {
+    id: String = object.id.clone();
+    limit_states: Vec<&StateRisk> = object.states.iter().collect();
+    /// Why the object may fail more often than its curves say.
+    caution: Option<&'static str> = object.curves.caution.map(|why| name_of(TOO_MILD, why));
+    /// Which intensities contribute to the rate.
+    deaggregation: Vec<Contribution<'_>> = object.deaggregation.iter().map(Contribution).collect();
+    /// The accepted rate of overturning.
+    accepted_annual_rate: Option<f64> = object.accepted_rate;
+    accepted_exceed_annual_rate: Option<f64> = object.accepted_exceed_rate;
+    verdict: Option<&'static str> = object.verdict.map(<&str>::from);
+    /// Whether the verdict holds within the 95 % interval.
+    certain: Option<bool> = object.is_certain;
+    /// Why there is no verdict.
+    why: Option<&'static str> = object.why;
+    expected_annual_loss: Option<f64> = object.expected_annual_loss;
+    expected_annual_loss_lower: Option<f64> = object.loss.map(|loss| loss.least);
+    expected_annual_loss_upper: Option<f64> = object.loss.and_then(|loss| loss.most);
+    /// Whether only bounds of the loss are known.
+    is_bound: bool = object.loss.is_some_and(|loss| loss.is_bound());
+    /// Whether it may be larger than stated.
+    is_at_least: bool = object.is_at_least;
+    expected_annual_casualties: Option<f64> = object.expected_annual_casualties;
+    expected_annual_casualties_lower: Option<f64> = object.casualty_bounds.map(|bounds| bounds.0);
+    expected_annual_casualties_upper: Option<f64> = object.casualty_bounds.and_then(|bounds| bounds.1);
+    /// Costs that are missing.
+    not_counted: Vec<&'static str> = object.not_counted.clone();
+});
+
+answer_of!(StateRisk as state {
+    limit_state: &'static str = state.limit_state.name();
+    annual_rate: Option<f64> = state.rates.annual_rate;
+    annual_rate_lower: f64 = state.rates.annual_rate_lower;
+    annual_rate_upper: Option<f64> = state.rates.annual_rate_upper;
+    /// The part of the rate that the hazard table covers.
+    annual_rate_in_table: Option<f64> = state.rates.annual_rate_in_table;
+    is_bound: bool = state.rates.is_bound();
+    is_at_least: bool = state.rates.is_at_least();
+    is_at_most: bool = state.rates.is_at_most();
+    annual_rate_below_first_point: f64 = state.rates.below_first;
+    /// The 95 % interval over the motions, with the bounds that the runs leave.
+    annual_rate_ci95: Option<[f64; 2]> = state.ci95.map(Into::into);
+    /// The chance in these years.
+    probability: Option<f64> = state.probability;
+    years: f64 = state.years;
+});
+
+/// The part of a rate that comes from some intensities.
+#[derive(Clone, Copy)]
+struct Contribution<'r>(&'r Bin);
+
+answer_of!(Contribution<'_> as bin {
+    im_low: f64 = bin.0.low;
+    im_high: Option<f64> = bin.0.high;
+    annual_rate: f64 = bin.0.annual_rate;
+    share: f64 = bin.0.share;
+});
 
 /// The interval over the motions together with the bounds that the runs leave, and not above the most that
 /// a milder limit state allows; `None` where there is no upper end.

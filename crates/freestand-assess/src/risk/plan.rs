@@ -7,7 +7,7 @@ use freestand::risk::{Choice, best_plan, present_value_factor_years, renewed_cos
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
-use freestand_output::facts::Facts;
+use freestand_output::{answer, answer_of};
 use freestand_study::run::Progress;
 
 use super::costs::OptionRow;
@@ -72,25 +72,23 @@ impl Worth {
             }
         }
     }
-
-    fn facts(&self) -> Facts<'static> {
-        Facts::default()
-            .key("id", self.id.clone())
-            .key("option", self.option.clone())
-            .key("cost", self.cost)
-            .key("cost_present_value", self.cost_present_value)
-            .key("benefit_present_value", self.benefit_present_value)
-            .key(
-                "benefit_present_value_estimate",
-                self.benefit_present_value.map(|_| self.estimate),
-            )
-            .key("benefit_cost_ratio", self.ratio())
-            .key("net_present_value", self.net())
-            .key("is_at_least", self.is_at_least)
-            .key("life_safety", self.life_safety.map(Rating::name))
-            .key("falls_avoided_per_year", self.falls)
-    }
 }
+
+answer_of!(Worth as worth {
+    id: String = worth.id.clone();
+    option: String = worth.option.clone();
+    cost: f64 = worth.cost;
+    cost_present_value: f64 = worth.cost_present_value;
+    benefit_present_value: Option<f64> = worth.benefit_present_value;
+    benefit_present_value_estimate: Option<f64> = worth.benefit_present_value.map(|_| worth.estimate);
+    benefit_cost_ratio: Option<f64> = worth.ratio();
+    net_present_value: Option<f64> = worth.net();
+    /// Whether the benefit may be larger.
+    is_at_least: bool = worth.is_at_least;
+    /// What a fall of the object means for people.
+    life_safety: Option<&'static str> = worth.life_safety.map(Rating::name);
+    falls_avoided_per_year: Option<f64> = worth.falls;
+});
 
 /// All options, by their ratio of benefit to cost, and the plan within the budget.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,6 +111,43 @@ pub(super) struct Chosen {
     pub(super) unfunded: Vec<Worth>,
     /// Budget, cost and net present value of the best plan within it.
     pub(super) frontier: Vec<(f64, f64, f64)>,
+}
+
+answer_of!(Chosen as chosen {
+    budget: f64 = chosen.budget;
+    cost: f64 = chosen.plan.cost;
+    net_present_value: f64 = chosen.plan.value;
+    is_at_least: bool = chosen.is_at_least();
+    /// Life safety first, then by benefit over cost.
+    chosen: Vec<&Worth> = chosen.chosen.iter().collect();
+    /// What people need and the budget does not reach.
+    unfunded_life_safety: Vec<&Worth> = chosen.unfunded.iter().collect();
+    unfunded_life_safety_cost: f64 = chosen.unfunded.iter().map(|worth| worth.cost).sum();
+    method: &'static str = "dynamic programming with bounds";
+    /// No plan is worth more.
+    bound: f64 = chosen.plan.bound;
+    optimal: bool = chosen.plan.is_optimal;
+    /// The best plans within smaller and larger budgets.
+    frontier: Vec<Within> = chosen.frontier.iter().map(Within::from).collect();
+});
+
+answer! {
+    /// The best plan within a budget.
+    pub struct Within {
+        budget: f64,
+        cost: f64,
+        net_present_value: f64,
+    }
+}
+
+impl From<&(f64, f64, f64)> for Within {
+    fn from(&(budget, cost, net_present_value): &(f64, f64, f64)) -> Self {
+        Self {
+            budget,
+            cost,
+            net_present_value,
+        }
+    }
 }
 
 pub(crate) fn measures(
@@ -155,8 +190,9 @@ pub(crate) fn measures(
                 .into(),
         );
     }
-    let years = present_value_factor_years(discount, horizon)
-        .map_err(|error| Problem::value(error.to_string(), "correct `horizon_years` or `discount`"))?;
+    let years = present_value_factor_years(discount, horizon).map_err(|error| {
+        Problem::value(error.to_string(), "correct `horizon_years` or `discount`")
+    })?;
     let places: HashMap<&str, usize> = objects
         .iter()
         .enumerate()
@@ -493,51 +529,9 @@ impl Measures {
         worth.into_iter().chain(falls).collect()
     }
 
-    pub(crate) fn ranking_facts(&self) -> Vec<Facts<'static>> {
-        self.ranking.iter().map(Worth::facts).collect()
-    }
-
-    pub(crate) fn plan_facts(&self) -> Option<Facts<'static>> {
-        let found = self.plan.as_ref()?;
-        let Chosen {
-            budget,
-            plan,
-            chosen,
-            unfunded,
-            frontier,
-        } = found;
-        let frontier: Vec<Facts> = frontier
-            .iter()
-            .map(|&(budget, cost, value)| {
-                Facts::default()
-                    .key("budget", budget)
-                    .key("cost", cost)
-                    .key("net_present_value", value)
-            })
-            .collect();
-        Some(
-            Facts::default()
-                .key("budget", *budget)
-                .key("cost", plan.cost)
-                .key("net_present_value", plan.value)
-                .key("is_at_least", found.is_at_least())
-                .key(
-                    "chosen",
-                    chosen.iter().map(Worth::facts).collect::<Vec<_>>(),
-                )
-                .key(
-                    "unfunded_life_safety",
-                    unfunded.iter().map(Worth::facts).collect::<Vec<_>>(),
-                )
-                .key(
-                    "unfunded_life_safety_cost",
-                    unfunded.iter().map(|worth| worth.cost).sum::<f64>(),
-                )
-                .key("method", "dynamic programming with bounds")
-                .key("bound", plan.bound)
-                .key("optimal", plan.is_optimal)
-                .key("frontier", frontier),
-        )
+    /// The options, the one that pays most first.
+    pub(super) fn ranking(&self) -> Vec<&Worth> {
+        self.ranking.iter().collect()
     }
 
     pub(crate) fn text(&self, currency: &str) -> String {

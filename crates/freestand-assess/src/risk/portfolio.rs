@@ -11,7 +11,7 @@ use freestand::risk::{
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
-use freestand_output::facts::Facts;
+use freestand_output::{answer, answer_of};
 
 use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 
@@ -475,36 +475,56 @@ fn shares(object: &ObjectRisk, cost: &CostRow, level: f64) -> LossShares {
     ]
 }
 
+/// The losses of all objects with their currency.
+#[derive(Clone, Copy)]
+pub(super) struct InCurrency<'r> {
+    pub(super) portfolio: &'r Portfolio,
+    pub(super) currency: Option<&'r str>,
+}
+
+answer_of!(InCurrency<'_> as of {
+    currency: Option<String> = of.currency.map(str::to_owned);
+    worlds: usize = of.portfolio.worlds;
+    expected_annual_loss: f64 = of.portfolio.expected_annual_loss;
+    expected_annual_loss_lower: f64 = of.portfolio.bounds.0;
+    expected_annual_loss_upper: Option<f64> = of.portfolio.bounds.1;
+    is_bound: bool = of.portfolio.is_bound();
+    is_at_least: bool = of.portfolio.is_at_least;
+    loss_at_return_period: Vec<OnceIn> = RETURN_PERIODS.iter().map(|&years| of.portfolio.once_in(years)).collect();
+    /// The rates at which losses are reached.
+    loss_exceedance: Vec<Reached<'_>> = of.portfolio.curve.iter().map(Reached).collect();
+    /// The same for objects that fail independently.
+    independent_loss_exceedance: Vec<Reached<'_>> = of.portfolio.independent.iter().map(Reached).collect();
+});
+
+/// A loss, and how often a year it is reached.
+#[derive(Clone, Copy)]
+struct Reached<'r>(&'r LossPoint);
+
+answer_of!(Reached<'_> as point {
+    loss: f64 = point.0.loss;
+    annual_rate: f64 = point.0.annual_rate;
+});
+
+answer! {
+    /// The loss that is reached once in so many years.
+    pub struct OnceIn {
+        years: f64,
+        loss: f64,
+        loss_lower: f64,
+        loss_upper: Option<f64>,
+    }
+}
+
 impl Portfolio {
-    pub(crate) fn facts(&self, currency: Option<&str>) -> Facts<'static> {
-        let points = |curve: &[LossPoint]| -> Vec<Facts<'static>> {
-            let point = |point: &LossPoint| {
-                Facts::default()
-                    .key("loss", point.loss)
-                    .key("annual_rate", point.annual_rate)
-            };
-            curve.iter().map(point).collect()
-        };
-        let period = |&years: &f64| {
-            let LossBounds { least, best, most } = self.at_return_period(years);
-            Facts::default()
-                .key("years", years)
-                .key("loss", best)
-                .key("loss_lower", least)
-                .key("loss_upper", most)
-        };
-        let periods: Vec<Facts> = RETURN_PERIODS.iter().map(period).collect();
-        Facts::default()
-            .key("currency", currency.map(str::to_owned))
-            .key("worlds", self.worlds)
-            .key("expected_annual_loss", self.expected_annual_loss)
-            .key("expected_annual_loss_lower", self.bounds.0)
-            .key("expected_annual_loss_upper", self.bounds.1)
-            .key("is_bound", self.is_bound())
-            .key("is_at_least", self.is_at_least)
-            .key("loss_at_return_period", periods)
-            .key("loss_exceedance", points(&self.curve))
-            .key("independent_loss_exceedance", points(&self.independent))
+    fn once_in(&self, years: f64) -> OnceIn {
+        let LossBounds { least, best, most } = self.at_return_period(years);
+        OnceIn {
+            years,
+            loss: best,
+            loss_lower: least,
+            loss_upper: most,
+        }
     }
 
     /// The loss that is reached once in so many years.

@@ -113,14 +113,13 @@ fn fit(
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = Exported::of(&report, exports)?;
     report.warnings.extend(exported.warnings);
-    let facts = report.facts();
     if files.wanted() {
         let go_on = || go_on(&stop);
         files.table("fragility", || report.table())?;
         go_on()?;
         files.table("empirical", || report.empirical_table())?;
         go_on()?;
-        let json = document(SCHEMA, &facts, &report.warnings)?;
+        let json = document(SCHEMA, &report, &report.warnings)?;
         files.write("fragility.json", || json)?;
         go_on()?;
         files.figure("fragility", || report.figure())?;
@@ -128,7 +127,7 @@ fn fit(
         write(exported.files, &files)?;
     }
     files.finish_result(SCHEMA, &report.warnings)?;
-    printer.result(SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
+    printer.result(SCHEMA, &report, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
 }
 

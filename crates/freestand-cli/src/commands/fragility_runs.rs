@@ -7,7 +7,6 @@ use freestand_assess::fragility::{
 };
 use freestand_assess::risk::LEFT_OUT;
 use freestand_input::problem::Problem;
-use freestand_output::facts::Facts;
 use freestand_output::json::document;
 
 use super::Done;
@@ -69,13 +68,12 @@ pub(super) fn run(
         .into_iter()
         .chain(report.warnings.iter().cloned());
     let warnings: Vec<String> = of_runs.chain(exported.warnings).collect();
-    let facts = report.facts(global.seed());
     if files.wanted() {
         let go_on = || match is_kept {
             true if stop.wanted() => Err(Failure::StoppedKeepingRuns),
             _ => go_on(&stop),
         };
-        write_runs(&report, &facts, &warnings, &files, go_on)?;
+        write_runs(&report, &warnings, &files, go_on)?;
         write(exported.files, &files)?;
     }
     files.finish_result(SCHEMA, &warnings)?;
@@ -85,7 +83,7 @@ pub(super) fn run(
         .into_iter()
         .filter(|warning| !is_said(warning))
         .collect();
-    printer.result(SCHEMA, &facts, &told, || text(&report))?;
+    printer.result(SCHEMA, &report, &told, || text(&report))?;
     Ok(Done {
         criterion_met: !has_errors,
     })
@@ -95,7 +93,6 @@ pub(super) fn run(
 /// many runs take some seconds.
 fn write_runs(
     report: &RunsReport,
-    facts: &Facts,
     warnings: &[String],
     files: &Files,
     go_on: impl Fn() -> Result<(), Failure>,
@@ -116,7 +113,7 @@ fn write_runs(
         files.table(LEFT_OUT.trim_end_matches(".csv"), || Ok(table))?;
     }
     go_on()?;
-    let json = document(SCHEMA, facts, warnings)?;
+    let json = document(SCHEMA, report, warnings)?;
     files.write("fragility.json", || json)?;
     if let Some(first) = report.first() {
         go_on()?;

@@ -53,11 +53,10 @@ impl Tell for Risk {
         // Before the fits, so that no signal is missed between them and the files.
         let stop = printer.stop();
         let report = watched(printer, |progress| risk(&meant.risk, progress)).map_err(stopped)?;
-        let facts = report.facts();
         if files.wanted() {
             files.table("risk", || report.table())?;
             go_on(&stop)?;
-            let json = document(SCHEMA, &facts, &report.warnings)?;
+            let json = document(SCHEMA, &report, &report.warnings)?;
             files.write("risk.json", || json)?;
             let figure = report.figure()?;
             if let Some(figure) = &figure {
@@ -67,7 +66,7 @@ impl Tell for Risk {
             files.write("report.html", || report.html(figure.as_ref()))?;
         }
         files.finish_result(SCHEMA, &report.warnings)?;
-        printer.result(SCHEMA, &facts, &report.warnings, || report.text())?;
+        printer.result(SCHEMA, &report, &report.warnings, || report.text())?;
         Ok(Done {
             criterion_met: report.is_accepted(),
         })

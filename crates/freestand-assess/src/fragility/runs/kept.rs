@@ -96,7 +96,7 @@ pub(super) fn open(
         "changed": changed,
         "method": name_of(METHODS, request.method),
         "scales": request.scales,
-        "hazard": hazard.map(MeasuredHazard::facts),
+        "hazard": hazard,
         "max_scale": request.max_scale_ratio,
         "rotation": request.rotation_ratio,
         "with_pads": request.fit != FitMethod::TwoStage,

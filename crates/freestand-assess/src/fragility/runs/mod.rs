@@ -5,6 +5,7 @@
 //! their outcomes in the form that the fit reads, `quality` how well each measure predicts the outcome,
 //! `report` the result, `figures` its figures.
 
+mod answer;
 mod changed;
 mod figures;
 mod follow;
@@ -335,6 +336,7 @@ fn fit(
             .cloned()
             .collect(),
         added,
+        seed: request.seed,
         study: OfStudy::of(&request.objects),
     };
     for (place, (measure, at)) in measures.iter().enumerate() {

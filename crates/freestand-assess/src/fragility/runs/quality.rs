@@ -3,7 +3,6 @@
 use freestand::fragility::{
     LimitState, OutcomeClass, capacity_spread, mean_and_sd, trend_p_value, weighted_line,
 };
-use freestand_output::facts::Facts;
 
 use super::super::measure::{At, Measure};
 use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
@@ -35,26 +34,6 @@ impl Quality {
     pub fn proficiency(&self) -> Option<f64> {
         let practicality = self.practicality.filter(|slope| *slope > 0.0)?;
         Some(self.efficiency? / practicality)
-    }
-
-    pub(crate) fn facts(&self) -> Facts<'static> {
-        Facts::default()
-            .key("limit_state", self.limit_state.name())
-            .key("efficiency", self.efficiency)
-            .key("practicality", self.practicality)
-            .key("proficiency", self.proficiency())
-            .key("sufficiency", self.sufficiency())
-    }
-
-    /// p-values; what motions from files do not tell has none.
-    pub(crate) fn sufficiency(&self) -> Facts<'static> {
-        let unknown = None::<f64>;
-        Facts::default()
-            .key("magnitude", unknown)
-            .key("distance", unknown)
-            .key("epsilon", unknown)
-            .key("mean_period", self.p_mean_period)
-            .key("pgv_over_pga", self.p_velocity_over_acceleration)
     }
 }
 

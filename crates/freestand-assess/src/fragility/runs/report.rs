@@ -9,11 +9,11 @@ use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 
-use super::super::{FitMethod, FragilityReport, input_facts};
+use super::super::{FitMethod, FragilityReport};
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::FloorShaking;
-use super::{METHODS, Method, ObjectRuns, Quality, RunObjects, figures, follow};
+use super::{METHODS, Method, ObjectRuns, RunObjects, figures, follow};
 use crate::job::{JobReport, said};
 use crate::output::head;
 
@@ -37,6 +37,8 @@ pub struct RunsReport {
     pub(super) floors: Vec<Vec<FloorShaking>>,
     pub(super) left_out: Vec<(String, String)>,
     pub(super) inputs: Vec<InputFile>,
+    /// Seed of the bootstrap.
+    pub(super) seed: u64,
     /// Whose building and hazard this is; `None`: the motions were given.
     pub(super) study: Option<OfStudy>,
 }
@@ -44,12 +46,12 @@ pub struct RunsReport {
 /// What a document says about the study of its runs, and about their list.
 #[derive(Debug)]
 pub(super) struct OfStudy {
-    said: JobReport,
-    hazard: Option<String>,
-    building: String,
+    pub(super) said: JobReport,
+    pub(super) hazard: Option<String>,
+    pub(super) building: String,
     /// What nobody stated of the place and the building, and of the objects.
-    assumed: Vec<String>,
-    toml: String,
+    pub(super) assumed: Vec<String>,
+    pub(super) toml: String,
 }
 
 impl OfStudy {
@@ -200,132 +202,6 @@ impl RunsReport {
     /// The report by the first measure, for other programs.
     pub fn first(&self) -> Option<&FragilityReport> {
         self.reports.first()
-    }
-
-    /// The document.
-    pub fn facts(&self, seed: u64) -> Facts<'static> {
-        let objects: Vec<Facts> = self
-            .reports
-            .iter()
-            .flat_map(FragilityReport::object_facts)
-            .collect();
-        let motions: Vec<Facts> = self
-            .floors
-            .iter()
-            .flatten()
-            .map(|shaking| {
-                Facts::default()
-                    .key("name", shaking.name.clone())
-                    .key(
-                        "floor_velocity_over_acceleration_s",
-                        shaking.at_floor.velocity_over_acceleration_s(),
-                    )
-                    .key("floor_mean_period_s", shaking.at_floor.mean_period_s)
-            })
-            .collect();
-        let inputs: Vec<Facts> = self.inputs.iter().map(input_facts).collect();
-        let said = self.study.as_ref().map(|study| &study.said);
-        let left_out: Vec<Facts> = self
-            .left_out
-            .iter()
-            .map(|(id, why)| {
-                Facts::default()
-                    .key("id", id.clone())
-                    .key("why", why.clone())
-            })
-            .collect();
-        let given = self
-            .scales
-            .as_ref()
-            .map(|all| all.len() - self.added.as_ref().map_or(0, |added| added.count));
-        Facts::default()
-            .key("version", env!("CARGO_PKG_VERSION"))
-            .key("seed", seed)
-            .key("method", name_of(METHODS, self.method))
-            .key("max_scale", self.max_scale_ratio)
-            .key("scales", self.scales.clone())
-            .key("scales_given", given)
-            .key("scales_added", self.added.as_ref().map(|added| added.count))
-            .key(
-                "hazard_curve",
-                self.added.as_ref().map(|added| added.hazard.facts()),
-            )
-            .key("tolerance_rotation_ratio", self.rotation_ratio)
-            .key("inputs", inputs)
-            .key("no_study", said.and_then(|said| said.no_study.clone()))
-            .key(
-                "assumptions",
-                self.study.as_ref().map(|study| study.assumed.clone()),
-            )
-            .key("place_is_assumed", said.map(|said| said.place_is_assumed))
-            .key(
-                "building_is_assumed",
-                said.map(|said| said.building_is_assumed),
-            )
-            .key("place_name", said.and_then(|said| said.place_name.clone()))
-            .key(
-                "building_name",
-                said.and_then(|said| said.building_name.clone()),
-            )
-            .key(
-                "hazard",
-                self.study.as_ref().and_then(|study| study.hazard.clone()),
-            )
-            .key(
-                "building",
-                self.study.as_ref().map(|study| study.building.clone()),
-            )
-            .key("study", self.study.as_ref().map(|study| study.toml.clone()))
-            .key("motions", motions)
-            .key("left_out", left_out)
-            .key("objects", objects)
-            .key("im_ranking", self.ranking())
-    }
-
-    /// For each object and limit state the measures, the most proficient one first.
-    fn ranking(&self) -> Vec<Facts<'static>> {
-        let mut ranking = Vec::new();
-        let first = self
-            .reports
-            .first()
-            .map_or(&[][..], |report| report.objects.as_slice());
-        for (i, object) in first.iter().enumerate() {
-            for state in object.fit.curves.iter().map(|curve| curve.limit_state) {
-                let mut measures: Vec<(&FragilityReport, &Quality)> = self
-                    .reports
-                    .iter()
-                    .filter_map(|report| {
-                        let qualities = &report.objects.get(i)?.qualities;
-                        Some((
-                            report,
-                            qualities
-                                .iter()
-                                .find(|quality| quality.limit_state == state)?,
-                        ))
-                    })
-                    .collect();
-                let value = |quality: &Quality| quality.proficiency().unwrap_or(f64::INFINITY);
-                measures.sort_by(|(_, a), (_, b)| value(a).total_cmp(&value(b)));
-                let measures: Vec<Facts> = measures
-                    .into_iter()
-                    .map(|(report, quality)| {
-                        Facts::default()
-                            .key("im", report.table.measure.name())
-                            .key("at", report.at.name())
-                            .key("efficiency", quality.efficiency)
-                            .key("practicality", quality.practicality)
-                            .key("proficiency", quality.proficiency())
-                    })
-                    .collect();
-                ranking.push(
-                    Facts::default()
-                        .key("id", object.id.clone())
-                        .key("limit_state", state.name())
-                        .key("measures", measures),
-                );
-            }
-        }
-        ranking
     }
 
     /// One line for each measure and limit state of the first object, for people.
