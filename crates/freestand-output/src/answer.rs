@@ -6,7 +6,7 @@ use freestand_input::file::InputFile;
 use serde_json::{Map, Value as Json, json};
 
 use crate::answer;
-use crate::facts::Facts;
+use crate::facts::{Facts, Value};
 
 /// A result that [`answer!`](crate::answer!) defined.
 pub trait Answer {
@@ -196,7 +196,7 @@ macro_rules! answer {
 
             fn properties() -> serde_json::Map<String, serde_json::Value> {
                 let mut all = serde_json::Map::new();
-                $( $crate::answer!(@describe all, stringify!($field), $type, concat!($($doc),*), $($label)?); )*
+                $( $crate::answer!(@describe all, $field, $type, concat!($($doc),*), $($label)?); )*
                 all
             }
         }
@@ -213,6 +213,8 @@ macro_rules! answer {
             }
         }
     };
+    (@name __) => { "" };
+    (@name $name:ident) => { stringify!($name) };
     (@doc flat) => { "Values on the same level." };
     (@doc $label:literal) => { $label };
     (@add $facts:ident, $name:expr, $value:expr, ) => { $facts.key($name, $value.clone()) };
@@ -222,23 +224,29 @@ macro_rules! answer {
     (@add $facts:ident, $name:expr, $value:expr, $label:literal) => {
         $facts.fact($name, $label, $value.clone())
     };
+    (@add $facts:ident, $name:expr, $value:expr, ($label:expr)) => {
+        $facts.fact($name, $label, $value.clone())
+    };
     (@add $facts:ident, $name:expr, $value:expr, $label:literal, $given:expr) => {
         $facts.fact($name, if $given.is_some() { $label } else { "" }, $value.clone())
     };
-    (@describe $all:ident, $name:expr, $type:ty, $doc:expr, flat) => {
+    // A line for people alone is no value of the document.
+    (@describe $all:ident, __, $type:ty, $doc:expr, $label:tt) => {};
+    (@describe $all:ident, $name:ident, $type:ty, $doc:expr, flat) => {
         $all.extend(<$type as $crate::answer::Answer>::properties());
     };
-    (@add $facts:ident, $name:expr, $value:expr, $label:literal, $given:expr) => {
-        $facts.fact($name, if $given.is_some() { $label } else { "" }, $value.clone())
+    (@describe $all:ident, $name:ident, $type:ty, $doc:expr, ($label:expr)) => {
+        $crate::answer!(@describe $all, $name, $type, $doc,)
     };
-    (@describe $all:ident, $name:expr, $type:ty, $doc:expr, $($label:literal)?) => {
+    (@describe $all:ident, $name:ident, $type:ty, $doc:expr, $($label:literal)?) => {
         let schema = <$type as $crate::answer::Described>::schema();
-        $all.insert($name.to_owned(), $crate::answer::explained(schema, $doc, concat!($($label)?)));
+        $all.insert(stringify!($name).to_owned(), $crate::answer::explained(schema, $doc, concat!($($label)?)));
     };
 }
 
 /// Says how a struct is told: the names of its values in JSON, CSV and Python, their types, the values, and after
-/// `=>` the label under which people read one; `flat` puts the values of a part on the same level.
+/// `=>` the label under which people read one, in parentheses if it is calculated; `flat` puts the values of a part on
+/// the same level, and a value that is called `__` is a line for people alone.
 ///
 /// # Example
 /// ```
@@ -253,10 +261,11 @@ macro_rules! answer {
 ///     height_m: f64 = fall.height_m => "height";
 ///     /// Just before the landing.
 ///     speed_m_s: f64 = (2.0 * 9.81 * fall.height_m).sqrt();
+///     __: &'static str = "no air" => "assumed";
 /// });
 ///
 /// let fall = Fall { height_m: 0.5 };
-/// assert_eq!(fall.facts().lines(), [("height", "500 mm".to_owned())]);
+/// assert_eq!(fall.facts().lines(), [("height", "500 mm".to_owned()), ("assumed", "no air".to_owned())]);
 /// assert_eq!(Fall::properties()["speed_m_s"]["description"], "Just before the landing.");
 /// assert_eq!(serde_json::to_value(&fall)?["height_m"], 0.5);
 /// # Ok::<(), serde_json::Error>(())
@@ -272,14 +281,14 @@ macro_rules! answer_of {
                 let facts = $crate::facts::Facts::default();
                 $(
                     let value: $type = $value;
-                    let facts = $crate::answer!(@add facts, stringify!($field), value, $($label)?);
+                    let facts = $crate::answer!(@add facts, $crate::answer!(@name $field), value, $($label)?);
                 )*
                 facts
             }
 
             fn properties() -> serde_json::Map<String, serde_json::Value> {
                 let mut all = serde_json::Map::new();
-                $( $crate::answer!(@describe all, stringify!($field), $type, concat!($($doc),*), $($label)?); )*
+                $( $crate::answer!(@describe all, $field, $type, concat!($($doc),*), $($label)?); )*
                 all
             }
         }
@@ -302,6 +311,25 @@ macro_rules! answer_of {
             }
         }
     };
+}
+
+/// Values of one kind by names that are not known before.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ByName<A>(pub Vec<(&'static str, A)>);
+
+impl<A: Answer> Described for ByName<A> {
+    fn schema() -> Json {
+        json!({"type": "object", "additionalProperties": A::schema()})
+    }
+}
+
+impl<A: Answer> From<ByName<A>> for Value<'static> {
+    fn from(named: ByName<A>) -> Self {
+        let each = named.0.iter();
+        Self::Facts(each.fold(Facts::default(), |facts, (name, one)| {
+            facts.key(name, one.facts())
+        }))
+    }
 }
 
 /// A schema with what its value is: the comment of its field, or its label.
