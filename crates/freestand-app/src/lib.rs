@@ -8,6 +8,7 @@ pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
 pub mod floor;
+pub mod library;
 pub mod list;
 pub mod motion;
 pub mod object;
@@ -21,7 +22,6 @@ pub mod shock;
 pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
-pub mod tolerance;
 pub mod validate;
 
 mod block;

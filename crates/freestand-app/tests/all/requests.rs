@@ -9,6 +9,7 @@ use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
+use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::request::{Question, from_entries, keys};
@@ -19,7 +20,6 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
-use freestand_app::tolerance::ToleranceSearch;
 use freestand_app::validate::Validate;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
@@ -139,6 +139,8 @@ fn without_files() -> Vec<Asked> {
             "edit": "D7=900 mm"}),
         ),
         ("tolerance search", json!({})),
+        ("tolerance show", json!({})),
+        ("cushion search", json!({"library": "ours.csv"})),
         (
             "floor",
             json!({"storeys": "12", "storey_height": "3 m", "spectra": true, "levels": "0.5, 1"}),
@@ -164,7 +166,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 19] = [
+const COMMANDS: [Command; 24] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -176,7 +178,12 @@ const COMMANDS: [Command; 19] = [
     command::<CheckStudy>("check"),
     command::<Run>("run"),
     command::<CheckList>("inventory check"),
-    command::<ToleranceSearch>("tolerance search"),
+    command::<List<Tolerances>>("tolerance list"),
+    command::<Show<Tolerances>>("tolerance show"),
+    command::<Search<Tolerances>>("tolerance search"),
+    command::<List<Cushions>>("cushion list"),
+    command::<Show<Cushions>>("cushion show"),
+    command::<Search<Cushions>>("cushion search"),
     command::<Validate>("validate"),
     command::<Object>("object"),
     command::<Restrain>("restrain"),
@@ -302,6 +309,12 @@ fn of_programs() -> Vec<Asked> {
             "tolerance search",
             json!({"words": "disk", "library": "/etc/passwd"}),
         ),
+        (
+            "tolerance list",
+            json!({"library": "/etc/passwd", "words": "disk"}),
+        ),
+        ("cushion list", json!({"library": ["/etc/passwd"]})),
+        ("cushion show", json!({"id": ["a", "b"], "library_m": 3})),
         (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),

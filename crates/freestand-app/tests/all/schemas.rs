@@ -7,6 +7,7 @@ use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
+use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::restrain::Restrain;
@@ -17,7 +18,6 @@ use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
-use freestand_app::tolerance::ToleranceSearch;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -81,8 +81,28 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<CheckList>("inventory check", &[]),
         ),
         (
+            "tolerance-list.request.json",
+            of_request::<List<Tolerances>>("tolerance list", &[]),
+        ),
+        (
+            "tolerance-show.request.json",
+            of_request::<Show<Tolerances>>("tolerance show", &[]),
+        ),
+        (
             "tolerance-search.request.json",
-            of_request::<ToleranceSearch>("tolerance search", &[]),
+            of_request::<Search<Tolerances>>("tolerance search", &[]),
+        ),
+        (
+            "cushion-list.request.json",
+            of_request::<List<Cushions>>("cushion list", &[]),
+        ),
+        (
+            "cushion-show.request.json",
+            of_request::<Show<Cushions>>("cushion show", &[]),
+        ),
+        (
+            "cushion-search.request.json",
+            of_request::<Search<Cushions>>("cushion search", &[]),
         ),
         (
             "restrain.request.json",

@@ -51,8 +51,8 @@ pub(crate) fn run(
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
         CushionCommand::Recovery(args) => recovery::run(args, global, printer),
         CushionCommand::Curve(args) => curve::run(args, global, printer),
-        CushionCommand::List(args) => library::list(args, global, printer),
-        CushionCommand::Show(args) => library::show(args, global, printer),
-        CushionCommand::Search(args) => library::search(args, global, printer),
+        CushionCommand::List(args) => args.request.run(&(), global, printer),
+        CushionCommand::Show(args) => args.request.run(&(), global, printer),
+        CushionCommand::Search(args) => args.request.run(&(), global, printer),
     }
 }
