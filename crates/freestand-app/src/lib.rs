@@ -13,6 +13,7 @@ pub mod list;
 pub mod motion;
 pub mod object;
 pub mod place;
+pub mod places;
 pub mod request;
 pub mod restrain;
 pub mod rock;

@@ -12,6 +12,7 @@ use freestand_app::floor::Floor;
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
@@ -106,6 +107,8 @@ fn good() -> Vec<Asked> {
             json!({"heights": "1 m, 2 m", "thicknesses": "0.9 m", "place": "Lisbon", "sliding": true,
             "friction": "0.2"}),
         ),
+        ("place list", json!({"word": "greece"})),
+        ("place show", json!({"name": "Salt Lake City"})),
     ]
 }
 
@@ -166,7 +169,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 24] = [
+const COMMANDS: [Command; 26] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -184,6 +187,8 @@ const COMMANDS: [Command; 24] = [
     command::<List<Cushions>>("cushion list"),
     command::<Show<Cushions>>("cushion show"),
     command::<Search<Cushions>>("cushion search"),
+    command::<PlaceList>("place list"),
+    command::<PlaceShow>("place show"),
     command::<Validate>("validate"),
     command::<Object>("object"),
     command::<Restrain>("restrain"),
@@ -305,6 +310,11 @@ fn of_programs() -> Vec<Asked> {
         ),
         ("check", json!({"study": ["a"], "seed": -1, "threads": 2})),
         ("validate", json!({"table": 1})),
+        (
+            "place list",
+            json!({"word": ["greece", "nz"], "name": "Athens"}),
+        ),
+        ("place show", json!({})),
         (
             "tolerance search",
             json!({"words": "disk", "library": "/etc/passwd"}),

@@ -10,6 +10,7 @@ use freestand_app::floor::Floor;
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
@@ -103,6 +104,14 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "cushion-search.request.json",
             of_request::<Search<Cushions>>("cushion search", &[]),
+        ),
+        (
+            "place-list.request.json",
+            of_request::<PlaceList>("place list", &[]),
+        ),
+        (
+            "place-show.request.json",
+            of_request::<PlaceShow>("place show", &[]),
         ),
         (
             "restrain.request.json",

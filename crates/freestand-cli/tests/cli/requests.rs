@@ -52,6 +52,8 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "file",
         "words",
         "id",
+        "word",
+        "name",
         "library",
         "cushion_library",
         "list",
