@@ -8,6 +8,7 @@ pub mod code_spectrum;
 pub mod drop_test;
 pub mod files;
 pub mod floor;
+pub mod inventory;
 pub mod library;
 pub mod list;
 pub mod motion;

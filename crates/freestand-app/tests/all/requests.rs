@@ -9,6 +9,7 @@ use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
+use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
@@ -143,6 +144,7 @@ fn without_files() -> Vec<Asked> {
         ),
         ("tolerance search", json!({})),
         ("tolerance show", json!({})),
+        ("inventory convert", json!({"to": "csv", "sheet": "Ward 3"})),
         ("cushion search", json!({"library": "ours.csv"})),
         (
             "floor",
@@ -169,7 +171,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 26] = [
+const COMMANDS: [Command; 28] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -181,6 +183,8 @@ const COMMANDS: [Command; 26] = [
     command::<CheckStudy>("check"),
     command::<Run>("run"),
     command::<CheckList>("inventory check"),
+    command::<InventoryConvert>("inventory convert"),
+    command::<InventoryTemplate>("inventory template"),
     command::<List<Tolerances>>("tolerance list"),
     command::<Show<Tolerances>>("tolerance show"),
     command::<Search<Tolerances>>("tolerance search"),

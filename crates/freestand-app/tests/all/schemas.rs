@@ -7,6 +7,7 @@ use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
+use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
@@ -80,6 +81,14 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "inventory-check.request.json",
             of_request::<CheckList>("inventory check", &[]),
+        ),
+        (
+            "inventory-convert.request.json",
+            of_request::<InventoryConvert>("inventory convert", &[]),
+        ),
+        (
+            "inventory-template.request.json",
+            of_request::<InventoryTemplate>("inventory template", &[]),
         ),
         (
             "tolerance-list.request.json",
