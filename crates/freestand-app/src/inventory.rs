@@ -48,7 +48,7 @@ pub struct InventoryConvert {
     #[arg(value_name = "FILE")]
     pub file: Option<Written>,
     /// Format to write
-    #[arg(long, value_name = "TO", value_parser = one_of(FORMATS))]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
     pub to: Option<Written>,
     /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]

@@ -5,6 +5,7 @@
 pub mod assess;
 pub mod check_list;
 pub mod code_spectrum;
+pub mod cushion_curve;
 pub mod drop_test;
 pub mod files;
 pub mod floor;

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
+use freestand_app::cushion_curve::CushionCurve;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
@@ -120,6 +121,11 @@ fn without_files() -> Vec<Asked> {
             "cushion drop",
             json!({"mass": "0.365 kg", "height": "100 mm"}),
         ),
+        (
+            "cushion curve",
+            json!({"drop_height": "600 mm", "mass": "70 kg", "area": "0.02 m2", "limit": "40 g"}),
+        ),
+        ("cushion curve", json!({"static_stress": "3 kPa"})),
         ("cushion static", json!({"load": "350 N"})),
         (
             "motion info",
@@ -171,8 +177,9 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 28] = [
+const COMMANDS: [Command; 29] = [
     command::<DropTests>("cushion drop"),
+    command::<CushionCurve>("cushion curve"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
     command::<CodeSpectrum>("motion code-spectrum"),
@@ -317,6 +324,10 @@ fn of_programs() -> Vec<Asked> {
         (
             "place list",
             json!({"word": ["greece", "nz"], "name": "Athens"}),
+        ),
+        (
+            "cushion curve",
+            json!({"file": "/etc/passwd", "thickness_m": 0, "limit_g": -1, "static_stress": 3000, "area": 0.02}),
         ),
         ("place show", json!({})),
         (

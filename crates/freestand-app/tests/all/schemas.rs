@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
+use freestand_app::cushion_curve::CushionCurve;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
 use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
@@ -43,6 +44,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "cushion-drop.request.json",
             of_request::<DropTests>("cushion drop", &["seed"]),
+        ),
+        (
+            "cushion-curve.request.json",
+            of_request::<CushionCurve>("cushion curve", &[]),
         ),
         (
             "cushion-static.request.json",

@@ -50,7 +50,7 @@ pub(crate) fn run(
         CushionCommand::Static(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
         CushionCommand::Recovery(args) => recovery::run(args, global, printer),
-        CushionCommand::Curve(args) => curve::run(args, global, printer),
+        CushionCommand::Curve(args) => args.request.run(&(), global, printer),
         CushionCommand::List(args) => args.request.run(&(), global, printer),
         CushionCommand::Show(args) => args.request.run(&(), global, printer),
         CushionCommand::Search(args) => args.request.run(&(), global, printer),
