@@ -16,6 +16,7 @@ pub mod motion;
 pub mod object;
 pub mod place;
 pub mod places;
+pub mod recovery;
 pub mod request;
 pub mod restrain;
 pub mod rock;

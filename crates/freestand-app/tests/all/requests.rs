@@ -15,6 +15,7 @@ use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::places::{PlaceList, PlaceShow};
+use freestand_app::recovery::Recovery;
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
@@ -109,6 +110,10 @@ fn good() -> Vec<Asked> {
             json!({"heights": "1 m, 2 m", "thicknesses": "0.9 m", "place": "Lisbon", "sliding": true,
             "friction": "0.2"}),
         ),
+        (
+            "cushion recovery",
+            json!({"drops": "10", "samples_per_contact": "25, 50", "noise": "0, 2 %", "bias": "1 g"}),
+        ),
         ("place list", json!({"word": "greece"})),
         ("place show", json!({"name": "Salt Lake City"})),
     ]
@@ -177,9 +182,10 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 29] = [
+const COMMANDS: [Command; 30] = [
     command::<DropTests>("cushion drop"),
     command::<CushionCurve>("cushion curve"),
+    command::<Recovery>("cushion recovery"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
     command::<CodeSpectrum>("motion code-spectrum"),
@@ -328,6 +334,10 @@ fn of_programs() -> Vec<Asked> {
         (
             "cushion curve",
             json!({"file": "/etc/passwd", "thickness_m": 0, "limit_g": -1, "static_stress": 3000, "area": 0.02}),
+        ),
+        (
+            "cushion recovery",
+            json!({"drops": 10001, "samples_per_contact": [1, 25], "noise": 2, "bias": ["x", 1], "seed": -1}),
         ),
         ("place show", json!({})),
         (

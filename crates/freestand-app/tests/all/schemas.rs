@@ -13,6 +13,7 @@ use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::places::{PlaceList, PlaceShow};
+use freestand_app::recovery::Recovery;
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
@@ -48,6 +49,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "cushion-curve.request.json",
             of_request::<CushionCurve>("cushion curve", &[]),
+        ),
+        (
+            "cushion-recovery.request.json",
+            of_request::<Recovery>("cushion recovery", &["seed"]),
         ),
         (
             "cushion-static.request.json",

@@ -49,7 +49,7 @@ pub(crate) fn run(
         CushionCommand::Drop(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Static(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
-        CushionCommand::Recovery(args) => recovery::run(args, global, printer),
+        CushionCommand::Recovery(args) => args.request.run(&(), global, printer),
         CushionCommand::Curve(args) => args.request.run(&(), global, printer),
         CushionCommand::List(args) => args.request.run(&(), global, printer),
         CushionCommand::Show(args) => args.request.run(&(), global, printer),
