@@ -27,6 +27,7 @@ pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
 pub mod validate;
+pub mod virtual_test;
 
 mod block;
 mod cells;

@@ -67,7 +67,7 @@ macro_rules! request {
             fn write(&self, words: &mut freestand_input::keys::Words) {
                 // A field that is not listed is an error here.
                 let Self { $($field,)* $($($part,)*)? } = self;
-                $( $crate::request::Field::write($field, stringify!($field), words); )*
+                $( $crate::request::Field::write($field, stringify!($field).trim_start_matches("r#"), words); )*
                 $($( $crate::request::Field::write($part, stringify!($part), words); )*)?
             }
         }

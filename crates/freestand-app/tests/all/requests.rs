@@ -25,6 +25,7 @@ use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::validate::Validate;
+use freestand_app::virtual_test::VirtualTests;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use serde_json::{Map, Value, json};
@@ -114,6 +115,14 @@ fn good() -> Vec<Asked> {
             "cushion recovery",
             json!({"drops": "10", "samples_per_contact": "25, 50", "noise": "0, 2 %", "bias": "1 g"}),
         ),
+        (
+            "cushion simulate",
+            json!({"stiffness": "2190 N/mm", "mass": "0.365 kg", "height": "100 mm", "noise": "0.5 %", "bounces": "0"}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness": "1100 N/mm", "load": "1 kN", "hysteresis": "15 %"}),
+        ),
         ("place list", json!({"word": "greece"})),
         ("place show", json!({"name": "Salt Lake City"})),
     ]
@@ -182,10 +191,11 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 30] = [
+const COMMANDS: [Command; 31] = [
     command::<DropTests>("cushion drop"),
     command::<CushionCurve>("cushion curve"),
     command::<Recovery>("cushion recovery"),
+    command::<VirtualTests>("cushion simulate"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
     command::<CodeSpectrum>("motion code-spectrum"),
@@ -338,6 +348,19 @@ fn of_programs() -> Vec<Asked> {
         (
             "cushion recovery",
             json!({"drops": 10001, "samples_per_contact": [1, 25], "noise": 2, "bias": ["x", 1], "seed": -1}),
+        ),
+        (
+            "cushion simulate",
+            json!({"mass": -1, "height_m": 1100, "law": "kelvin-voigt", "count": 0, "bounces": 21}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness": 1e6, "mass": -1, "law": "kelvin-voigt", "damping": "5 %", "height": 1,
+                "out": "/tmp/x"}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": "yes", "cushion": "/etc/passwd", "pads_per_edge": 2, "load_n": 1000, "seed": "x"}),
         ),
         ("place show", json!({})),
         (

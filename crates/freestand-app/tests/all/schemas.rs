@@ -22,6 +22,7 @@ use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::virtual_test::VirtualTests;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
 
@@ -53,6 +54,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "cushion-recovery.request.json",
             of_request::<Recovery>("cushion recovery", &["seed"]),
+        ),
+        (
+            "cushion-simulate.request.json",
+            of_request::<VirtualTests>("cushion simulate", &["seed"]),
         ),
         (
             "cushion-static.request.json",

@@ -100,6 +100,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "headings",
             "cells",
             "sensitivity",
+            "static",
+            "xlsx",
+            "csv",
         ];
         if switches
             .iter()

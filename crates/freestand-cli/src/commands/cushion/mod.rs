@@ -48,7 +48,7 @@ pub(crate) fn run(
     match &args.command {
         CushionCommand::Drop(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Static(args) => args.request.run(&args.output, global, printer),
-        CushionCommand::Simulate(args) => simulate::run(args, global, printer),
+        CushionCommand::Simulate(args) => args.request.run(&(), global, printer),
         CushionCommand::Recovery(args) => args.request.run(&(), global, printer),
         CushionCommand::Curve(args) => args.request.run(&(), global, printer),
         CushionCommand::List(args) => args.request.run(&(), global, printer),
