@@ -152,19 +152,24 @@ impl Question for VirtualTests {
         let count = whole(&mut read, "count", 1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
         let (edge, plan) = if read.flag("static") {
-            let why = "a static test has none";
+            let why = "a static test drops nothing";
             refuse(
                 &mut read,
                 &OF_DROPS,
                 why,
-                "leave it out, or leave `static` out",
+                "leave this out, or leave `static` out",
             );
             let options = presses(&mut read, noise, seed);
             let edge = read.problems.finish(edge)?;
             (edge, Plan::Static(options))
         } else {
-            let why = "it is that of a static test";
-            refuse(&mut read, &OF_STATIC, why, "add `static`, or leave it out");
+            let why = "only a static test reads this";
+            refuse(
+                &mut read,
+                &OF_STATIC,
+                why,
+                "add `static`, or leave this out",
+            );
             let options = drops(&mut read, mass_kg, noise, seed);
             let (edge, options) = read.problems.finish(edge.zip(options))?;
             let options = options(&edge.cushion);
@@ -206,14 +211,15 @@ impl VirtualTests {
     }
 }
 
-/// Notes a problem with each key that nothing reads.
+/// Notes a problem with keys that nothing reads.
 fn refuse(read: &mut WordReader<'_>, idle: &[&'static str], why: &str, hint: &str) {
-    for &key in idle.iter().filter(|key| read.words.get(key).is_some()) {
-        read.note(
-            &[key, "static"],
-            format!("`{key}` has no effect: {why}"),
-            hint,
-        );
+    let given = idle.iter().copied().filter(|key| read.has(key));
+    let keys: Vec<&'static str> = given.collect();
+    let named: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    let have = if keys.len() == 1 { "has" } else { "have" };
+    if !keys.is_empty() {
+        let message = format!("{} {have} no effect: {why}", named.join(", "));
+        read.note(&keys, message, hint);
     }
 }
 
