@@ -22,8 +22,7 @@ pub const SCHEMA: &str = "freestand.cushion-curve/1";
 #[serde(default)]
 #[group(skip)]
 pub struct CushionCurve {
-    /// Table of tests with a header such as "static stress [kPa],drop height [mm],thickness
-    /// [mm],peak acceleration [g]"
+    /// Table of tests with a header such as `static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]`
     #[arg(value_name = "FILE")]
     pub file: Option<Written>,
     /// Drop height of the design, and of tests in a file without that column
