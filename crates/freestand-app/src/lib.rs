@@ -21,6 +21,7 @@ pub mod shock;
 pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
+pub mod synth;
 pub mod tolerance;
 pub mod validate;
 

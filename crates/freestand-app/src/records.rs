@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgAction, Args};
 use freestand::motion::Motion;
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
@@ -402,6 +402,23 @@ impl NamedRecords<'_> {
         how.read.is_shock = true;
         how.vertical = Upward::Itself("component");
         self.read_as(&how)
+    }
+
+    /// The motions in any direction.
+    pub(crate) fn in_any_direction(&self) -> Result<Vec<ReadMotion>, Problems> {
+        self.read_as(&MotionFiles {
+            vertical: Upward::Itself("component"),
+            ..self.how.clone()
+        })
+    }
+
+    /// The only motion, in any direction.
+    pub(crate) fn one(&self) -> Result<ReadMotion, Problems> {
+        let missing = || {
+            let message = "the file was read but contains no motion";
+            Problem::new(ProblemKind::Computation, message).into()
+        };
+        self.in_any_direction()?.pop().ok_or_else(missing)
     }
 
     /// The horizontal motions, read in this way.

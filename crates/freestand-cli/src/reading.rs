@@ -135,36 +135,10 @@ impl ReadArgs {
 
     /// One motion from each file.
     pub(crate) fn read_all(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
-        self.read_as(paths, |_| {})
-    }
-
-    /// As [`ReadArgs::read_all`], for motions that need not be horizontal.
-    pub(crate) fn read_any(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
-        self.read_as(paths, |files| files.vertical = Upward::Itself("component"))
-    }
-
-    fn read_as(
-        &self,
-        paths: &[PathBuf],
-        change: impl FnOnce(&mut MotionFiles),
-    ) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
-        let mut files = self.files(paths, &mut values);
+        let files = self.files(paths, &mut values);
         values.finish()?;
-        change(&mut files);
         Ok(read_all(&files)?)
-    }
-
-    /// The motion of one file, read by [`ReadArgs::read_all`] or [`ReadArgs::read_any`].
-    pub(crate) fn read_one(
-        &self,
-        path: &Path,
-        read: impl FnOnce(&Self, &[PathBuf]) -> Result<Vec<ReadMotion>, Failure>,
-    ) -> Result<ReadMotion, Failure> {
-        let mut motions = read(self, &[path.to_path_buf()])?;
-        motions
-            .pop()
-            .ok_or_else(|| Failure::computation("the file was read but contains no motion"))
     }
 }
 

@@ -19,6 +19,7 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::synth::{Match, Synth};
 use freestand_app::tolerance::ToleranceSearch;
 use freestand_app::validate::Validate;
 use freestand_input::keys::KeyStyle;
@@ -78,6 +79,10 @@ fn good() -> Vec<Asked> {
             json!({"place": "Melbourne", "site": "De", "parts": true, "building_height": "96 m"}),
         ),
         (
+            "motion synth",
+            json!({"place": "Melbourne", "count": "3", "time_step": "10 ms", "match_pga": true}),
+        ),
+        (
             "object",
             json!({"height": "1.8 m", "thickness": "0.4 m", "width": "0.9 m", "place": "Melbourne", "floor": "2",
             "storeys": "6", "wall_gap": "20 mm"}),
@@ -124,6 +129,10 @@ fn without_files() -> Vec<Asked> {
         ("motion spectrum", json!({"damping": "2 %, 5 %"})),
         ("motion convert", json!({"to": "csv"})),
         (
+            "motion match",
+            json!({"place": "Lisbon", "method": "fft", "match_pga": true}),
+        ),
+        (
             "inventory check",
             json!({"sheet": "Ward 3", "storeys": "6", "strict": true, "edit": "D7=900 mm"}),
         ),
@@ -164,7 +173,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 19] = [
+const COMMANDS: [Command; 21] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -172,6 +181,8 @@ const COMMANDS: [Command; 19] = [
     command::<MotionConvert>("motion convert"),
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
+    command::<Match>("motion match"),
+    command::<Synth>("motion synth"),
     command::<Assess>("assess"),
     command::<CheckStudy>("check"),
     command::<Run>("run"),
@@ -251,6 +262,15 @@ fn of_programs() -> Vec<Asked> {
         (
             "motion code-spectrum",
             json!({"spectrum": "/etc/passwd", "building_height_m": 30, "sds": 1, "out": "/tmp/x"}),
+        ),
+        (
+            "motion synth",
+            json!({"time_step_s": 0.02, "shaking_s": 5, "envelope_s": 0.5, "count": 1001, "seed": -1, "match_pga": "yes",
+                "out": "/tmp/x"}),
+        ),
+        (
+            "motion match",
+            json!({"motion": ["a", "b"], "file": "c", "spectrum": "/etc/passwd", "method": "phase"}),
         ),
         (
             "floor",

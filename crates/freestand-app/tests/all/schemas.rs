@@ -17,6 +17,7 @@ use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::synth::{Match, Synth};
 use freestand_app::tolerance::ToleranceSearch;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
@@ -57,6 +58,14 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "motion-convert.request.json",
             of_request::<MotionConvert>("motion convert", &[]),
+        ),
+        (
+            "motion-synth.request.json",
+            of_request::<Synth>("motion synth", &["seed"]),
+        ),
+        (
+            "motion-match.request.json",
+            of_request::<Match>("motion match", &[]),
         ),
         (
             "code-spectrum.request.json",

@@ -58,8 +58,8 @@ pub(crate) fn run(
         MotionCommand::Convert(args) => args.request.run(&(), global, printer),
         MotionCommand::Rotate(args) => rotate::run(args, global, printer),
         MotionCommand::Rotd(args) => rotd::run(args, global, printer),
-        MotionCommand::Synth(args) => synth::run(args, global, printer),
-        MotionCommand::Match(args) => synth::run_match(args, global, printer),
+        MotionCommand::Synth(args) => args.request.run(&(), global, printer),
+        MotionCommand::Match(args) => args.request.run(&(), global, printer),
         MotionCommand::Simulate(args) => simulate::run(args, global, printer),
         MotionCommand::CodeSpectrum(args) => args.request.run(&args.output, global, printer),
     }
