@@ -189,17 +189,9 @@ impl MotionSpectrum {
                 "give the share of critical damping, such as \"5 %\"",
             );
         }
-        let periods_s = read.grid("periods", Dimension::Time);
-        if let Some(wrong) = periods_s.iter().flatten().find(|period| **period < 0.0) {
-            read.note(
-                &["periods"],
-                format!("`periods`: {wrong} s is below zero"),
-                "give periods of 0 or more, such as \"0.05 s:5 s:100\"",
-            );
-        }
         let request = SpectrumRequest {
             damping_ratios: damping_ratios.unwrap_or_else(|| vec![DAMPING_RATIO]),
-            periods_s: periods_s.unwrap_or_else(usual_periods_s),
+            periods_s: periods(&mut read),
             upsample: from_one(&mut read, "upsample").unwrap_or(1),
         };
         read.problems.finish(Some((named, request)))
@@ -266,6 +258,19 @@ pub(crate) fn one_record<'f>(
         read.note(&["motion"], message, "name one record");
     }
     recorded(read, names, records, files)
+}
+
+/// The periods of a spectrum.
+pub(crate) fn periods(read: &mut WordReader<'_>) -> Vec<f64> {
+    let periods_s = read.grid("periods", Dimension::Time);
+    if let Some(wrong) = periods_s.iter().flatten().find(|period| **period < 0.0) {
+        read.note(
+            &["periods"],
+            format!("`periods`: {wrong} s is below zero"),
+            "give periods of 0 or more, such as \"0.05 s:5 s:100\"",
+        );
+    }
+    periods_s.unwrap_or_else(usual_periods_s)
 }
 
 /// The files that are read.

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::{ArgAction, Args};
 use freestand::motion::Motion;
+use freestand_input::file::as_named;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_records::notes::Note;
-use freestand_records::processing::parse_target_source;
+use freestand_records::processing::{Processing, parse_target_source};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
 use serde::Deserialize;
 
@@ -297,6 +298,32 @@ impl Records {
             horizontal: motion.iter().map(Written::text).collect(),
             vertical: vertical.iter().map(Written::text).collect(),
         }
+    }
+
+    /// The motions of these files, in any direction.
+    ///
+    /// # Errors
+    /// All problems of these options, or else of the files.
+    pub fn read_files(&self, paths: Vec<PathBuf>) -> Result<Vec<ReadMotion>, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        let files = MotionFiles {
+            paths,
+            vertical: Upward::Itself("component"),
+            ..MotionFiles::read(&mut read, as_named)
+        };
+        read_all(&read.problems.finish(Some(files))?)
+    }
+
+    /// What is done to the samples of a motion.
+    ///
+    /// # Errors
+    /// All problems of these options.
+    pub fn processing(&self) -> Result<Processing, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        let processing = Processing::read(&mut read, as_named);
+        read.problems.finish(Some(processing))
     }
 
     /// The files that these options name: StationXML, and the target that records are scaled to.

@@ -111,19 +111,6 @@ fn value_name(dimension: Dimension) -> String {
         .replace(' ', "-")
 }
 
-/// Two names or numbers, `"1, 2"`.
-pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
-    match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
-        [first, second] if !first.is_empty() && !second.is_empty() => {
-            Ok((first.to_owned(), second.to_owned()))
-        }
-        _ => {
-            let message = format!("two names or numbers are expected, not \"{text}\"");
-            Err(Problem::value(message, "write \"1, 2\", or \"N-S, E-W\""))
-        }
-    }
-}
-
 /// One of these values, chosen by its name.
 pub(crate) fn choice<T: Copy + Send + Sync>(
     choices: Choices<T>,

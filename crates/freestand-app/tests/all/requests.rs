@@ -11,12 +11,14 @@ use freestand_app::files::Files;
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
 use freestand_app::run::{CheckStudy, Run};
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::simulate::Simulate;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::synth::{Match, Synth};
@@ -83,6 +85,15 @@ fn good() -> Vec<Asked> {
             json!({"place": "Melbourne", "count": "3", "time_step": "10 ms", "match_pga": true}),
         ),
         (
+            "motion simulate",
+            json!({"magnitude": "6", "distance": "30 km", "preset": "se-australia", "stress_drop": "50 MPa",
+            "hard_rock": true}),
+        ),
+        (
+            "motion simulate",
+            json!({"city": "Adelaide", "return_period_years": "500", "site": "De", "window": "lam"}),
+        ),
+        (
             "object",
             json!({"height": "1.8 m", "thickness": "0.4 m", "width": "0.9 m", "place": "Melbourne", "floor": "2",
             "storeys": "6", "wall_gap": "20 mm"}),
@@ -129,6 +140,14 @@ fn without_files() -> Vec<Asked> {
         ("motion spectrum", json!({"damping": "2 %, 5 %"})),
         ("motion convert", json!({"to": "csv"})),
         (
+            "motion rotate",
+            json!({"to": "30 deg", "azimuths": "0 deg, 90 deg", "format": "at2"}),
+        ),
+        (
+            "motion rotd",
+            json!({"percentiles": "0, 50 %, 100", "damping": "2 %", "periods": "0 s, 1 s"}),
+        ),
+        (
             "motion match",
             json!({"place": "Lisbon", "method": "fft", "match_pga": true}),
         ),
@@ -173,7 +192,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 21] = [
+const COMMANDS: [Command; 24] = [
     command::<DropTests>("cushion drop"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
@@ -182,7 +201,10 @@ const COMMANDS: [Command; 21] = [
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
     command::<Match>("motion match"),
+    command::<Rotate>("motion rotate"),
+    command::<Rotd>("motion rotd"),
     command::<Synth>("motion synth"),
+    command::<Simulate>("motion simulate"),
     command::<Assess>("assess"),
     command::<CheckStudy>("check"),
     command::<Run>("run"),
@@ -270,7 +292,32 @@ fn of_programs() -> Vec<Asked> {
         ),
         (
             "motion match",
-            json!({"motion": ["a", "b"], "file": "c", "spectrum": "/etc/passwd", "method": "phase"}),
+            json!({"file": ["a", "b"], "spectrum": "/etc/passwd", "method": "phase", "match_pga": "yes", "seed": 1}),
+        ),
+        (
+            "motion rotate",
+            json!({"files": ["a", "b", "/etc/passwd"], "azimuths": [0, 1, 2], "components": "N", "component": 1, "azimuth": "north",
+                "out": "/tmp/x"}),
+        ),
+        (
+            "motion rotd",
+            json!({"percentiles": [50, 150], "damping": 1, "periods_s": [0, -1], "scale_to_g": 0.3, "components": ["1", "2"]}),
+        ),
+        (
+            "motion rotd",
+            json!({"motion": "a", "percentiles": "50, 50 %"}),
+        ),
+        (
+            "motion simulate",
+            json!({"magnitude": 9, "distance_m": 5e6, "time_step_s": 0.02, "low_cut_hz": 3, "return_period_years": 500, "count": 0}),
+        ),
+        (
+            "motion simulate",
+            json!({"preset": "mars", "distance_m": -1, "hard_rock": "yes", "site": "X", "out": "/tmp/x"}),
+        ),
+        (
+            "motion simulate",
+            json!({"place": "Lisbon", "distance_m": 3e4, "return_period": 7}),
         ),
         (
             "floor",

@@ -9,12 +9,14 @@ use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::simulate::Simulate;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::synth::{Match, Synth};
@@ -60,12 +62,24 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<MotionConvert>("motion convert", &[]),
         ),
         (
+            "motion-rotate.request.json",
+            of_request::<Rotate>("motion rotate", &[]),
+        ),
+        (
+            "motion-rotd.request.json",
+            of_request::<Rotd>("motion rotd", &[]),
+        ),
+        (
             "motion-synth.request.json",
             of_request::<Synth>("motion synth", &["seed"]),
         ),
         (
             "motion-match.request.json",
             of_request::<Match>("motion match", &[]),
+        ),
+        (
+            "motion-simulate.request.json",
+            of_request::<Simulate>("motion simulate", &["seed"]),
         ),
         (
             "code-spectrum.request.json",

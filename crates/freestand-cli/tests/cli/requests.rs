@@ -85,6 +85,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "invert",
             "parts",
             "match_pga",
+            "hard_rock",
             "spectra",
             "keep_mean",
             "pairs",
@@ -124,7 +125,15 @@ fn typed(requests: impl Iterator<Item = Value>) {
 fn what_the_page_asks_has_the_problems_of_the_table() {
     let page = Page::open();
     // The page runs no study, and makes no motions.
-    let others = ["run", "check", "motion synth", "motion match"];
+    let others = [
+        "run",
+        "check",
+        "motion synth",
+        "motion match",
+        "motion simulate",
+        "motion rotate",
+        "motion rotd",
+    ];
     let is_asked = |line: &Value| !others.iter().any(|name| line["command"] == *name);
     for line in table().into_iter().filter(is_asked) {
         let (status, answer) =

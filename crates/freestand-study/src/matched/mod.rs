@@ -10,9 +10,7 @@ use freestand::synthesis::{
 };
 use rayon::prelude::*;
 
-use crate::recorded::ReadMotion;
 use crate::simulated::source_problem;
-use crate::study::RecordedMotion;
 use crate::target::Target;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, significant};
@@ -195,25 +193,23 @@ pub fn synth(request: &SynthRequest) -> Result<FitReport, Problem> {
     })
 }
 
-/// Matches a record.
+/// Matches a record; the motion gets this name.
 ///
 /// # Errors
 /// As [`match_record`]; a peak that is not reached.
-pub fn match_one(read: &ReadMotion, request: &MatchRequest) -> Result<FitReport, Problem> {
+pub fn match_one(
+    record: &Motion,
+    name: String,
+    request: &MatchRequest,
+) -> Result<FitReport, Problem> {
     let MatchRequest {
         target,
         method,
         pga_g,
     } = request;
-    let RecordedMotion {
-        name, path, motion, ..
-    } = &read.motion;
-    let name = format!("{name}-matched");
-    let fitted = match_record(motion, target, *method).and_then(|matched| {
-        FittedMotion::new(name, matched, target, *pga_g).map_err(source_problem)
-    });
-    let mut one = fitted.map_err(|problem| problem.in_file(path))?;
-    one.resemblance = Some(Resemblance::between(motion, &one.motion));
+    let matched = match_record(record, target, *method)?;
+    let mut one = FittedMotion::new(name, matched, target, *pga_g).map_err(source_problem)?;
+    one.resemblance = Some(Resemblance::between(record, &one.motion));
     Ok(FitReport {
         target: target.clone(),
         seed: None,

@@ -64,7 +64,9 @@ impl Tell for Match {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let files = Files::begin(global, &inputs)?;
-        let report = match_one(&read, &request)?;
+        let one = &read.motion;
+        let report = match_one(&one.motion, format!("{}-matched", one.name), &request)
+            .map_err(|problem| problem.in_file(&one.path))?;
         let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
         finish(report, files, &notes, printer)
     }
