@@ -112,24 +112,6 @@ impl<'a, 'py> Given<'a, 'py> {
         whole
     }
 
-    pub(crate) fn count(&mut self, name: &str) -> Option<usize> {
-        self.whole(name, 1)
-            .and_then(|count| usize::try_from(count).ok())
-    }
-
-    pub(crate) fn flag(&mut self, name: &str) -> bool {
-        self.optional_flag(name).unwrap_or(false)
-    }
-
-    pub(crate) fn optional_flag(&mut self, name: &str) -> Option<bool> {
-        let value = self.value(name)?;
-        let flag = value.extract::<bool>().ok();
-        if flag.is_none() {
-            self.wrong(name, "True or False");
-        }
-        flag
-    }
-
     pub(crate) fn text(&mut self, name: &str) -> Option<String> {
         let value = self.value(name)?;
         let text = value.extract::<String>().ok();
@@ -169,16 +151,6 @@ impl<'a, 'py> Given<'a, 'py> {
             columns: self.path("columns"),
             edits,
         }
-    }
-
-    /// Numbers of an array, as the Python layer passes them: bytes of doubles.
-    pub(crate) fn numbers(&mut self, name: &str) -> Option<Vec<f64>> {
-        let value = self.value(name)?;
-        let numbers = value.extract::<&[u8]>().ok().map(doubles);
-        if numbers.is_none() {
-            self.wrong(name, "numbers");
-        }
-        numbers
     }
 
     /// Two numbers.
