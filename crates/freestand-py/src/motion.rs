@@ -8,11 +8,12 @@ use freestand_input::file::{as_named, sha256_hex};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::word_reader::WordReader;
+use freestand_output::answer::Answer;
 use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::{Processing, process};
-use freestand_study::inspect::{SpectrumRequest, measure_facts, spectrum};
+use freestand_study::inspect::{MotionMeasures, SpectrumRequest, spectrum};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 use freestand_study::study::RecordedMotion;
 use freestand_study::target::usual_periods_s;
@@ -140,8 +141,8 @@ impl Record {
     }
 
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let facts = py.detach(|| measure_facts(self.motion()));
-        dictionary(py, &facts, |_| false)
+        let measures = py.detach(|| MotionMeasures::of(self.motion()));
+        dictionary(py, &measures.facts(), |_| false)
     }
 
     fn spectrum(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {

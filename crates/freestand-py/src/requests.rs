@@ -51,7 +51,7 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
     let request = typed::<DropTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
-    let text = told(DROP, &report.facts(), &report.warnings)?;
+    let text = told(DROP, &report, &report.warnings)?;
     let loops = report
         .tests
         .iter()
@@ -66,7 +66,7 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
     let request = typed::<StaticTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| static_tests(&request))?.map_err(raised_all)?;
-    told(STATIC, &report.facts(), &report.warnings)
+    told(STATIC, &report, &report.warnings)
 }
 
 /// The shock response spectrum of a motion.
@@ -158,11 +158,7 @@ pub(crate) fn synth(
         pga_g,
     };
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
-    let text = told(
-        "freestand.motion-synth/1",
-        &report.facts(),
-        &report.warnings(),
-    )?;
+    let text = told("freestand.motion-synth/1", &report, &report.warnings())?;
     let motions = report
         .motions
         .into_iter()

@@ -4,7 +4,6 @@ use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
-use freestand_study::places::Place;
 
 use super::{Case, sheet};
 use crate::restraint::Demand;
@@ -231,13 +230,7 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("overstrength_ratio", force.overstrength_ratio)
         .key("formula", formula)
         .key("level_ratio", object.level_ratio)
-        .key(
-            "place",
-            case.target
-                .as_ref()
-                .and_then(|target| target.place)
-                .map(Place::facts),
-        )
+        .key("place", case.target.as_ref().and_then(|target| target.place))
         .key("factors", factor_facts(&own.source.factors))
         .key("assumptions", case.assumptions.clone())
         .key(

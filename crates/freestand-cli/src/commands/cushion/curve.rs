@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::quantity::Dimension;
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::cushion_curve::{CurveRequest, cushion_curve};
 
 use super::Done;
@@ -77,9 +78,9 @@ pub(crate) fn run(
     files.print(
         printer,
         "freestand.cushion-curve/1",
-        &report.facts,
+        &report,
         &report.warnings,
-        || lines(&report.facts),
+        || lines(&report.facts()),
     )?;
     Ok(Done::OK)
 }

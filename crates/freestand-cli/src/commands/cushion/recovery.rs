@@ -3,9 +3,8 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::quantity::Dimension;
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery};
-use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -43,12 +42,6 @@ pub(crate) struct RecoveryArgs {
     /// Shift of the zero line at the peak, as a share of the peak [default: 0]
     #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
     zero_shift: Option<Given<Vec<f64>>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Report {
-    seed: u64,
-    rows: Vec<Facts<'static>>,
 }
 
 pub(crate) fn run(
@@ -95,14 +88,10 @@ pub(crate) fn run(
     let bar = printer.progress_bar(false);
     bar.set_length((cells * request.biases_g.len() * request.zero_shift_ratios.len()) as u64);
     bar.set_message("cells");
-    let rows = recovery(&request, &|done| bar.set_position(done as u64));
+    let report = recovery(&request, &|done| bar.set_position(done as u64));
     bar.finish_and_clear();
-    let report = Report {
-        seed: request.seed,
-        rows,
-    };
     printer.result("freestand.cushion-recovery/1", &report, &[], || {
-        facts_table(&report.rows, &COLUMNS)
+        facts_table(report.rows.iter().map(Answer::facts), &COLUMNS)
     })?;
     Ok(Done::OK)
 }

@@ -5,9 +5,10 @@ use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::quantity::Dimension;
-use freestand_output::facts::Facts;
-use freestand_study::laboratory::virtual_laboratory::{assume_damping, drop_file, static_file};
-use serde::Serialize;
+use freestand_output::answer::Answer;
+use freestand_study::laboratory::virtual_laboratory::{
+    VirtualTest, VirtualTests, assume_damping, drop_file, static_file,
+};
 
 use crate::args::{GlobalArgs, refuse_idle};
 use crate::commands::Done;
@@ -87,13 +88,6 @@ pub(crate) struct SimulateArgs {
     machine_compliance: Option<Given>,
 }
 
-#[derive(Debug, Serialize)]
-struct Report {
-    law: &'static str,
-    seed: u64,
-    tests: Vec<Facts<'static>>,
-}
-
 const SCHEMA: &str = "freestand.cushion-simulate/1";
 
 /// The highest drop towers for experiments are about 150 m; the sum of numbers far beyond is no number.
@@ -128,7 +122,7 @@ pub(crate) fn run(
         }
         tests.push(one);
     }
-    let report = Report {
+    let report = VirtualTests {
         law: cushion.law().name(),
         seed: global.seed(),
         tests,
@@ -142,7 +136,7 @@ pub(crate) fn run(
         return Ok(Done::OK);
     }
     printer.result(SCHEMA, &report, &notes, || {
-        facts_table(&report.tests, &COLUMNS)
+        facts_table(report.tests.iter().map(Answer::facts), &COLUMNS)
     })?;
     Ok(Done::OK)
 }
@@ -153,7 +147,7 @@ fn simulated(
     plan: &Plan,
     index: u64,
     files: &Files,
-) -> Result<(String, Facts<'static>), Failure> {
+) -> Result<(String, VirtualTest), Failure> {
     let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
             let (text, drop) = drop_file(cushion, &VirtualDropOptions { index, ..*options })?;
@@ -168,14 +162,15 @@ fn simulated(
     let name = format!("{kind}-{:03}", index + 1);
     let path = files.write(&format!("{name}.csv"), || &text)?;
     let of = |value: fn(&VirtualDrop) -> f64| drop.as_ref().map(value);
-    let facts = Facts::default()
-        .key("name", name)
-        .key("path", path)
-        .key("peak_acceleration_g", of(|drop| drop.peak_m_s2 / G0_M_S2))
-        .key("contact_time_s", of(|drop| drop.contact_s))
-        .key("samples_per_contact", of(|drop| drop.contact_s / drop.dt_s))
-        .key("restitution_ratio", of(|drop| drop.restitution_ratio));
-    Ok((text, facts))
+    let test = VirtualTest {
+        name,
+        path,
+        peak_acceleration_g: of(|drop| drop.peak_m_s2 / G0_M_S2),
+        contact_time_s: of(|drop| drop.contact_s),
+        samples_per_contact: of(|drop| drop.contact_s / drop.dt_s),
+        restitution_ratio: of(|drop| drop.restitution_ratio),
+    };
+    Ok((text, test))
 }
 
 impl SimulateArgs {

@@ -7,6 +7,7 @@ use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_input::keys;
 use freestand_input::problem::Problem;
+use freestand_output::answer::Answer;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
@@ -164,9 +165,7 @@ pub(crate) fn run(
         request.assumptions(),
     ]
     .concat();
-    files.print(printer, SCHEMA, &report.facts(), &warnings, || {
-        text(&report)
-    })?;
+    files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

@@ -7,6 +7,7 @@ use freestand::synthesis::SynthesisOptions;
 use freestand_app::TargetKeys;
 use freestand_app::files::Files as Sources;
 use freestand_input::quantity::Dimension;
+use freestand_output::answer::Answer;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{
@@ -192,9 +193,9 @@ fn finish(
         };
         files.figure(name, || record_figure(words, motion))?;
     }
-    let (facts, warnings) = (report.facts(), [&report.warnings(), notes].concat());
-    files.finish(SCHEMA, &facts, &warnings)?;
-    printer.result(SCHEMA, &facts, &warnings, || text(&report))?;
+    let warnings = [&report.warnings(), notes].concat();
+    files.finish(SCHEMA, &report, &warnings)?;
+    printer.result(SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
