@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::ffi::OsStr;
+use std::marker::PhantomData;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -61,12 +62,12 @@ pub trait Question: Request {
 
 /// Lists the fields of a request: values, then `;` and the parts that it consists of.
 macro_rules! request {
-    ($name:ident { $($field:ident),* $(,)? $(; $($part:ident),* $(,)?)? }) => {
-        impl $crate::request::Request for $name {
+    ($name:ident $(<$of:ident: $kind:path>)? { $($field:ident),* $(,)? $(; $($part:ident),* $(,)?)? }) => {
+        impl $(<$of: $kind>)? $crate::request::Request for $name $(<$of>)? {
             fn write(&self, words: &mut freestand_input::keys::Words) {
                 // A field that is not listed is an error here.
                 let Self { $($field,)* $($($part,)*)? } = self;
-                $( $crate::request::Field::write($field, stringify!($field), words); )*
+                $( $crate::request::Field::write($field, stringify!($field).trim_start_matches("r#"), words); )*
                 $($( $crate::request::Field::write($part, stringify!($part), words); )*)?
             }
         }
@@ -117,6 +118,10 @@ impl Field for Switch {
 }
 
 impl Field for Unknown {
+    fn write(&self, _: &'static str, _: &mut Words) {}
+}
+
+impl<T> Field for PhantomData<T> {
     fn write(&self, _: &'static str, _: &mut Words) {}
 }
 

@@ -6,8 +6,6 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand_study::study::DEFAULT_SEED;
 
-use crate::failure::Failure;
-
 /// Flags that every command has.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Options of every command")]
@@ -60,29 +58,6 @@ impl GlobalArgs {
     pub(crate) fn folder(&self, default: &str) -> PathBuf {
         self.out.clone().unwrap_or_else(|| PathBuf::from(default))
     }
-}
-
-/// Refuses a flag that was given and that nothing reads: `why` says what makes it idle, as a clause.
-///
-/// What is given is read, or refused. A value that nobody reads is not checked either, so that a typing
-/// mistake in it would go unnoticed.
-pub(crate) fn refuse_idle<'a>(
-    idle: impl IntoIterator<Item = &'a str>,
-    why: &str,
-) -> Result<(), Failure> {
-    let flags: Vec<String> = idle
-        .into_iter()
-        .map(|flag| format!("--{}", flag.trim_start_matches('-')))
-        .collect();
-    let have = if flags.len() == 1 { "has" } else { "have" };
-    if flags.is_empty() {
-        return Ok(());
-    }
-    let them = if flags.len() == 1 { "it" } else { "them" };
-    Err(Failure::usage(
-        format!("{} {have} no effect: {why}", flags.join(", ")),
-        format!("leave {them} out"),
-    ))
 }
 
 /// A count of at least 1.

@@ -15,11 +15,6 @@ pub(crate) const fn key(key: &'static str, value: &'static str, help: &'static s
     Key(key, Some(value), ArgAction::Set, help)
 }
 
-/// A key with any number of values, each after the flag.
-pub(crate) const fn list(key: &'static str, value: &'static str, help: &'static str) -> Key {
-    Key(key, Some(value), ArgAction::Append, help)
-}
-
 /// A key that is true if the flag is given.
 pub(crate) const fn switch(key: &'static str, help: &'static str) -> Key {
     Key(key, None, ArgAction::SetTrue, help)

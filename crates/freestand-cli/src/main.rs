@@ -2,7 +2,6 @@
 
 mod args;
 mod commands;
-mod cushion;
 mod failure;
 mod files;
 mod keys;

@@ -6,12 +6,17 @@ use std::fmt::Write as _;
 use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
+use freestand_app::cushion_curve::CushionCurve;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::Files;
 use freestand_app::floor::Floor;
 use freestand_app::fragility::Fragility;
+use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
+use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::places::{PlaceList, PlaceShow};
+use freestand_app::recovery::Recovery;
 use freestand_app::request::{Question, from_entries, keys};
 use freestand_app::restrain::Restrain;
 use freestand_app::risk::Risk;
@@ -22,8 +27,8 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
-use freestand_app::tolerance::ToleranceSearch;
 use freestand_app::validate::Validate;
+use freestand_app::virtual_test::VirtualTests;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use serde_json::{Map, Value, json};
@@ -109,6 +114,20 @@ fn good() -> Vec<Asked> {
             json!({"heights": "1 m, 2 m", "thicknesses": "0.9 m", "place": "Lisbon", "sliding": true,
             "friction": "0.2"}),
         ),
+        (
+            "cushion recovery",
+            json!({"drops": "10", "samples_per_contact": "25, 50", "noise": "0, 2 %", "bias": "1 g"}),
+        ),
+        (
+            "cushion simulate",
+            json!({"stiffness": "2190 N/mm", "mass": "0.365 kg", "height": "100 mm", "noise": "0.5 %", "bounces": "0"}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness": "1100 N/mm", "load": "1 kN", "hysteresis": "15 %"}),
+        ),
+        ("place list", json!({"word": "greece"})),
+        ("place show", json!({"name": "Salt Lake City"})),
     ]
 }
 
@@ -119,6 +138,11 @@ fn without_files() -> Vec<Asked> {
             "cushion drop",
             json!({"mass": "0.365 kg", "height": "100 mm"}),
         ),
+        (
+            "cushion curve",
+            json!({"drop_height": "600 mm", "mass": "70 kg", "area": "0.02 m2", "limit": "40 g"}),
+        ),
+        ("cushion curve", json!({"static_stress": "3 kPa"})),
         ("cushion static", json!({"load": "350 N"})),
         (
             "motion info",
@@ -142,6 +166,9 @@ fn without_files() -> Vec<Asked> {
             "edit": "D7=900 mm"}),
         ),
         ("tolerance search", json!({})),
+        ("tolerance show", json!({})),
+        ("inventory convert", json!({"to": "csv", "sheet": "Ward 3"})),
+        ("cushion search", json!({"library": "ours.csv"})),
         (
             "fragility",
             json!({"height": "1.8 m", "thickness": "0.5 m", "mass": "150 kg", "stiffness": "4380 N/mm", "tolerance": "5 g",
@@ -193,13 +220,16 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 24] = [
+const COMMANDS: [Command; 36] = [
     command::<Fragility>("fragility"),
     command::<Risk>("risk"),
     command::<ShardMerge>("shard merge"),
     command::<ShardPlan>("shard plan"),
     command::<ShardRun>("shard run"),
     command::<DropTests>("cushion drop"),
+    command::<CushionCurve>("cushion curve"),
+    command::<Recovery>("cushion recovery"),
+    command::<VirtualTests>("cushion simulate"),
     command::<StaticTests>("cushion static"),
     command::<Floor>("floor"),
     command::<CodeSpectrum>("motion code-spectrum"),
@@ -210,7 +240,16 @@ const COMMANDS: [Command; 24] = [
     command::<CheckStudy>("check"),
     command::<Run>("run"),
     command::<CheckList>("inventory check"),
-    command::<ToleranceSearch>("tolerance search"),
+    command::<InventoryConvert>("inventory convert"),
+    command::<InventoryTemplate>("inventory template"),
+    command::<List<Tolerances>>("tolerance list"),
+    command::<Show<Tolerances>>("tolerance show"),
+    command::<Search<Tolerances>>("tolerance search"),
+    command::<List<Cushions>>("cushion list"),
+    command::<Show<Cushions>>("cushion show"),
+    command::<Search<Cushions>>("cushion search"),
+    command::<PlaceList>("place list"),
+    command::<PlaceShow>("place show"),
     command::<Validate>("validate"),
     command::<Object>("object"),
     command::<Restrain>("restrain"),
@@ -369,9 +408,41 @@ fn of_programs() -> Vec<Asked> {
         ("shard merge", json!({"dir": ["a", "b"], "out": "/tmp/x"})),
         ("validate", json!({"table": 1})),
         (
+            "place list",
+            json!({"word": ["greece", "nz"], "name": "Athens"}),
+        ),
+        (
+            "cushion curve",
+            json!({"file": "/etc/passwd", "thickness_m": 0, "limit_g": -1, "static_stress": 3000, "area": 0.02}),
+        ),
+        (
+            "cushion recovery",
+            json!({"drops": 10001, "samples_per_contact": [1, 25], "noise": 2, "bias": ["x", 1], "seed": -1}),
+        ),
+        (
+            "cushion simulate",
+            json!({"mass": -1, "height_m": 1100, "law": "kelvin-voigt", "count": 0, "bounces": 21}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness": 1e6, "mass": -1, "law": "kelvin-voigt", "damping": "5 %", "height": 1,
+                "out": "/tmp/x"}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": "yes", "cushion": "/etc/passwd", "pads_per_edge": 2, "load_n": 1000, "seed": "x"}),
+        ),
+        ("place show", json!({})),
+        (
             "tolerance search",
             json!({"words": "disk", "library": "/etc/passwd"}),
         ),
+        (
+            "tolerance list",
+            json!({"library": "/etc/passwd", "words": "disk"}),
+        ),
+        ("cushion list", json!({"library": ["/etc/passwd"]})),
+        ("cushion show", json!({"id": ["a", "b"], "library_m": 3})),
         (
             "shock-spectrum",
             json!({"motion": ["a"], "record": "b", "damping_ratio": 2}),

@@ -5,11 +5,16 @@ use std::path::PathBuf;
 use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
+use freestand_app::cushion_curve::CushionCurve;
 use freestand_app::drop_test::DropTests;
 use freestand_app::floor::Floor;
 use freestand_app::fragility::{self, Fragility};
+use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
+use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::places::{PlaceList, PlaceShow};
+use freestand_app::recovery::Recovery;
 use freestand_app::restrain::Restrain;
 use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
@@ -20,7 +25,7 @@ use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
-use freestand_app::tolerance::ToleranceSearch;
+use freestand_app::virtual_test::VirtualTests;
 use freestand_assess::fragility::{FragilityReport, RunsReport};
 use freestand_assess::risk::RiskReport;
 use freestand_output::answer::Answer;
@@ -77,6 +82,18 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<DropTests>("cushion drop", &["seed"]),
         ),
         (
+            "cushion-curve.request.json",
+            of_request::<CushionCurve>("cushion curve", &[]),
+        ),
+        (
+            "cushion-recovery.request.json",
+            of_request::<Recovery>("cushion recovery", &["seed"]),
+        ),
+        (
+            "cushion-simulate.request.json",
+            of_request::<VirtualTests>("cushion simulate", &["seed"]),
+        ),
+        (
             "cushion-static.request.json",
             of_request::<StaticTests>("cushion static", &[]),
         ),
@@ -115,8 +132,44 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<CheckList>("inventory check", &[]),
         ),
         (
+            "inventory-convert.request.json",
+            of_request::<InventoryConvert>("inventory convert", &[]),
+        ),
+        (
+            "inventory-template.request.json",
+            of_request::<InventoryTemplate>("inventory template", &[]),
+        ),
+        (
+            "tolerance-list.request.json",
+            of_request::<List<Tolerances>>("tolerance list", &[]),
+        ),
+        (
+            "tolerance-show.request.json",
+            of_request::<Show<Tolerances>>("tolerance show", &[]),
+        ),
+        (
             "tolerance-search.request.json",
-            of_request::<ToleranceSearch>("tolerance search", &[]),
+            of_request::<Search<Tolerances>>("tolerance search", &[]),
+        ),
+        (
+            "cushion-list.request.json",
+            of_request::<List<Cushions>>("cushion list", &[]),
+        ),
+        (
+            "cushion-show.request.json",
+            of_request::<Show<Cushions>>("cushion show", &[]),
+        ),
+        (
+            "cushion-search.request.json",
+            of_request::<Search<Cushions>>("cushion search", &[]),
+        ),
+        (
+            "place-list.request.json",
+            of_request::<PlaceList>("place list", &[]),
+        ),
+        (
+            "place-show.request.json",
+            of_request::<PlaceShow>("place show", &[]),
         ),
         (
             "restrain.request.json",

@@ -230,7 +230,10 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("overstrength_ratio", force.overstrength_ratio)
         .key("formula", formula)
         .key("level_ratio", object.level_ratio)
-        .key("place", case.target.as_ref().and_then(|target| target.place))
+        .key(
+            "place",
+            case.target.as_ref().and_then(|target| target.place),
+        )
         .key("factors", factor_facts(&own.source.factors))
         .key("assumptions", case.assumptions.clone())
         .key(

@@ -1,34 +1,17 @@
 //! Lists, shows and searches a library: `freestand tolerance` and `freestand cushion` print theirs
 //! with it.
 
-use std::path::{Path, PathBuf};
+use std::slice;
 
-use clap::Args;
-use freestand_assess::library::Library;
+use freestand_app::library::{Library, List, Meant, Search, Show, Wanted};
 use freestand_input::words::counted;
 use serde::Serialize;
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
-
-/// The user's own library.
-#[derive(Debug, Args)]
-pub(crate) struct LibraryArgs {
-    /// Your own library: adds to the built-in one and replaces entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub(crate) library: Option<PathBuf>,
-}
-
-/// The entries to print.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Wanted<'a> {
-    All,
-    WithId(&'a str),
-    WithWords(&'a [String]),
-}
 
 /// Labels and values.
 pub(crate) type Fields = Vec<(&'static str, Option<String>)>;
@@ -51,22 +34,66 @@ struct Listed<'a, E> {
     entries: &'a [&'a E],
 }
 
+/// A library whose entries are printed.
+pub(crate) trait Printed: Library<Entry: Serialize> {
+    /// How they are printed.
+    const LAYOUT: Layout<Self::Entry>;
+}
+
+impl<L: Printed> Tell for List<L> {
+    type Output = ();
+
+    fn tell(
+        meant: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        print::<L>(&meant, global, printer)
+    }
+}
+
+impl<L: Printed> Tell for Show<L> {
+    type Output = ();
+
+    fn tell(
+        meant: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        print::<L>(&meant, global, printer)
+    }
+}
+
+impl<L: Printed> Tell for Search<L> {
+    type Output = ();
+
+    fn tell(
+        meant: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        print::<L>(&meant, global, printer)
+    }
+}
+
 /// Prints entries of the built-in library with the user's own.
-pub(crate) fn print<E: Serialize>(
-    builtin: Library<E>,
-    library: Option<&Path>,
-    wanted: Wanted,
-    layout: &Layout<E>,
-    (global, printer): (&GlobalArgs, &Printer),
+fn print<L: Printed>(
+    Meant { wanted, library }: &Meant,
+    global: &GlobalArgs,
+    printer: &Printer,
 ) -> Result<Done, Failure> {
-    let inputs: Vec<PathBuf> = library.into_iter().map(Path::to_path_buf).collect();
-    let library = builtin.with_file(library)?;
+    let layout = &L::LAYOUT;
+    let inputs = library.as_ref().map_or(&[][..], slice::from_ref);
+    let library = L::builtin().with_file(library.as_deref())?;
     let entries = match wanted {
         Wanted::All => library.entries().iter().collect(),
         Wanted::WithId(id) => vec![library.get(id)?],
         Wanted::WithWords(words) => library.search(words),
     };
-    let files = Files::begin(global, &inputs)?;
+    let files = Files::begin(global, inputs)?;
     let text = || match (wanted, entries.as_slice()) {
         (Wanted::WithId(_), entries) => entries.iter().map(|entry| shown(*entry, layout)).collect(),
         (_, []) => "no entry contains all of these words\n".to_owned(),

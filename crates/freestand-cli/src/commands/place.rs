@@ -1,13 +1,12 @@
 //! `freestand place`: the places whose hazard is known.
 
 use clap::{Args, Subcommand};
-use freestand_input::problem::Problem;
-use freestand_input::quantity::shorten;
+use freestand_app::places::{PlaceList, PlaceShow, SCHEMA};
 use freestand_input::words::counted;
 use freestand_output::facts::Facts;
-use freestand_study::places::{Confidence, Place, near, places};
+use freestand_study::places::{Confidence, Place};
 
-use super::Done;
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -38,9 +37,8 @@ Examples:
   freestand place list greece
   freestand place list asce7 --json")]
     List {
-        /// Country or code, such as greece or asce7
-        #[arg(value_name = "WORD")]
-        of: Option<String>,
+        #[command(flatten)]
+        request: PlaceList,
     },
     /// Show one place with its values and their source
     #[command(after_help = "\
@@ -48,81 +46,59 @@ Examples:
   freestand place show melbourne
   freestand place show \"Salt Lake City\" --json")]
     Show {
-        /// Name of the place
-        #[arg(value_name = "NAME")]
-        name: String,
+        #[command(flatten)]
+        request: PlaceShow,
     },
 }
-
-const SCHEMA: &str = "freestand.place/1";
 
 pub(crate) fn run(
     args: &PlaceArgs,
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let found: Vec<&Place> = match &args.command {
-        PlaceCommand::List { of: None } => places().iter().collect(),
-        PlaceCommand::List { of: Some(word) } => listed(word)?,
-        PlaceCommand::Show { name } => vec![shown(name)?],
-    };
-    let warnings: Vec<String> = match args.command {
-        PlaceCommand::Show { .. } => found.iter().filter_map(|place| place.doubt()).collect(),
-        PlaceCommand::List { .. } => Vec::new(),
-    };
-    let facts: Vec<Facts> = found.iter().map(|place| place.facts()).collect();
-    let document = Facts::default().key("places", facts);
-    let files = Files::begin(global, &[])?;
-    files.print(printer, SCHEMA, &document, &warnings, || {
-        match (&args.command, found.as_slice()) {
-            (PlaceCommand::Show { .. }, [place]) => one(place),
-            _ => list(&found),
-        }
-    })?;
-    Ok(Done::OK)
-}
-
-/// The places of a country or a code.
-fn listed(word: &str) -> Result<Vec<&'static Place>, Failure> {
-    let plain = |text: &str| {
-        text.to_lowercase()
-            .chars()
-            .filter(|c| c.is_alphanumeric())
-            .collect::<String>()
-    };
-    let wanted = plain(word);
-    let is_of = |place: &&Place| {
-        [
-            place.country,
-            place.region,
-            place.hazard.code(),
-            place.hazard.code_title(),
-        ]
-        .iter()
-        .any(|one| !one.is_empty() && plain(one) == wanted)
-    };
-    let found: Vec<&Place> = places().iter().filter(is_of).collect();
-    if found.is_empty() {
-        let mut countries: Vec<&str> = places().iter().map(|place| place.country).collect();
-        countries.dedup();
-        let message = format!("no place is in \"{}\"", shorten(word));
-        return Err(Problem::value(message, format!("countries: {}", countries.join(", "))).into());
+    match &args.command {
+        PlaceCommand::List { request } => request.run(&(), global, printer),
+        PlaceCommand::Show { request } => request.run(&(), global, printer),
     }
-    Ok(found)
 }
 
-fn shown(name: &str) -> Result<&'static Place, Failure> {
-    Place::find(name).ok_or_else(|| {
-        let hint = match near(name).as_slice() {
-            [] => "freestand place list shows all of them".to_owned(),
-            names => format!("did you mean {}?", names.join(" or ")),
-        };
-        Problem::value(
-            format!("\"{}\" is not in the table of places", shorten(name)),
-            hint,
-        )
-        .into()
-    })
+impl Tell for PlaceList {
+    type Output = ();
+
+    fn tell(
+        found: Vec<&'static Place>,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        print(&found, &[], list, (global, printer))
+    }
+}
+
+impl Tell for PlaceShow {
+    type Output = ();
+
+    fn tell(
+        place: &'static Place,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let doubts: Vec<String> = place.doubt().into_iter().collect();
+        print(&[place], &doubts, |_| one(place), (global, printer))
+    }
+}
+
+fn print(
+    found: &[&Place],
+    warnings: &[String],
+    text: impl FnOnce(&[&Place]) -> String,
+    (global, printer): (&GlobalArgs, &Printer),
+) -> Result<Done, Failure> {
+    let document = Facts::default().key("places", found);
+    let files = Files::begin(global, &[])?;
+    files.print(printer, SCHEMA, &document, warnings, || text(found))?;
+    Ok(Done::OK)
 }
 
 fn list(found: &[&Place]) -> String {

@@ -1,13 +1,13 @@
 //! `freestand tolerance`: what objects withstand, each number with its source.
 
 use clap::{Args, Subcommand};
-use freestand_app::tolerance::{Meant, ToleranceSearch};
-use freestand_assess::library::{ToleranceEntry, ToleranceLibrary, to_tolerance};
+use freestand_app::library::{List, Search, Show, Tolerances};
+use freestand_assess::library::{ToleranceEntry, to_tolerance};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{name_of, number};
 use freestand_study::shock_spectrum::SHAPES;
 
-use super::library::{Fields, Layout, LibraryArgs, Wanted, print};
+use super::library::{Fields, Layout, Printed};
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -45,7 +45,7 @@ enum ToleranceCommand {
     )]
     List {
         #[command(flatten)]
-        library: LibraryArgs,
+        request: List<Tolerances>,
     },
     /// Show one entry with all its fields and its notice
     #[command(after_help = "\
@@ -53,11 +53,8 @@ Examples:
   freestand tolerance show p58-bookcase-5-shelves
   freestand tolerance show expansion-card-operating --json")]
     Show {
-        /// Id of the entry
-        #[arg(value_name = "ID")]
-        id: String,
         #[command(flatten)]
-        library: LibraryArgs,
+        request: Show<Tolerances>,
     },
     /// List entries that contain all of these words in id, class, kind, state, source, clause or
     /// note
@@ -67,64 +64,43 @@ Examples:
   freestand tolerance search disk operating")]
     Search {
         #[command(flatten)]
-        request: ToleranceSearch,
+        request: Search<Tolerances>,
     },
 }
 
-const LAYOUT: Layout<ToleranceEntry> = Layout {
-    schema: "freestand.tolerance/1",
-    headings: ["id", "withstands", "state", "confidence", "class", "source"],
-    cells: |entry| {
-        let (state, confidence) = (
-            <&str>::from(entry.state).to_owned(),
-            entry.confidence.name().to_owned(),
-        );
-        [
-            entry.id.clone(),
-            entry.words(),
-            state,
-            confidence,
-            entry.class.clone(),
-            entry.source_words(),
-        ]
-    },
-    remark: "recalled entries do not decide verdicts, and medians are not tolerances",
-    fields,
-    notice: |entry| &entry.notice,
-};
+impl Printed for Tolerances {
+    const LAYOUT: Layout<ToleranceEntry> = Layout {
+        schema: "freestand.tolerance/1",
+        headings: ["id", "withstands", "state", "confidence", "class", "source"],
+        cells: |entry| {
+            let (state, confidence) = (
+                <&str>::from(entry.state).to_owned(),
+                entry.confidence.name().to_owned(),
+            );
+            [
+                entry.id.clone(),
+                entry.words(),
+                state,
+                confidence,
+                entry.class.clone(),
+                entry.source_words(),
+            ]
+        },
+        remark: "recalled entries do not decide verdicts, and medians are not tolerances",
+        fields,
+        notice: |entry| &entry.notice,
+    };
+}
 
 pub(crate) fn run(
     args: &ToleranceArgs,
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let (library, wanted) = match &args.command {
-        ToleranceCommand::List { library } => (library, Wanted::All),
-        ToleranceCommand::Show { id, library } => (library, Wanted::WithId(id)),
-        ToleranceCommand::Search { request } => return request.run(&(), global, printer),
-    };
-    let builtin = ToleranceLibrary::builtin();
-    let library = library.library.as_deref();
-    print(builtin, library, wanted, &LAYOUT, (global, printer))
-}
-
-impl Tell for ToleranceSearch {
-    type Output = ();
-
-    fn tell(
-        Meant { words, library }: Meant,
-        (): &(),
-        global: &GlobalArgs,
-        printer: &Printer,
-    ) -> Result<Done, Failure> {
-        let (builtin, wanted) = (ToleranceLibrary::builtin(), Wanted::WithWords(&words));
-        print(
-            builtin,
-            library.as_deref(),
-            wanted,
-            &LAYOUT,
-            (global, printer),
-        )
+    match &args.command {
+        ToleranceCommand::List { request } => request.run(&(), global, printer),
+        ToleranceCommand::Show { request } => request.run(&(), global, printer),
+        ToleranceCommand::Search { request } => request.run(&(), global, printer),
     }
 }
 

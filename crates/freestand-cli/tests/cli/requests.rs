@@ -1,6 +1,5 @@
 //! Bad requests have the same problems in the command line and on the page.
 
-use std::collections::BTreeSet;
 use std::process::Command;
 
 use serde_json::{Value, json};
@@ -52,6 +51,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "inventory",
         "file",
         "words",
+        "id",
+        "word",
+        "name",
         "library",
         "cushion_library",
         "list",
@@ -103,6 +105,9 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "headings",
             "cells",
             "sensitivity",
+            "static",
+            "xlsx",
+            "csv",
         ];
         if switches
             .iter()
@@ -128,16 +133,13 @@ fn typed(requests: impl Iterator<Item = Value>) {
 #[test]
 fn what_the_page_asks_has_the_problems_of_the_table() {
     let page = Page::open();
-    let mut asked = BTreeSet::new();
-    for line in table() {
+    let asked = page.facts()["commands"].take();
+    let asked = asked.as_array().unwrap();
+    let is_asked = |line: &Value| asked.contains(&line["command"]);
+    for line in table().into_iter().filter(is_asked) {
         let (status, answer) =
             page.run(&json!({"command": line["command"], "options": line["request"]}));
         let first = &answer["error"];
-        let message = first["message"].as_str().unwrap();
-        if message.starts_with("the page cannot ask for") {
-            continue;
-        }
-        asked.insert(line["command"].to_string());
         let others = first["others"].as_array().into_iter().flatten();
         let all: Vec<&Value> = std::iter::once(first).chain(others).collect();
         let told: Vec<&str> = all
@@ -159,5 +161,4 @@ fn what_the_page_asks_has_the_problems_of_the_table() {
             );
         }
     }
-    assert_eq!(asked.len(), 17, "{asked:?}");
 }

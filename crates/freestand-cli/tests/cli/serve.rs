@@ -77,6 +77,13 @@ impl Page {
         answer
     }
 
+    /// What the page shows before anything is asked.
+    pub(crate) fn facts(&self) -> Value {
+        let facts = self.get("/api/v1/facts");
+        let start = facts.iter().position(|byte| *byte == b'{').unwrap();
+        serde_json::from_slice(&facts[start..]).unwrap()
+    }
+
     fn ask(&self, method: &str, path: &str) -> TcpStream {
         let mut stream =
             TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
@@ -261,11 +268,7 @@ fn documents_are_those_of_the_command_line() {
             inventory,
         ),
     ];
-    let facts = page.get("/api/v1/facts");
-    let facts: Value =
-        serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..])
-            .unwrap();
-    for command in facts["commands"].as_array().unwrap() {
+    for command in page.facts()["commands"].as_array().unwrap() {
         assert!(
             cases.iter().any(|(name, ..)| command == name),
             "{command} is compared"

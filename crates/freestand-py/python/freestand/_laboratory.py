@@ -14,13 +14,6 @@ from ._results import DropTestResult, ShockSpectrumResult, StaticTestResult
 Files: TypeAlias = "PathLike | Iterable[PathLike]"
 
 
-def _files(files: Files) -> list[str]:
-    found = paths_text("files", files)
-    if not found:
-        raise bad("files names no file", "give the file of at least one test")
-    return found
-
-
 def drop_test(
     files: Files,
     *,
@@ -83,7 +76,7 @@ def drop_test(
     True
     """
     values = given(
-        files=_files(files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
+        files=paths_text("files", files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
         velocity_error_ratio=velocity_error_ratio, law=law, pad_thickness_m=pad_thickness_m, impactor=impactor,
         sphere_radius_m=sphere_radius_m, boundary=boundary, corner_hz=corner_hz, gravity_m_s2=gravity_m_s2,
         invert=flag("inverted", inverted), unit=unit, sensitivity=sensitivity, dt_s=dt_s,
@@ -142,7 +135,7 @@ def static_test(
     sensors = [sensitivity] if isinstance(sensitivity, str) else sensitivity
     cuts = flag("cut_toe", cut_toe)
     values = given(
-        files=_files(files), load_n=load_n, machine_compliance=machine_stiffness_n_m,
+        files=paths_text("files", files), load_n=load_n, machine_compliance=machine_stiffness_n_m,
         toe=None if cuts is None else "cut" if cuts else "keep", invert=flag("inverted", inverted),
         sensitivity=None if sensors is None else list(sensors), impactor=impactor,
         boundary=boundary, dynamic=dynamic_stiffness_n_m,

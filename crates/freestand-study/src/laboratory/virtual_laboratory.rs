@@ -92,19 +92,19 @@ pub fn static_file(cushion: &Cushion, options: &VirtualStaticOptions) -> String 
 
 answer! {
     /// Virtual tests of a cushion.
-    pub struct VirtualTests {
+    pub struct SimulatedTests {
         /// Of the cushion.
         law: &'static str,
         /// Of the noise.
         seed: u64,
         /// In the order of their numbers.
-        tests: Vec<VirtualTest>,
+        tests: Vec<SimulatedTest>,
     }
 }
 
 answer! {
     /// A virtual test; the values are those of a drop.
-    pub struct VirtualTest {
+    pub struct SimulatedTest {
         /// Its name.
         name: String,
         /// The file that it was written to.

@@ -1,19 +1,17 @@
 //! `freestand cushion curve`: the stress–energy curve of a packaging cushion.
 
-use std::path::PathBuf;
+use std::slice;
 
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand_input::quantity::Dimension;
+use freestand_app::cushion_curve::{CushionCurve, Meant, SCHEMA};
 use freestand_output::answer::Answer;
-use freestand_study::laboratory::cushion_curve::{CurveRequest, cushion_curve};
+use freestand_study::laboratory::cushion_curve::cushion_curve;
 
-use super::Done;
 use crate::args::GlobalArgs;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, lines};
-use crate::values::{Given, Reads, Values};
 
 /// Fit a cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
 ///
@@ -29,58 +27,24 @@ Examples:
   The thickness for 70 kg on 0.02 m2:
     freestand cushion curve foam.csv --drop-height 600mm --mass 70kg --area \"0.02 m2\" --limit 40g")]
 pub(crate) struct CurveArgs {
-    /// Table of tests with a header such as "static stress [kPa],drop height [mm],thickness
-    /// [mm],peak acceleration [g]"
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
-    /// Drop height of the design, and of tests in a file without that column
-    #[arg(long, positive = Dimension::Length)]
-    drop_height: Option<Given>,
-    /// Thickness of the design, and of tests in a file without that column
-    #[arg(long, positive = Dimension::Length)]
-    thickness: Option<Given>,
-    /// Static stress of the design
-    #[arg(long, positive = Dimension::Pressure, conflicts_with_all = ["mass", "area"])]
-    static_stress: Option<Given>,
-    /// Mass on the cushion; needs --area
-    #[arg(long, positive = Dimension::Mass, requires = "area")]
-    mass: Option<Given>,
-    /// Area of the cushion; needs --mass
-    #[arg(long, positive = Dimension::Area, requires = "mass")]
-    area: Option<Given>,
-    /// Peak acceleration that must not be exceeded
-    #[arg(long, positive = Dimension::Acceleration)]
-    limit: Option<Given>,
+    #[command(flatten)]
+    pub(super) request: CushionCurve,
 }
 
-pub(crate) fn run(
-    args: &CurveArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let mut values = Values::default();
-    let drop_height_m = values.read(&args.drop_height);
-    let thickness_m = values.read(&args.thickness);
-    let stated_pa = values.read(&args.static_stress);
-    let mass = values.read(&args.mass);
-    let area = values.read(&args.area);
-    let limit_m_s2 = values.read(&args.limit);
-    values.finish()?;
-    let static_stress_pa = stated_pa.or(mass.zip(area).map(|(mass, area)| mass * G0_M_S2 / area));
-    let request = CurveRequest {
-        drop_height_m,
-        thickness_m,
-        static_stress_pa,
-        limit_m_s2,
-    };
-    let files = Files::begin(global, std::slice::from_ref(&args.file))?;
-    let report = cushion_curve(&args.file, &request)?;
-    files.print(
-        printer,
-        "freestand.cushion-curve/1",
-        &report,
-        &report.warnings,
-        || lines(&report.facts()),
-    )?;
-    Ok(Done::OK)
+impl Tell for CushionCurve {
+    type Output = ();
+
+    fn tell(
+        Meant { file, design }: Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::begin(global, slice::from_ref(&file))?;
+        let report = cushion_curve(&file, &design)?;
+        files.print(printer, SCHEMA, &report, &report.warnings, || {
+            lines(&report.facts())
+        })?;
+        Ok(Done::OK)
+    }
 }

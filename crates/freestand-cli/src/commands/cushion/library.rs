@@ -1,15 +1,12 @@
 //! `freestand cushion list|show|search`: likely stiffnesses of pads, feet and floors.
 
 use clap::Args;
-use freestand_assess::library::{CushionEntry, CushionLibrary};
+use freestand_app::library::{Cushions, List, Search, Show};
+use freestand_assess::library::CushionEntry;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 
-use super::Done;
-use crate::args::GlobalArgs;
-use crate::commands::library::{Fields, Layout, LibraryArgs, Wanted, print};
-use crate::failure::Failure;
-use crate::printer::Printer;
+use crate::commands::library::{Fields, Layout, Printed};
 
 /// List the cushion library: likely stiffnesses of pads, feet and floors, as ranges
 ///
@@ -27,7 +24,7 @@ Columns of a library:
   edition, clause, page, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ListArgs {
     #[command(flatten)]
-    library: LibraryArgs,
+    pub(super) request: List<Cushions>,
 }
 
 /// Show one entry of the cushion library with all its fields
@@ -37,93 +34,47 @@ Examples:
   freestand cushion show rubber-foot
   freestand cushion show rubber-foot --json")]
 pub(crate) struct ShowArgs {
-    /// Id of the entry
-    #[arg(value_name = "ID")]
-    id: String,
     #[command(flatten)]
-    library: LibraryArgs,
+    pub(super) request: Show<Cushions>,
 }
 
-/// List entries of the cushion library that contain all of these words
+/// List entries of the cushion library that contain all of these words in id, item, source or note
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion search rubber
   freestand cushion search rubber foot")]
 pub(crate) struct SearchArgs {
-    /// Words in id, item, source or note
-    #[arg(value_name = "WORD", required = true)]
-    words: Vec<String>,
     #[command(flatten)]
-    library: LibraryArgs,
+    pub(super) request: Search<Cushions>,
 }
 
-const LAYOUT: Layout<CushionEntry> = Layout {
-    schema: "freestand.cushion-library/1",
-    headings: [
-        "id",
-        "stiffness range",
-        "mean",
-        "confidence",
-        "item",
-        "source",
-    ],
-    cells: |entry| {
-        let confidence = entry.confidence.name().to_owned();
-        [
-            entry.id.clone(),
-            entry.range_words(),
-            mean(entry),
-            confidence,
-            entry.item.clone(),
-            entry.source_words(),
-        ]
-    },
-    remark: "estimates, not measurements",
-    fields,
-    notice: |_| "",
-};
-
-pub(crate) fn list(
-    args: &ListArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    print(
-        CushionLibrary::builtin(),
-        args.library.library.as_deref(),
-        Wanted::All,
-        &LAYOUT,
-        (global, printer),
-    )
-}
-
-pub(crate) fn show(
-    args: &ShowArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    print(
-        CushionLibrary::builtin(),
-        args.library.library.as_deref(),
-        Wanted::WithId(&args.id),
-        &LAYOUT,
-        (global, printer),
-    )
-}
-
-pub(crate) fn search(
-    args: &SearchArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    print(
-        CushionLibrary::builtin(),
-        args.library.library.as_deref(),
-        Wanted::WithWords(&args.words),
-        &LAYOUT,
-        (global, printer),
-    )
+impl Printed for Cushions {
+    const LAYOUT: Layout<CushionEntry> = Layout {
+        schema: "freestand.cushion-library/1",
+        headings: [
+            "id",
+            "stiffness range",
+            "mean",
+            "confidence",
+            "item",
+            "source",
+        ],
+        cells: |entry| {
+            let confidence = entry.confidence.name().to_owned();
+            [
+                entry.id.clone(),
+                entry.range_words(),
+                mean(entry),
+                confidence,
+                entry.item.clone(),
+                entry.source_words(),
+            ]
+        },
+        remark: "estimates, not measurements",
+        fields,
+        notice: |_| "",
+    };
 }
 
 /// The mean stiffness: three digits are enough for so wide a range.

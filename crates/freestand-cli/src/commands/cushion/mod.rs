@@ -48,11 +48,11 @@ pub(crate) fn run(
     match &args.command {
         CushionCommand::Drop(args) => args.request.run(&args.output, global, printer),
         CushionCommand::Static(args) => args.request.run(&args.output, global, printer),
-        CushionCommand::Simulate(args) => simulate::run(args, global, printer),
-        CushionCommand::Recovery(args) => recovery::run(args, global, printer),
-        CushionCommand::Curve(args) => curve::run(args, global, printer),
-        CushionCommand::List(args) => library::list(args, global, printer),
-        CushionCommand::Show(args) => library::show(args, global, printer),
-        CushionCommand::Search(args) => library::search(args, global, printer),
+        CushionCommand::Simulate(args) => args.request.run(&(), global, printer),
+        CushionCommand::Recovery(args) => args.request.run(&(), global, printer),
+        CushionCommand::Curve(args) => args.request.run(&(), global, printer),
+        CushionCommand::List(args) => args.request.run(&(), global, printer),
+        CushionCommand::Show(args) => args.request.run(&(), global, printer),
+        CushionCommand::Search(args) => args.request.run(&(), global, printer),
     }
 }

@@ -1,14 +1,17 @@
 //! `freestand inventory convert`: CSV to XLSX and back.
 
 use std::path::PathBuf;
+use std::slice;
 
 use clap::Args;
+use freestand_app::inventory::{Conversion, FORMATS, InventoryConvert};
 use freestand_assess::inventory::convert_inventory;
+use freestand_input::words::name_of;
 use serde::Serialize;
 
-use super::{Format, SCHEMA, check_place, place};
+use super::{SCHEMA, check_place, place};
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
@@ -25,18 +28,18 @@ Examples:
   freestand inventory convert objects.xlsx --to csv > objects.csv
   freestand inventory convert objects.csv --to xlsx objects.xlsx")]
 pub(crate) struct ConvertArgs {
-    /// Inventory (CSV or XLSX)
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
+    #[command(flatten)]
+    pub(super) request: InventoryConvert,
+    #[command(flatten)]
+    pub(super) output: OutFile,
+}
+
+/// The file that is written.
+#[derive(Debug, Default, Args)]
+pub(crate) struct OutFile {
     /// File to write
     #[arg(value_name = "OUTFILE")]
     to_file: Option<PathBuf>,
-    /// Format to write
-    #[arg(long, value_enum)]
-    to: Format,
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    sheet: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -50,33 +53,32 @@ struct ConvertReport {
     text: Option<String>,
 }
 
-pub(crate) fn run(
-    args: &ConvertArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    check_place(args.to, args.to_file.as_ref(), global)?;
-    let inputs = [args.file.clone()];
-    let files = Files::begin(global, &inputs)?;
-    let converted = convert_inventory(&args.file, args.sheet.as_deref(), args.to.target())?;
-    let placed = place(
-        &converted.bytes,
-        args.to,
-        args.to_file.as_ref(),
-        global,
-        &files,
-        &inputs,
-    )?;
-    let report = ConvertReport {
-        source: path_text(&args.file),
-        format: args.to.name(),
-        path: placed.path,
-        rows: converted.rows,
-        columns: converted.columns,
-        text: placed.text,
-    };
-    files.print(printer, SCHEMA, &report, &converted.warnings, || {
-        super::shown(&report.text, &report.path)
-    })?;
-    Ok(Done::OK)
+impl Tell for InventoryConvert {
+    type Output = OutFile;
+
+    fn tell(
+        Conversion { file, to, sheet }: Conversion,
+        OutFile { to_file }: &OutFile,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let to_file = to_file.as_deref();
+        check_place(to, to_file, global)?;
+        let inputs = slice::from_ref(&file);
+        let files = Files::begin(global, inputs)?;
+        let converted = convert_inventory(&file, sheet.as_deref(), to)?;
+        let placed = place(&converted.bytes, to, to_file, &files, inputs)?;
+        let report = ConvertReport {
+            source: path_text(&file),
+            format: name_of(FORMATS, to),
+            path: placed.path,
+            rows: converted.rows,
+            columns: converted.columns,
+            text: placed.text,
+        };
+        files.print(printer, SCHEMA, &report, &converted.warnings, || {
+            super::shown(&report.text, &report.path)
+        })?;
+        Ok(Done::OK)
+    }
 }

@@ -6,9 +6,11 @@ mod template;
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use freestand_app::check_list::SCHEMA;
+use freestand_app::inventory::FORMATS;
 use freestand_assess::inventory::Target;
+use freestand_input::words::name_of;
 use freestand_output::folder::write_file;
 
 use super::{Done, Tell};
@@ -43,44 +45,20 @@ pub(crate) fn run(
     printer: &Printer,
 ) -> Result<Done, Failure> {
     match &args.command {
-        InventoryCommand::Template(args) => template::run(args, global, printer),
+        InventoryCommand::Template(args) => args.request.run(&args.output, global, printer),
         InventoryCommand::Check(args) => args.request.run(&args.output, global, printer),
-        InventoryCommand::Convert(args) => convert::run(args, global, printer),
+        InventoryCommand::Convert(args) => args.request.run(&args.output, global, printer),
     }
 }
 
-/// A format of an inventory.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// Commas, UTF-8
-    Csv,
-    /// A workbook
-    Xlsx,
-}
-
-impl Format {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Xlsx => "xlsx",
-        }
-    }
-
-    fn target(self) -> Target {
-        match self {
-            Self::Csv => Target::Csv,
-            Self::Xlsx => Target::Xlsx,
-        }
-    }
-
-    /// The format that the name of a file implies.
-    fn of(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?;
-        let formats = [Self::Csv, Self::Xlsx];
-        formats
-            .into_iter()
-            .find(|format| format.name().eq_ignore_ascii_case(extension))
-    }
+/// The format that the name of a file implies.
+fn format_of(path: &Path) -> Option<Target> {
+    let extension = path.extension()?.to_str()?;
+    let known = FORMATS.iter();
+    known
+        .filter(|(_, name, _)| name.eq_ignore_ascii_case(extension))
+        .map(|(format, ..)| *format)
+        .next()
 }
 
 /// Where an inventory was written: a named file, a file in `--out`, or nowhere, so that its text is
@@ -93,9 +71,8 @@ struct Placed {
 /// Writes an inventory; a workbook is never printed.
 fn place(
     bytes: &[u8],
-    format: Format,
-    file: Option<&PathBuf>,
-    global: &GlobalArgs,
+    format: Target,
+    file: Option<&Path>,
     files: &Files,
     inputs: &[PathBuf],
 ) -> Result<Placed, Failure> {
@@ -106,8 +83,7 @@ fn place(
             text: None,
         });
     }
-    debug_assert!(global.out.is_some() || format == Format::Csv);
-    let path = files.write(&format!("inventory.{}", format.name()), || bytes)?;
+    let path = files.write(&format!("inventory.{}", name_of(FORMATS, format)), || bytes)?;
     let text = path
         .is_none()
         .then(|| String::from_utf8_lossy(bytes).into_owned());
@@ -115,7 +91,7 @@ fn place(
 }
 
 /// Refuses a workbook without a file to write to, and a file given together with `--out`.
-fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> Result<(), Failure> {
+fn check_place(format: Target, file: Option<&Path>, global: &GlobalArgs) -> Result<(), Failure> {
     match (file, &global.out) {
         (Some(file), Some(_)) => {
             let message = format!("both {} and --out are given", file.display());
@@ -124,7 +100,7 @@ fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> R
                 "give either the file or the folder",
             ))
         }
-        (None, None) if format == Format::Xlsx => Err(Failure::usage(
+        (None, None) if format == Target::Xlsx => Err(Failure::usage(
             "a workbook cannot be printed",
             "give a file, such as objects.xlsx, or a folder with --out",
         )),

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_assess::inventory::{COLUMNS, template_csv, template_xlsx};
+use freestand_app::inventory::{FORMATS, InventoryTemplate};
+use freestand_assess::inventory::{COLUMNS, Target, template_csv, template_xlsx};
+use freestand_input::words::name_of;
 use serde::Serialize;
 
-use super::{Format, SCHEMA, check_place, place};
+use super::{SCHEMA, check_place, format_of, place};
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
@@ -22,15 +24,18 @@ Examples:
   freestand inventory template --xlsx objects.xlsx
   freestand inventory template --xlsx --out hospital")]
 pub(crate) struct TemplateArgs {
+    #[command(flatten)]
+    pub(super) output: NewFile,
+    #[command(flatten)]
+    pub(super) request: InventoryTemplate,
+}
+
+/// The file that is written.
+#[derive(Debug, Default, Args)]
+pub(crate) struct NewFile {
     /// File to write; a name that ends in .xlsx makes it a workbook
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
-    /// Write a workbook, with a sheet that explains the columns
-    #[arg(long)]
-    xlsx: bool,
-    /// Write CSV
-    #[arg(long, conflicts_with = "xlsx")]
-    csv: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -50,38 +55,39 @@ struct ColumnReport {
     meaning: &'static str,
 }
 
-pub(crate) fn run(
-    args: &TemplateArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let named = args.file.as_deref().and_then(Format::of);
-    let format = match (args.xlsx, args.csv) {
-        (true, _) => Format::Xlsx,
-        (_, true) => Format::Csv,
-        _ => named.unwrap_or(Format::Csv),
-    };
-    check_place(format, args.file.as_ref(), global)?;
-    let files = Files::begin(global, &[])?;
-    let bytes = match format {
-        Format::Csv => template_csv()?,
-        Format::Xlsx => template_xlsx()?,
-    };
-    let placed = place(&bytes, format, args.file.as_ref(), global, &files, &[])?;
-    let columns = COLUMNS.iter().map(|spec| ColumnReport {
-        name: spec.name,
-        unit: (!spec.unit.is_empty()).then_some(spec.unit),
-        required: spec.is_required,
-        meaning: spec.meaning,
-    });
-    let report = TemplateReport {
-        format: format.name(),
-        path: placed.path,
-        columns: columns.collect(),
-        text: placed.text,
-    };
-    files.print(printer, SCHEMA, &report, &[], || {
-        super::shown(&report.text, &report.path)
-    })?;
-    Ok(Done::OK)
+impl Tell for InventoryTemplate {
+    type Output = NewFile;
+
+    fn tell(
+        format: Option<Target>,
+        NewFile { file }: &NewFile,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let file = file.as_deref();
+        let format = format.or(file.and_then(format_of)).unwrap_or(Target::Csv);
+        check_place(format, file, global)?;
+        let files = Files::begin(global, &[])?;
+        let bytes = match format {
+            Target::Csv => template_csv()?,
+            Target::Xlsx => template_xlsx()?,
+        };
+        let placed = place(&bytes, format, file, &files, &[])?;
+        let columns = COLUMNS.iter().map(|spec| ColumnReport {
+            name: spec.name,
+            unit: (!spec.unit.is_empty()).then_some(spec.unit),
+            required: spec.is_required,
+            meaning: spec.meaning,
+        });
+        let report = TemplateReport {
+            format: name_of(FORMATS, format),
+            path: placed.path,
+            columns: columns.collect(),
+            text: placed.text,
+        };
+        files.print(printer, SCHEMA, &report, &[], || {
+            super::shown(&report.text, &report.path)
+        })?;
+        Ok(Done::OK)
+    }
 }

@@ -10,6 +10,7 @@ use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::floor::Floor;
+use freestand_app::library::{Search, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
 use freestand_app::request::from_entries;
@@ -19,7 +20,6 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
-use freestand_app::tolerance::ToleranceSearch;
 use freestand_app::validate::Validate;
 use freestand_assess::inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
@@ -57,9 +57,8 @@ static MEMORY: LazyLock<Arc<Memory>> = LazyLock::new(Arc::default);
 
 /// What the page shows before anything is asked.
 fn facts() -> Value {
-    let place = |place: &freestand_study::places::Place| {
-        serde_json::to_value(place).unwrap_or(Value::Null)
-    };
+    let place =
+        |place: &freestand_study::places::Place| serde_json::to_value(place).unwrap_or(Value::Null);
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "commands": COMMANDS.map(|command| command.name),
@@ -260,7 +259,7 @@ const COMMANDS: [Asked; 17] = [
     Asked::by::<CheckList>("inventory check"),
     Asked::by::<Assess>("assess"),
     Asked::by::<Restrain>("restrain"),
-    Asked::by::<ToleranceSearch>("tolerance search"),
+    Asked::by::<Search<Tolerances>>("tolerance search"),
     Asked::by::<Validate>("validate"),
 ];
 

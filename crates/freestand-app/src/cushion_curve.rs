@@ -1,0 +1,101 @@
+//! `cushion curve`: the stress–energy curve of a packaging cushion.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand::G0_M_S2;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::laboratory::cushion_curve::CurveRequest;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request as _, Unknown, path_without_flag, reader, request};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.cushion-curve/1";
+
+/// Drops on a packaging cushion, and a design.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct CushionCurve {
+    /// Table of tests with a header such as `static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]`
+    #[arg(value_name = "FILE")]
+    pub file: Option<Written>,
+    /// Drop height of the design, and of tests in a file without that column
+    #[arg(long, value_name = "LENGTH")]
+    pub drop_height: Option<Written>,
+    /// Thickness of the design, and of tests in a file without that column
+    #[arg(long, value_name = "LENGTH")]
+    pub thickness: Option<Written>,
+    /// Static stress of the design
+    #[arg(long, value_name = "PRESSURE")]
+    pub static_stress: Option<Written>,
+    /// Mass on the cushion; needs --area
+    #[arg(long, value_name = "MASS")]
+    pub mass: Option<Written>,
+    /// Area of the cushion; needs --mass
+    #[arg(long, value_name = "AREA")]
+    pub area: Option<Written>,
+    /// Peak acceleration that must not be exceeded
+    #[arg(long, value_name = "ACCELERATION")]
+    pub limit: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(CushionCurve { file, drop_height, thickness, static_stress, mass, area, limit; unknown });
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meant {
+    /// The table of tests.
+    pub file: PathBuf,
+    /// The design.
+    pub design: CurveRequest,
+}
+
+impl Question for CushionCurve {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        if !read.has("file") {
+            let hint = "name a table of tests, such as foam.csv";
+            read.missing(&["file"], "no file is named", hint);
+        }
+        let file = path_without_flag(&mut read, "file", files);
+        let design = CurveRequest {
+            drop_height_m: read.positive("drop_height", Dimension::Length),
+            thickness_m: read.positive("thickness", Dimension::Length),
+            static_stress_pa: static_stress(&mut read),
+            limit_m_s2: read.positive("limit", Dimension::Acceleration),
+        };
+        read.problems
+            .finish(file.map(|file| Meant { file, design }))
+    }
+}
+
+/// The static stress: itself, or a weight over an area.
+fn static_stress(read: &mut WordReader<'_>) -> Option<f64> {
+    for (key, other) in [("mass", "area"), ("area", "mass")] {
+        read.exclusive("static_stress", key);
+        if read.has(key) && !read.has(other) && !read.has("static_stress") {
+            let hint = "give both, or `static_stress`";
+            read.missing(&[other], format!("`{key}` needs `{other}`"), hint);
+        }
+    }
+    let stated_pa = read.positive("static_stress", Dimension::Pressure);
+    let mass_kg = read.positive("mass", Dimension::Mass);
+    let area_m2 = read.positive("area", Dimension::Area);
+    stated_pa.or(mass_kg
+        .zip(area_m2)
+        .map(|(mass_kg, area_m2)| mass_kg * G0_M_S2 / area_m2))
+}

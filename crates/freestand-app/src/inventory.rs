@@ -1,0 +1,115 @@
+//! `inventory template` and `inventory convert`: a list to fill in, and a list in another format. The file that is
+//! written is no part of what is asked.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand_assess::inventory::Target;
+use freestand_input::problem::Problems;
+use freestand_input::words::Choices;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{
+    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
+};
+
+/// The formats of a list.
+pub const FORMATS: Choices<Target> = &[
+    (Target::Csv, "csv", "Commas, UTF-8"),
+    (Target::Xlsx, "xlsx", "A workbook"),
+];
+
+/// A list to fill in.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct InventoryTemplate {
+    /// Write a workbook, with a sheet that explains the columns
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub xlsx: Switch,
+    /// Write CSV
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub csv: Switch,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+/// A list in another format.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct InventoryConvert {
+    /// Inventory (CSV or XLSX)
+    #[arg(value_name = "FILE")]
+    pub file: Option<Written>,
+    /// Format to write
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+    pub to: Option<Written>,
+    /// Sheet of the workbook [default: the first with headings of an inventory]
+    #[arg(long, value_name = "NAME")]
+    pub sheet: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(InventoryTemplate { xlsx, csv; unknown });
+request!(InventoryConvert { file, to, sheet; unknown });
+
+/// What is to be converted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Conversion {
+    /// The list.
+    pub file: PathBuf,
+    /// Its new format.
+    pub to: Target,
+    /// The sheet of a workbook.
+    pub sheet: Option<String>,
+}
+
+impl Question for InventoryTemplate {
+    /// The format; `None`: that of the file that is written.
+    type Meant = Option<Target>;
+
+    fn resolve(&self, _: &Files) -> Result<Self::Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        read.exclusive("xlsx", "csv");
+        let format = match (read.flag("xlsx"), read.flag("csv")) {
+            (true, _) => Some(Target::Xlsx),
+            (_, true) => Some(Target::Csv),
+            _ => None,
+        };
+        read.problems.finish(Some(format))
+    }
+}
+
+impl Question for InventoryConvert {
+    type Meant = Conversion;
+
+    fn resolve(&self, files: &Files) -> Result<Conversion, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        if !read.has("file") {
+            let hint = "name a file, such as objects.csv";
+            read.missing(&["file"], "no list is named", hint);
+        }
+        if !read.has("to") {
+            read.missing(&["to"], "`to` is missing", "give a format: csv or xlsx");
+        }
+        let file = path_without_flag(&mut read, "file", files);
+        let to = read.choice("to", FORMATS);
+        let sheet = read.one("sheet").map(str::to_owned);
+        let conversion = file
+            .zip(to)
+            .map(|(file, to)| Conversion { file, to, sheet });
+        read.problems.finish(conversion)
+    }
+}

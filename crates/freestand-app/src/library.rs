@@ -1,0 +1,188 @@
+//! `tolerance` and `cushion`, each with `list`, `show` and `search`: entries of the two libraries.
+
+use std::fmt::Debug;
+use std::marker::PhantomData;
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_assess::library::{CushionEntry, CushionLibrary, ToleranceEntry, ToleranceLibrary};
+use freestand_input::problem::Problems;
+use freestand_input::written::Written;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request as _, Unknown, one_or_many, path, reader, request};
+
+/// One of the two libraries.
+pub trait Library: Debug + Clone + Default + PartialEq + 'static {
+    /// What it consists of.
+    type Entry;
+
+    /// Its built-in entries.
+    fn builtin() -> freestand_assess::library::Library<Self::Entry>;
+}
+
+/// What objects withstand.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Tolerances;
+
+/// Likely stiffnesses of pads, feet and floors.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cushions;
+
+impl Library for Tolerances {
+    type Entry = ToleranceEntry;
+
+    fn builtin() -> ToleranceLibrary {
+        ToleranceLibrary::builtin()
+    }
+}
+
+impl Library for Cushions {
+    type Entry = CushionEntry;
+
+    fn builtin() -> CushionLibrary {
+        CushionLibrary::builtin()
+    }
+}
+
+/// All entries of a library.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default, bound = "")]
+#[group(skip)]
+pub struct List<L: Library> {
+    /// Your own library: adds to the built-in one and replaces entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub library: Option<Written>,
+
+    /// Which library.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub of: PhantomData<L>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+/// One entry of a library.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default, bound = "")]
+#[group(skip)]
+pub struct Show<L: Library> {
+    /// Id of the entry
+    #[arg(value_name = "ID")]
+    pub id: Option<Written>,
+    /// Your own library: adds to the built-in one and replaces entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub library: Option<Written>,
+
+    /// Which library.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub of: PhantomData<L>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+/// The entries of a library that contain words.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default, bound = "")]
+#[group(skip)]
+pub struct Search<L: Library> {
+    /// Words
+    #[arg(value_name = "WORD")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub words: Vec<Written>,
+    /// Your own library: adds to the built-in one and replaces entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
+    pub library: Option<Written>,
+
+    /// Which library.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub of: PhantomData<L>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(List<L: Library> { library; of, unknown });
+request!(Show<L: Library> { id, library; of, unknown });
+request!(Search<L: Library> { words, library; of, unknown });
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Meant {
+    /// The entries.
+    pub wanted: Wanted,
+    /// The user's own library.
+    pub library: Option<PathBuf>,
+}
+
+/// Entries of a library.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Wanted {
+    /// All of them.
+    All,
+    /// The one with this id.
+    WithId(String),
+    /// Those that contain all of these words.
+    WithWords(Vec<String>),
+}
+
+impl<L: Library> Question for List<L> {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let library = path(&mut read, "library", files);
+        let wanted = Wanted::All;
+        read.problems.finish(Some(Meant { wanted, library }))
+    }
+}
+
+impl<L: Library> Question for Show<L> {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        if !read.has("id") {
+            read.missing(&["id"], "no entry is named", "give the id of an entry");
+        }
+        let id = read.one("id");
+        let library = path(&mut read, "library", files);
+        let wanted = id.map(|id| Wanted::WithId(id.to_owned()));
+        read.problems
+            .finish(wanted.map(|wanted| Meant { wanted, library }))
+    }
+}
+
+impl<L: Library> Question for Search<L> {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        read.pass(&["words"]);
+        if self.words.is_empty() {
+            read.missing(&["words"], "no word is given", "give one or more words");
+        }
+        let is_word = |one: &Written| match one {
+            Written::Text(text) => !text.trim().is_empty(),
+            one => matches!(one, Written::Number(_)),
+        };
+        if !self.words.iter().all(is_word) {
+            let hint = "give words such as \"bookcase\"";
+            read.note(&["words"], "a word is empty, or is none", hint);
+        }
+        let library = path(&mut read, "library", files);
+        let wanted = Wanted::WithWords(self.words.iter().map(Written::text).collect());
+        read.problems.finish(Some(Meant { wanted, library }))
+    }
+}

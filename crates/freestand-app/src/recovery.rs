@@ -1,0 +1,109 @@
+//! `cushion recovery`: how well the evaluation of drop tests recovers known values.
+
+use std::ops::RangeInclusive;
+
+use clap::Args;
+use freestand::G0_M_S2;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::laboratory::virtual_laboratory::RecoveryRequest;
+use freestand_study::study::DEFAULT_SEED;
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request as _, Unknown, reader, request, seed, whole};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.cushion-recovery/1";
+
+/// What is varied.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Recovery {
+    /// Number of drops for each combination [default: 100]
+    #[arg(long, value_name = "N")]
+    pub drops: Option<Written>,
+    /// Samples per contact [default: 25, 50, 200]
+    #[arg(long, value_name = "LIST")]
+    pub samples_per_contact: Option<Written>,
+    /// Noise as a share of the peak [default: 0.5 %, 2 %]
+    #[arg(long, value_name = "LIST")]
+    pub noise: Option<Written>,
+    /// Bias of the whole record [default: 5 g]
+    #[arg(long, value_name = "LIST")]
+    pub bias: Option<Written>,
+    /// Shift of the zero line at the peak, as a share of the peak [default: 0]
+    #[arg(long, value_name = "LIST")]
+    pub zero_shift: Option<Written>,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Recovery { drops, samples_per_contact, noise, bias, zero_shift, seed; unknown });
+
+impl Question for Recovery {
+    type Meant = RecoveryRequest;
+
+    fn resolve(&self, _: &Files) -> Result<RecoveryRequest, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let usual = RecoveryRequest::worked_example()?;
+        let drops = whole(&mut read, "drops", 10_000).map(usize::from);
+        let samples = within(
+            &mut read,
+            "samples_per_contact",
+            2.0..=10_000.0,
+            ["2 to 10000", "write \"25, 50, 200\""],
+        );
+        let noise = within(
+            &mut read,
+            "noise",
+            0.0..=1.0,
+            ["0 to 100 %", "write \"0.5 %, 2 %\""],
+        );
+        let biases_m_s2 = read.grid("bias", Dimension::Acceleration);
+        let biases_g = biases_m_s2.map(|all| all.iter().map(|bias| bias / G0_M_S2).collect());
+        let zero_shifts = read.grid("zero_shift", Dimension::Ratio);
+        let request = RecoveryRequest {
+            samples_per_contact: samples.unwrap_or(usual.samples_per_contact),
+            noise_ratios: noise.unwrap_or(usual.noise_ratios),
+            biases_g: biases_g.unwrap_or(usual.biases_g),
+            zero_shift_ratios: zero_shifts.unwrap_or(usual.zero_shift_ratios),
+            drops: drops.unwrap_or(usual.drops),
+            seed: seed(&mut read).unwrap_or(DEFAULT_SEED),
+            ..usual
+        };
+        read.problems.finish(Some(request))
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+/// Ratios in a range; the words say which, and what to write.
+fn within(
+    read: &mut WordReader<'_>,
+    key: &'static str,
+    range: RangeInclusive<f64>,
+    [expected, hint]: [&str; 2],
+) -> Option<Vec<f64>> {
+    let found = read.grid(key, Dimension::Ratio)?;
+    if let Some(wrong) = found.iter().find(|ratio| !range.contains(*ratio)) {
+        read.note(
+            &[key],
+            format!("`{key}` must be {expected}, not {wrong}"),
+            hint,
+        );
+    }
+    Some(found)
+}

@@ -1,0 +1,298 @@
+//! `cushion simulate`: virtual drop tests and static tests of a cushion.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args};
+use freestand::cushion::Cushion;
+use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
+use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::cushion::EdgeCushion;
+use freestand_study::laboratory::virtual_laboratory::assume_damping;
+use freestand_study::study::DEFAULT_SEED;
+use serde::Deserialize;
+
+use crate::CushionUnder;
+use crate::files::Files;
+use crate::request::{Question, Request as _, Switch, Unknown, reader, request, seed, whole};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.cushion-simulate/1";
+
+/// The highest drop towers for experiments are about 150 m; the sum of numbers far beyond is no number.
+const HIGHEST_M: f64 = 1000.0;
+
+/// More bounces are none.
+const MOST_BOUNCES: u32 = 20;
+
+/// A cushion, and tests of it.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct VirtualTests {
+    /// The cushion.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub pad: CushionUnder,
+    /// Mass of the impactor
+    #[arg(long, value_name = "MASS")]
+    pub mass: Option<Written>,
+    /// Drop height
+    #[arg(long, value_name = "LENGTH")]
+    pub height: Option<Written>,
+    /// Samples per second [default: 50 per contact]
+    #[arg(long, value_name = "FREQUENCY")]
+    pub sample_rate: Option<Written>,
+    /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
+    /// force) [default: 0]
+    #[arg(long, value_name = "RATIO")]
+    pub noise: Option<Written>,
+    /// Bias added to every sample [default: 0 g]
+    #[arg(long, value_name = "ACCELERATION")]
+    pub bias: Option<Written>,
+    /// Shift of the zero line after the peak, as a share of the peak [default: 0]
+    #[arg(long, value_name = "RATIO")]
+    pub zero_shift: Option<Written>,
+    /// Corner frequency of a two-pole low-pass filter before the A/D converter [default: no filter]
+    #[arg(long, value_name = "FREQUENCY")]
+    pub filter_corner: Option<Written>,
+    /// Time before the first touch [default: 3 contacts]
+    #[arg(long, value_name = "TIME")]
+    pub pre_trigger: Option<Written>,
+    /// Number of bounces after the first contact [default: 0]
+    #[arg(long, value_name = "N")]
+    pub bounces: Option<Written>,
+    /// Gravity during the contact [default: 1 g]
+    #[arg(long, value_name = "ACCELERATION")]
+    pub gravity: Option<Written>,
+    /// Number of tests [default: 1]
+    #[arg(long, value_name = "N")]
+    pub count: Option<Written>,
+    /// Simulate static tests instead of drops
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "Static tests")]
+    pub r#static: Switch,
+    /// Largest force [default: 1 kN]
+    #[arg(long, value_name = "FORCE", help_heading = "Static tests")]
+    pub load: Option<Written>,
+    /// Energy lost as a share of the energy put in [default: 0]
+    #[arg(long, value_name = "RATIO", help_heading = "Static tests")]
+    pub hysteresis: Option<Written>,
+    /// Slack before the pad is touched [default: 0 mm]
+    #[arg(long, value_name = "LENGTH", help_heading = "Static tests")]
+    pub slack: Option<Written>,
+    /// Stiffness of the machine [default: rigid]
+    #[arg(long, value_name = "STIFFNESS", help_heading = "Static tests")]
+    pub machine_compliance: Option<Written>,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(VirtualTests {
+    mass, height, sample_rate, noise, bias, zero_shift, filter_corner, pre_trigger, bounces, gravity, count, r#static,
+    load, hysteresis, slack, machine_compliance, seed;
+    pad, unknown
+});
+
+/// What is asked, in SI.
+#[derive(Debug, Clone)]
+pub struct Meant {
+    /// The cushion, and what was assumed of it.
+    pub edge: EdgeCushion,
+    /// What is done with it.
+    pub plan: Plan,
+    /// The number of tests.
+    pub count: u16,
+    /// The seed of their random numbers.
+    pub seed: u64,
+    /// The files that were read.
+    pub inputs: Vec<PathBuf>,
+}
+
+/// What all tests share.
+#[derive(Debug, Clone, Copy)]
+pub enum Plan {
+    /// A mass falls.
+    Drop(VirtualDropOptions),
+    /// A press pushes.
+    Static(VirtualStaticOptions),
+}
+
+/// Keys that only drops read.
+const OF_DROPS: [&str; 8] = [
+    "height",
+    "sample_rate",
+    "bias",
+    "zero_shift",
+    "filter_corner",
+    "pre_trigger",
+    "bounces",
+    "gravity",
+];
+
+/// Keys that only static tests read.
+const OF_STATIC: [&str; 4] = ["load", "hysteresis", "slack", "machine_compliance"];
+
+impl Question for VirtualTests {
+    type Meant = Meant;
+
+    fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let mass_kg = read.positive("mass", Dimension::Mass);
+        let noise = read.non_negative("noise", Dimension::Ratio);
+        let edge = self.edge(&mut read, mass_kg, files);
+        let count = whole(&mut read, "count", 1000).unwrap_or(1);
+        let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
+        let (edge, plan) = if read.flag("static") {
+            let why = "a static test drops nothing";
+            refuse(
+                &mut read,
+                &OF_DROPS,
+                why,
+                "leave this out, or leave `static` out",
+            );
+            let options = presses(&mut read, noise, seed);
+            let edge = read.problems.finish(edge)?;
+            (edge, Plan::Static(options))
+        } else {
+            let why = "only a static test reads this";
+            refuse(
+                &mut read,
+                &OF_STATIC,
+                why,
+                "add `static`, or leave this out",
+            );
+            let options = drops(&mut read, mass_kg, noise, seed);
+            let (edge, options) = read.problems.finish(edge.zip(options))?;
+            let options = options(&edge.cushion);
+            (edge, Plan::Drop(options))
+        };
+        Ok(Meant {
+            edge,
+            plan,
+            count,
+            seed,
+            inputs: self.pad.input(files).into_iter().collect(),
+        })
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+impl VirtualTests {
+    /// The cushion, with the damping that its law needs.
+    fn edge(
+        &self,
+        read: &mut WordReader<'_>,
+        mass_kg: Option<f64>,
+        files: &Files,
+    ) -> Option<EdgeCushion> {
+        if self.pad.words().is_empty() {
+            let hint = "give `stiffness`, such as \"2190 N/mm\"";
+            read.missing(&["stiffness"], "the cushion is missing", hint);
+        }
+        let mut words = self.pad.described(read, files)?;
+        let assumed = assume_damping(&mut words);
+        // A wrong mass has been told, and is not missing.
+        let mass_kg = mass_kg.or(read.has("mass").then_some(1.0));
+        let edge = self.pad.of_words(&words, read, mass_kg, files)?;
+        let notes = [edge.notes, assumed].concat();
+        Some(EdgeCushion { notes, ..edge })
+    }
+}
+
+/// Notes a problem with keys that nothing reads.
+fn refuse(read: &mut WordReader<'_>, idle: &[&'static str], why: &str, hint: &str) {
+    let given = idle.iter().copied().filter(|key| read.has(key));
+    let keys: Vec<&'static str> = given.collect();
+    let named: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    let have = if keys.len() == 1 { "has" } else { "have" };
+    if !keys.is_empty() {
+        let message = format!("{} {have} no effect: {why}", named.join(", "));
+        read.note(&keys, message, hint);
+    }
+}
+
+fn presses(read: &mut WordReader<'_>, noise: Option<f64>, seed: u64) -> VirtualStaticOptions {
+    let usual = VirtualStaticOptions::default();
+    let load = read.positive("load", Dimension::Force);
+    let hysteresis = read.non_negative("hysteresis", Dimension::Ratio);
+    let slack = read.non_negative("slack", Dimension::Length);
+    VirtualStaticOptions {
+        max_force_n: load.unwrap_or(usual.max_force_n),
+        hysteresis_ratio: hysteresis.unwrap_or(usual.hysteresis_ratio),
+        toe_m: slack.unwrap_or(usual.toe_m),
+        machine_stiffness_n_m: read.positive("machine_compliance", Dimension::Stiffness),
+        noise_ratio: noise.unwrap_or(usual.noise_ratio),
+        seed,
+        ..usual
+    }
+}
+
+/// Drops onto a cushion, whose contact is the measure of what is not given.
+fn drops(
+    read: &mut WordReader<'_>,
+    mass_kg: Option<f64>,
+    noise: Option<f64>,
+    seed: u64,
+) -> Option<impl FnOnce(&Cushion) -> VirtualDropOptions + use<>> {
+    for key in ["mass", "height"] {
+        if !read.has(key) {
+            let hint = "give `mass` and `height`, or `static`";
+            read.missing(&[key], format!("a drop needs `{key}`"), hint);
+        }
+    }
+    let height_m = height(read);
+    let gravity = read.non_negative("gravity", Dimension::Acceleration);
+    let rate = read.positive("sample_rate", Dimension::Frequency);
+    let bias = read.quantity("bias", Dimension::Acceleration);
+    let zero_shift = read.quantity("zero_shift", Dimension::Ratio);
+    let filter_corner_hz = read.positive("filter_corner", Dimension::Frequency);
+    let pre_trigger = read.non_negative("pre_trigger", Dimension::Time);
+    let bounces = bounces(read);
+    let (mass_kg, height_m) = mass_kg.zip(height_m)?;
+    Some(move |cushion: &Cushion| {
+        let usual = VirtualDropOptions::from_height(cushion, mass_kg, height_m);
+        VirtualDropOptions {
+            gravity_m_s2: gravity.unwrap_or(usual.gravity_m_s2),
+            sample_rate_hz: rate.unwrap_or(usual.sample_rate_hz),
+            pre_trigger_s: pre_trigger.unwrap_or(usual.pre_trigger_s),
+            noise_ratio: noise.unwrap_or(usual.noise_ratio),
+            bias_m_s2: bias.unwrap_or(usual.bias_m_s2),
+            zero_shift_ratio: zero_shift.unwrap_or(usual.zero_shift_ratio),
+            filter_corner_hz,
+            bounces: bounces.unwrap_or(usual.bounces),
+            seed,
+            ..usual
+        }
+    })
+}
+
+fn height(read: &mut WordReader<'_>) -> Option<f64> {
+    let height_m = read.positive("height", Dimension::Length)?;
+    if height_m > HIGHEST_M {
+        let hint = "check the unit: the height of a drop test is millimeters to meters";
+        let message = format!("`height`: a drop of {height_m} m is more than {HIGHEST_M} m");
+        read.note(&["height"], message, hint);
+    }
+    Some(height_m)
+}
+
+fn bounces(read: &mut WordReader<'_>) -> Option<u32> {
+    let bounces = read.whole("bounces")?;
+    if bounces > MOST_BOUNCES {
+        let message = format!("`bounces` must be 0 to {MOST_BOUNCES}, not {bounces}");
+        read.note(&["bounces"], message, "give another number");
+    }
+    Some(bounces)
+}
