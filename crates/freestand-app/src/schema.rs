@@ -1,6 +1,7 @@
 //! JSON schemas (draft 2020-12) of requests and responses, from the structs that they describe.
 
 use clap::{Arg, ArgAction, Command};
+use freestand_output::answer::object;
 use serde_json::{Map, Value, json};
 
 use crate::request::{Request, names_of, unit_endings};
@@ -92,14 +93,7 @@ pub fn of_response(command: &str, schema: &str, results: &[Map<String, Value>]) 
         "schema": {"const": schema},
         "warnings": {"type": "array", "items": {"type": "string"}},
     });
-    let kinds: Vec<Value> = results
-        .iter()
-        .map(|properties| {
-            let optional = |key: &&String| *key == "plots";
-            let names: Vec<&String> = properties.keys().filter(|key| !optional(key)).collect();
-            json!({"type": "object", "required": names, "properties": properties})
-        })
-        .collect();
+    let kinds: Vec<Value> = results.iter().cloned().map(object).collect();
     json!({
         "$schema": DRAFT,
         "title": format!("What {command} answers"),

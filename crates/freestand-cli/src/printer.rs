@@ -272,14 +272,14 @@ pub(crate) type Column = (&'static str, &'static str, usize);
 
 /// Results as rows of a table.
 pub(crate) fn facts_table<'a>(
-    rows: impl IntoIterator<Item = &'a Facts<'a>>,
+    rows: impl IntoIterator<Item = Facts<'a>>,
     columns: &[Column],
 ) -> String {
     table(
         &headings(columns),
         &rows
             .into_iter()
-            .map(|row| cells(row, columns))
+            .map(|row| cells(&row, columns))
             .collect::<Vec<_>>(),
     )
 }

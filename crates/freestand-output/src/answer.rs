@@ -54,15 +54,48 @@ pub trait Described {
 
 impl<A: Answer> Described for A {
     fn schema() -> Json {
-        let properties = A::properties();
-        let names: Vec<&String> = properties.keys().collect();
-        let schema = json!({"type": "object", "required": names, "properties": properties});
+        let schema = object(A::properties());
         if A::IS_OPTIONAL {
             or_null(schema)
         } else {
             schema
         }
     }
+}
+
+/// The mark of a value that is absent where its part does not apply.
+const MAY_BE_ABSENT: &str = "may be absent";
+
+/// The schema of a value that may be absent, among the properties of an [`object`].
+pub fn may_be_absent(mut schema: Json) -> Json {
+    if let Json::Object(schema) = &mut schema {
+        schema.insert(MAY_BE_ABSENT.to_owned(), true.into());
+    }
+    schema
+}
+
+/// The values of a part on the same level.
+pub fn flattened<A: Answer>() -> Map<String, Json> {
+    let properties = A::properties().into_iter();
+    let marked = |(name, schema)| match A::IS_OPTIONAL {
+        true => (name, may_be_absent(schema)),
+        false => (name, schema),
+    };
+    properties.map(marked).collect()
+}
+
+/// The schema of an object with these values.
+pub fn object(mut properties: Map<String, Json>) -> Json {
+    let mut required = Vec::new();
+    for (name, schema) in &mut properties {
+        let mark = schema
+            .as_object_mut()
+            .and_then(|schema| schema.remove(MAY_BE_ABSENT));
+        if mark.is_none() {
+            required.push(name.clone());
+        }
+    }
+    json!({"type": "object", "required": required, "properties": properties})
 }
 
 /// A value that may be missing: `null`.
@@ -115,6 +148,12 @@ impl<A: Answer> Described for Vec<A> {
 impl<A: Answer> Described for Option<Vec<A>> {
     fn schema() -> Json {
         or_null(Vec::<A>::schema())
+    }
+}
+
+impl Described for Vec<Vec<f64>> {
+    fn schema() -> Json {
+        json!({"type": "array", "items": Vec::<f64>::schema()})
     }
 }
 
@@ -233,7 +272,7 @@ macro_rules! answer {
     // A line for people alone is no value of the document.
     (@describe $all:ident, __, $type:ty, $doc:expr, $label:tt) => {};
     (@describe $all:ident, $name:ident, $type:ty, $doc:expr, flat) => {
-        $all.extend(<$type as $crate::answer::Answer>::properties());
+        $all.extend($crate::answer::flattened::<$type>());
     };
     (@describe $all:ident, $name:ident, $type:ty, $doc:expr, ($label:expr)) => {
         $crate::answer!(@describe $all, $name, $type, $doc,)

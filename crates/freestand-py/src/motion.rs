@@ -9,11 +9,12 @@ use freestand_app::request::Question as _;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
+use freestand_output::answer::Answer as _;
 use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::process;
-use freestand_study::inspect::{measure_facts, spectrum};
+use freestand_study::inspect::{MotionMeasures, spectrum};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::study::RecordedMotion;
 use pyo3::prelude::*;
@@ -141,8 +142,8 @@ impl Record {
     }
 
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let facts = py.detach(|| measure_facts(self.motion()));
-        dictionary(py, &facts, |_| false)
+        let measures = py.detach(|| MotionMeasures::of(self.motion()));
+        dictionary(py, &measures.facts(), |_| false)
     }
 
     fn spectrum(

@@ -47,7 +47,7 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
     let request = typed::<DropTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
-    let text = told(DROP, &report.facts(), &report.warnings)?;
+    let text = told(DROP, &report, &report.warnings)?;
     let loops = report
         .tests
         .iter()
@@ -62,7 +62,7 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
     let request = typed::<StaticTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| static_tests(&request))?.map_err(raised_all)?;
-    told(STATIC, &report.facts(), &report.warnings)
+    told(STATIC, &report, &report.warnings)
 }
 
 /// The shock response spectrum of a motion.
@@ -111,7 +111,7 @@ pub(crate) fn synth(
     let meant = typed::<Synth>(values)?.resolve(&Files::Disk);
     let request = meant.map_err(raised_all)?.asked;
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
-    let text = told(SYNTH, &report.facts(), &report.warnings())?;
+    let text = told(SYNTH, &report, &report.warnings())?;
     let motions = report
         .motions
         .into_iter()

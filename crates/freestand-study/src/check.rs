@@ -3,107 +3,94 @@
 use freestand::G0_M_S2;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, significant, some};
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 
 use crate::building::{damping_words, model_words};
 use crate::cushion::cushion_words;
 use crate::simulated::FoundEarthquake;
-use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
+use crate::study::{BuildingInput, Ground, Level, Objects, RecordedMotion, SimulatedGround, Study};
 use crate::suite::{NAMED, Suite};
 
 /// What a study means: its motions, building, levels and objects.
-pub fn check(study: &Study) -> Facts<'static> {
-    let objects = &study.objects;
-    let path = study.source.as_ref().map(|path| path.display().to_string());
-    let valid = format!("{}: valid", path.as_deref().unwrap_or("built-in"));
-    let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
-    let facts = Facts::default()
-        .key("path", path)
-        .line("study", Some(valid))
-        .fact(
-            "ground",
-            "ground",
-            ground_words(&study.ground, recorded.len()),
-        )
-        .key("vertical", study.ground.vertical_words())
-        .line(
-            "vertical",
-            study
-                .ground
-                .has_vertical()
-                .then(|| study.ground.vertical_words()),
-        )
-        .key(
-            "motions",
-            recorded
-                .iter()
-                .map(|one| motion_facts(one))
-                .collect::<Vec<_>>(),
-        );
-    let facts = study
-        .ground
-        .suite()
-        .iter()
-        .fold(facts, |facts, suite| facts.and(suite_facts(suite)));
+#[derive(Debug, Clone, Copy)]
+pub struct Check<'s>(pub &'s Study);
+
+impl<'s> Check<'s> {
+    fn path(&self) -> Option<String> {
+        let path = self.0.source.as_ref();
+        path.map(|path| path.display().to_string())
+    }
+
+    fn recorded(&self) -> Vec<&'s RecordedMotion> {
+        self.0.ground.recorded(&self.0.levels).collect()
+    }
+}
+
+answer_of!(Check<'_> as check {
+    /// The file; `null` for the built-in study.
+    path: Option<String> = check.path();
+    __: String = format!("{}: valid", check.path().as_deref().unwrap_or("built-in")) => "study";
+    ground: String = ground_words(&check.0.ground, check.recorded().len()) => "ground";
+    vertical: String = check.0.ground.vertical_words()
+        => (if check.0.ground.has_vertical() { "vertical" } else { "" });
+    /// Those that were read from files.
+    motions: Vec<OfMotion<'_>> = check.recorded().into_iter().map(OfMotion).collect();
+    selected: Option<OfSuite<'_>> = check.0.ground.suite().map(OfSuite) => flat;
     // The motions are listed below `ground`, without a label of their own.
-    let facts = recorded
-        .iter()
-        .fold(facts, |facts, one| facts.line(" ", Some(motion_words(one))));
-    let facts = facts.key("directions_deg", study.directions_deg.as_slice());
-    let facts = study.building.iter().fold(facts, |facts, building| {
-        facts.and(building_facts(study.building_name.as_deref(), building))
-    });
-    let directions = study.directions_deg.len();
-    let directions =
-        (directions > 1).then(|| format!("{directions} over half a circle, the worst counts"));
-    let level_words = |level: &Level| {
-        level.name.clone()
-            + &level
-                .level_ratio
-                .map_or_else(String::new, |x| format!(" (level {x})"))
-    };
-    let levels: Vec<String> = study.levels.iter().map(level_words).collect();
-    let level_facts = |level: &Level| {
-        Facts::default()
-            .key("name", level.name.clone())
-            .key("level_ratio", level.level_ratio)
-    };
-    let restraint = study.assessment.restraint_code.as_ref();
-    let restraint =
-        restraint.map(|code| format!("{}, {}", code.spectrum.name(), code.parts_words()));
-    let cushion = cushion_words(&objects.cushion.cushion);
-    let (count, mass) = (
+    __: Vec<String> = check.recorded().into_iter().map(motion_words).collect() => " ";
+    directions_deg: Vec<f64> = check.0.directions_deg.clone();
+    building: Option<OfBuilding<'_>> = OfBuilding::of(check.0) => flat;
+    __: Option<String> = directions_words(&check.0.directions_deg) => "directions";
+    __: String = check.0.levels.iter().map(level_words).collect::<Vec<_>>().join(", ") => "levels";
+    __: String = range(&check.0.objects.heights_m) => "heights";
+    __: String = range(&check.0.objects.thicknesses_m) => "thicknesses";
+    /// The code of the restraints.
+    restraint_code: Option<String> = restraint_words(check.0) => "restraints by";
+    __: String = objects_words(&check.0.objects) => "objects";
+    levels: Vec<OfLevel<'_>> = check.0.levels.iter().map(OfLevel).collect();
+    heights_m: Vec<f64> = check.0.objects.heights_m.clone();
+    thicknesses_m: Vec<f64> = check.0.objects.thicknesses_m.clone();
+    /// How many there are.
+    objects: usize = check.0.objects.blocks.len();
+    mass_kg: f64 = check.0.objects.mass_kg;
+    stiffness_n_m: Option<f64> = check.0.objects.cushion.cushion.linear_stiffness_n_m();
+    cushion: String = cushion_words(&check.0.objects.cushion.cushion);
+    cushion_notes: Vec<String> = check.0.objects.cushion.notes.clone() => "note";
+    tolerance_g: Option<f64> = check.0.objects.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2);
+});
+
+/// A level.
+#[derive(Clone, Copy)]
+struct OfLevel<'s>(&'s Level);
+
+answer_of!(OfLevel<'_> as level {
+    name: String = level.0.name.clone();
+    /// Its height as a share of the building's.
+    level_ratio: Option<f64> = level.0.level_ratio;
+});
+
+fn level_words(level: &Level) -> String {
+    let ratio = level.level_ratio;
+    level.name.clone() + &ratio.map_or_else(String::new, |x| format!(" (level {x})"))
+}
+
+fn directions_words(directions_deg: &[f64]) -> Option<String> {
+    let count = directions_deg.len();
+    (count > 1).then(|| format!("{count} over half a circle, the worst counts"))
+}
+
+fn restraint_words(study: &Study) -> Option<String> {
+    let code = study.assessment.restraint_code.as_ref()?;
+    Some(format!("{}, {}", code.spectrum.name(), code.parts_words()))
+}
+
+fn objects_words(objects: &Objects) -> String {
+    format!(
+        "{} of {} on {} under one edge",
         objects.blocks.len(),
         format_si(objects.mass_kg, Dimension::Mass),
-    );
-    facts
-        .line("directions", directions)
-        .line("levels", Some(levels.join(", ")))
-        .line("heights", Some(range(&objects.heights_m)))
-        .line("thicknesses", Some(range(&objects.thicknesses_m)))
-        .fact("restraint_code", "restraints by", restraint)
-        .line(
-            "objects",
-            Some(format!("{count} of {mass} on {cushion} under one edge")),
-        )
-        .key(
-            "levels",
-            study.levels.iter().map(level_facts).collect::<Vec<_>>(),
-        )
-        .key("heights_m", objects.heights_m.as_slice())
-        .key("thicknesses_m", objects.thicknesses_m.as_slice())
-        .key("objects", count)
-        .key("mass_kg", objects.mass_kg)
-        .key(
-            "stiffness_n_m",
-            objects.cushion.cushion.linear_stiffness_n_m(),
-        )
-        .key("cushion", cushion)
-        .fact("cushion_notes", "note", objects.cushion.notes.as_slice())
-        .key(
-            "tolerance_g",
-            objects.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
-        )
+        cushion_words(&objects.cushion.cushion)
+    )
 }
 
 /// Where the motions come from; `recorded` is the number of those that were read from files.
@@ -162,27 +149,24 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
     )
 }
 
-fn suite_facts(suite: &Suite) -> Facts<'static> {
-    let names: Vec<String> = suite.left_out.iter().map(|one| one.file.clone()).collect();
-    let files = |names: &[String]| {
-        (!names.is_empty())
-            .then(|| format!("{}: {}", counted(names.len(), "file"), some(names, NAMED)))
-    };
-    Facts::default()
-        .line(
-            "suite",
-            Some(format!(
-                "{}, of {}",
-                suite.count_words(),
-                suite.folder.display()
-            )),
-        )
-        .line("periods", Some(suite.period_words()))
-        .line("mean ln Sa", Some(suite.mean_words()))
-        .line("sd of ln Sa", Some(suite.sd_words()))
-        .line("left out", files(&names))
-        .line("no records", files(&suite.skipped))
-        .key("suite", suite.facts())
+/// How the motions were selected.
+#[derive(Clone, Copy)]
+struct OfSuite<'s>(&'s Suite);
+
+answer_of!(OfSuite<'_> as of {
+    __: String = format!("{}, of {}", of.0.count_words(), of.0.folder.display()) => "suite";
+    __: String = of.0.period_words() => "periods";
+    __: String = of.0.mean_words() => "mean ln Sa";
+    __: String = of.0.sd_words() => "sd of ln Sa";
+    __: Option<String> = files(of.0.left_out.iter().map(|one| one.file.clone()).collect()) => "left out";
+    __: Option<String> = files(of.0.skipped.clone()) => "no records";
+    suite: &Suite = of.0;
+});
+
+/// `7 files: a, b, c …`.
+fn files(names: Vec<String>) -> Option<String> {
+    (!names.is_empty())
+        .then(|| format!("{}: {}", counted(names.len(), "file"), some(&names, NAMED)))
 }
 
 fn pga_g(one: &RecordedMotion) -> f64 {
@@ -193,18 +177,22 @@ fn rms_misfit_ratio(one: &RecordedMotion) -> Option<f64> {
     one.matched.as_ref().map(|matched| matched.misfit.rms_ratio)
 }
 
-fn motion_facts(one: &RecordedMotion) -> Facts<'static> {
-    Facts::default()
-        .key("name", one.name.clone())
-        .key("path", one.path.display().to_string())
-        .key("description", one.description.clone())
-        .key("sha256", one.sha256.clone())
-        .key("dt_s", one.motion.dt_s())
-        .key("npts", one.motion.accel_m_s2().len())
-        .key("components", if one.across.is_some() { 2_usize } else { 1 })
-        .key("pga_g", pga_g(one))
-        .key("rms_misfit_ratio", rms_misfit_ratio(one))
-}
+/// A motion that was read from a file.
+#[derive(Clone, Copy)]
+struct OfMotion<'s>(&'s RecordedMotion);
+
+answer_of!(OfMotion<'_> as one {
+    name: String = one.0.name.clone();
+    path: String = one.0.path.display().to_string();
+    description: String = one.0.description.clone();
+    sha256: String = one.0.sha256.clone();
+    dt_s: f64 = one.0.motion.dt_s();
+    npts: usize = one.0.motion.accel_m_s2().len();
+    components: usize = if one.0.across.is_some() { 2 } else { 1 };
+    pga_g: f64 = pga_g(one.0);
+    /// From the spectrum that it is matched to.
+    rms_misfit_ratio: Option<f64> = rms_misfit_ratio(one.0);
+});
 
 fn motion_words(one: &RecordedMotion) -> String {
     let rms =
@@ -221,54 +209,70 @@ fn motion_words(one: &RecordedMotion) -> String {
     )
 }
 
-fn building_facts(name: Option<&str>, input: &BuildingInput) -> Facts<'static> {
-    let BuildingInput {
-        storeys,
-        height_m,
-        along,
-        across,
-        ..
-    } = input;
-    let (model, modes) = (model_words(along), along.modes().len());
-    let across = across.as_ref().map(|across| {
-        let period_s = significant(across.period_s(), 4);
-        format!(
-            "{}, period {period_s} s, damping {}",
-            model_words(across),
-            damping_words(across)
-        )
-    });
-    let called = name.map_or_else(String::new, |name| format!("{name}, "));
-    let height = format_si(*height_m, Dimension::Length);
-    let size = format!("{called}{}, {height} high", counted(*storeys, "storey"));
-    let damping = damping_words(along);
-    Facts::default()
-        .line("building", Some(size))
-        .line(
-            "period",
-            Some(format!(
-                "{} s: {}",
-                significant(along.period_s(), 4),
-                input.period_note
-            )),
-        )
-        .line(
-            "model",
-            Some(format!(
-                "{model}, damping {damping}, {}",
-                counted(modes, "mode")
-            )),
-        )
-        .key("building_name", name.map(str::to_owned))
-        .key("storeys", *storeys)
-        .key("building_height_m", *height_m)
-        .key("period_s", along.period_s())
-        .key("damping_ratio", along.damping_ratio())
-        .key("shear_flexure_ratio", along.shear_flexure_ratio())
-        .key("modes", modes)
-        .key("model", model)
-        .fact("across", "second axis", across)
+/// The building of a study.
+#[derive(Clone, Copy)]
+struct OfBuilding<'s> {
+    name: Option<&'s str>,
+    input: &'s BuildingInput,
 }
+
+impl<'s> OfBuilding<'s> {
+    fn of(study: &'s Study) -> Option<Self> {
+        let name = study.building_name.as_deref();
+        study.building.as_ref().map(|input| Self { name, input })
+    }
+
+    fn size(&self) -> String {
+        let called = self
+            .name
+            .map_or_else(String::new, |name| format!("{name}, "));
+        let storeys = counted(self.input.storeys, "storey");
+        let height = format_si(self.input.height_m, Dimension::Length);
+        format!("{called}{storeys}, {height} high")
+    }
+
+    fn period(&self) -> String {
+        let period_s = significant(self.input.along.period_s(), 4);
+        format!("{period_s} s: {}", self.input.period_note)
+    }
+
+    fn model(&self) -> String {
+        let along = &self.input.along;
+        let modes = counted(along.modes().len(), "mode");
+        format!(
+            "{}, damping {}, {modes}",
+            model_words(along),
+            damping_words(along)
+        )
+    }
+
+    fn across(&self) -> Option<String> {
+        let across = self.input.across.as_ref()?;
+        Some(format!(
+            "{}, period {} s, damping {}",
+            model_words(across),
+            significant(across.period_s(), 4),
+            damping_words(across)
+        ))
+    }
+}
+
+answer_of!(OfBuilding<'_> as of {
+    __: String = of.size() => "building";
+    __: String = of.period() => "period";
+    __: String = of.model() => "model";
+    building_name: Option<String> = of.name.map(str::to_owned);
+    storeys: usize = of.input.storeys;
+    building_height_m: f64 = of.input.height_m;
+    period_s: f64 = of.input.along.period_s();
+    damping_ratio: Option<f64> = of.input.along.damping_ratio();
+    shear_flexure_ratio: Option<f64> = of.input.along.shear_flexure_ratio();
+    /// How many there are.
+    modes: usize = of.input.along.modes().len();
+    model: String = model_words(&of.input.along);
+    /// The second axis.
+    across: Option<String> = of.across() => "second axis";
+});
 
 /// `26 values from 500 mm to 3 m`.
 fn range(lengths_m: &[f64]) -> String {

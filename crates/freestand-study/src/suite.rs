@@ -8,7 +8,7 @@ use freestand::suite::{
     Candidate, FACTOR_LIMITS, SuiteError, SuiteScale, select_suite, suite_periods_s,
 };
 use freestand_input::words::{counted, number, significant, some};
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_records::horizontal::HorizontalMotion;
 
 use crate::target::Target;
@@ -365,40 +365,43 @@ impl Suite {
         }
         warnings
     }
-
-    /// For the documents of commands.
-    pub fn facts(&self) -> Facts<'static> {
-        let member = |(name, factor): &(String, f64)| {
-            Facts::default()
-                .key("motion", name.clone())
-                .key("factor", *factor)
-        };
-        let left_out = |one: &LeftOut| {
-            Facts::default()
-                .key("file", one.file.clone())
-                .key("reason", one.reason.clone())
-        };
-        Facts::default()
-            .key("folder", self.folder.display().to_string())
-            .key("target", self.target.one_line())
-            .key("scale", self.scale.name())
-            .key("count", self.members.len())
-            .key("usable", self.usable)
-            .key(
-                "records",
-                self.members.iter().map(member).collect::<Vec<_>>(),
-            )
-            .key("periods_s", self.periods_s.as_slice().to_vec())
-            .key("periods_from", self.periods_from.clone())
-            .key("mean_ln_ratio", self.mean_ln_ratio.clone())
-            .key("mean_ln_ratio_rms", self.mean_rms())
-            .key("sd_ln", self.sd_ln.clone())
-            .key("sd_ln_rms", self.sd_rms())
-            .key("sd_ln_asked", self.scale.dispersion())
-            .key(
-                "left_out",
-                self.left_out.iter().map(left_out).collect::<Vec<_>>(),
-            )
-            .key("skipped", self.skipped.clone())
-    }
 }
+
+answer_of!(Suite as suite {
+    folder: String = suite.folder.display().to_string();
+    /// The spectrum that the records have in the mean.
+    target: String = suite.target.one_line();
+    scale: &'static str = suite.scale.name();
+    count: usize = suite.members.len();
+    /// Records that could have been selected.
+    usable: usize = suite.usable;
+    records: Vec<Member<'_>> = suite.members.iter().map(Member).collect();
+    /// At which spectra are compared.
+    periods_s: Vec<f64> = suite.periods_s.clone();
+    periods_from: String = suite.periods_from.clone();
+    /// Mean of ln Sa over all components, less ln of the target.
+    mean_ln_ratio: Vec<f64> = suite.mean_ln_ratio.clone();
+    mean_ln_ratio_rms: f64 = suite.mean_rms();
+    /// Standard deviation of ln Sa over all components.
+    sd_ln: Vec<f64> = suite.sd_ln.clone();
+    sd_ln_rms: f64 = suite.sd_rms();
+    sd_ln_asked: f64 = suite.scale.dispersion();
+    /// Files and records that cannot be used.
+    left_out: Vec<&LeftOut> = suite.left_out.iter().collect();
+    /// Files that are not horizontal motions.
+    skipped: Vec<String> = suite.skipped.clone();
+});
+
+/// A record of a suite.
+#[derive(Clone, Copy)]
+struct Member<'s>(&'s (String, f64));
+
+answer_of!(Member<'_> as member {
+    motion: String = member.0.0.clone();
+    factor: f64 = member.0.1;
+});
+
+answer_of!(LeftOut as one {
+    file: String = one.file.clone();
+    reason: String = one.reason.clone();
+});

@@ -1,28 +1,26 @@
 //! `summary.json`: the key figures of each level, and their provenance.
 
 use freestand::rocking::Outcome;
-use freestand::synthesis;
+use freestand::synthesis::{self, Misfit};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::building::{mode_facts, model_words};
+use crate::building::{ModeReport, model_words};
 use crate::cushion::cushion_words;
 use crate::places::Place;
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
-use crate::simulated::{FoundEarthquake, source_facts};
+use crate::simulated::{FoundEarthquake, Parameters};
 use crate::statistics::ranked_quantile;
 use crate::study::{
     BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround,
 };
-use crate::suite::Suite;
-use crate::target::Target;
-use crate::target::hazard_facts;
+use crate::target::{HazardOf, NamedFact, Target};
 use freestand::G0_M_S2;
 use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
-use freestand_input::file::{InputFile, sha256_hex};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_input::file::sha256_hex;
+use freestand_output::answer::Input;
+use freestand_output::answer_of;
 
 /// Name and version of the document.
 pub const SCHEMA: &str = "freestand.run/1";
@@ -139,9 +137,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "components": if ground.motion.across.is_some() { 2 } else { 1 },
                 "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
                 "vertical_pga_g": ground.vertical.as_ref().map(|vertical| vertical.peak_m_s2() / G0_M_S2),
-                "misfit": ground.misfit.as_ref().map(|misfit| facts!(
-                    misfit; rms_ratio, worst_ratio, worst_period_s, pga_g, target_zpa_g, d5_95_s, pgv_m_s
-                )),
+                "misfit": ground.misfit.as_ref().map(OfMisfit),
             })
         })
         .collect();
@@ -169,7 +165,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
             "study_sha256": sha256_hex(study.toml.as_bytes()),
             "ground": ground_inputs(&study.ground),
-            "suite": study.ground.suite().map(Suite::facts),
+            "suite": study.ground.suite(),
             "floor_motions": floor_inputs(study),
             "vertical": study.ground.vertical_words(),
             "vertical_amplification_ratio": study.vertical_amplification_ratio,
@@ -184,7 +180,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "law": objects.cushion.cushion.law().name(),
                 "cushion": cushion_words(&objects.cushion.cushion),
                 "cushion_notes": objects.cushion.notes,
-                "cushion_file": objects.cushion_file.as_ref().map(|(file, _)| input_file(file)),
+                "cushion_file": objects.cushion_file.as_ref().map(|(file, _)| Input::from(file)),
                 "restitution": restitution_words(objects.restitution),
                 "accuracy": accuracy_words(objects.accuracy),
                 "tolerance_m_s2": objects.tolerance_m_s2,
@@ -206,7 +202,7 @@ fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
             "period_from": note,
             "damping_ratio": axis.damping_ratio(),
             "shear_flexure_ratio": axis.shear_flexure_ratio(),
-            "modes": axis.modes().iter().map(mode_facts).collect::<Vec<_>>(),
+            "modes": axis.modes().iter().map(ModeReport::from).collect::<Vec<_>>(),
         })
     };
     let mut inputs = json!({
@@ -230,7 +226,7 @@ fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
             building
                 .tables
                 .iter()
-                .map(|(_, table)| json!(input_file(&table.file)))
+                .map(|(_, table)| json!(Input::from(&table.file)))
                 .collect(),
         );
     }
@@ -239,54 +235,62 @@ fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
 
 fn ground_inputs(ground: &Ground) -> Value {
     match ground {
-        Ground::Synthetic(SyntheticGround {
-            target,
-            count,
-            seed,
-            ..
-        }) => json!(
-            Facts::default()
-                .key("code", target.code())
-                .key("edition", target.spectrum.name())
-                .key("site", target.spectrum.site_name())
-                .key("city", target.place_name())
-                .key("place", target.place.map(Place::facts))
-                .and(hazard_facts(Some(target)))
-                .key("facts", target.named_facts())
-                .key("spectrum_file", target.file.as_ref().map(input_file))
-                .key("count", *count)
-                .key("seed", *seed)
-        ),
-        Ground::Simulated(simulated) => json!(simulated_inputs(simulated)),
+        Ground::Synthetic(synthetic) => json!(SyntheticInputs(synthetic)),
+        Ground::Simulated(simulated) => json!(SimulatedInputs(simulated)),
         Ground::Recorded(records) => records.iter().map(recorded_input).collect(),
         Ground::OnFloors => Value::Null,
     }
 }
 
-fn simulated_inputs(simulated: &SimulatedGround) -> Facts<'static> {
-    let SimulatedGround {
-        request,
-        earthquakes,
-        hazard,
-    } = simulated;
-    Facts::default()
-        .key("preset", request.preset.name())
-        .key("parameters", source_facts(&request.any_source()))
-        .key(
-            "earthquakes",
-            earthquakes
-                .iter()
-                .map(FoundEarthquake::facts)
-                .collect::<Vec<_>>(),
-        )
-        .key("site", request.site.name())
-        .key("city", hazard.as_ref().and_then(Target::place_name))
-        .and(hazard_facts(hazard.as_ref()))
-        .and(facts!(request.options; dt_s, low_cut_hz))
-        .key("assumptions", request.assumptions())
-        .and(facts!(request; count, seed))
-        .key("generator", synthesis::GENERATOR)
-}
+/// How well a motion fits its target.
+#[derive(Clone, Copy)]
+struct OfMisfit<'r>(&'r Misfit);
+
+answer_of!(OfMisfit<'_> as misfit {
+    rms_ratio: f64 = misfit.0.rms_ratio;
+    worst_ratio: f64 = misfit.0.worst_ratio;
+    worst_period_s: f64 = misfit.0.worst_period_s;
+    pga_g: f64 = misfit.0.pga_g;
+    target_zpa_g: f64 = misfit.0.target_zpa_g;
+    d5_95_s: f64 = misfit.0.d5_95_s;
+    pgv_m_s: f64 = misfit.0.pgv_m_s;
+});
+
+/// Synthetic motions of a study.
+#[derive(Clone, Copy)]
+struct SyntheticInputs<'s>(&'s SyntheticGround);
+
+answer_of!(SyntheticInputs<'_> as of {
+    code: &'static str = of.0.target.code();
+    edition: &'static str = of.0.target.spectrum.name();
+    site: Option<&'static str> = of.0.target.spectrum.site_name();
+    city: Option<String> = of.0.target.place_name();
+    place: Option<&'static Place> = of.0.target.place;
+    hazard: HazardOf<'_> = HazardOf(Some(&of.0.target)) => flat;
+    facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
+    spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
+    count: usize = of.0.count;
+    seed: u64 = of.0.seed;
+});
+
+/// Simulated motions of a study.
+#[derive(Clone, Copy)]
+struct SimulatedInputs<'s>(&'s SimulatedGround);
+
+answer_of!(SimulatedInputs<'_> as of {
+    preset: &'static str = of.0.request.preset.name();
+    parameters: Parameters = Parameters(of.0.request.any_source());
+    earthquakes: Vec<&FoundEarthquake> = of.0.earthquakes.iter().collect();
+    site: &'static str = of.0.request.site.name();
+    city: Option<String> = of.0.hazard.as_ref().and_then(Target::place_name);
+    hazard: HazardOf<'_> = HazardOf(of.0.hazard.as_ref()) => flat;
+    dt_s: f64 = of.0.request.options.dt_s;
+    low_cut_hz: f64 = of.0.request.options.low_cut_hz;
+    assumptions: Vec<String> = of.0.request.assumptions();
+    count: u64 = of.0.request.count;
+    seed: u64 = of.0.request.seed;
+    generator: &'static str = synthesis::GENERATOR;
+});
 
 /// The files of each level, if the motions of floors are given.
 fn floor_inputs(study: &Study) -> Value {
@@ -301,33 +305,27 @@ fn recorded_input(record: &RecordedMotion) -> Value {
     let across = record
         .across
         .as_ref()
-        .map(|second| second.file.as_ref().map(input_file));
+        .map(|second| second.file.as_ref().map(Input::from));
     json!({
         "motion": record.name,
         "path": record.path.display().to_string(),
         "sha256": record.sha256,
         "description": record.description,
         "across": across,
-        "vertical": record.vertical.as_ref().map(|vertical| vertical.file.as_ref().map(input_file)),
+        "vertical": record.vertical.as_ref().map(|vertical| vertical.file.as_ref().map(Input::from)),
         "scale_ratio": record.scale_ratio,
-        "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
-        "scale_target": record.scale_target.as_ref().map(input_file),
+        "station_xml": record.station_xml.iter().map(Input::from).collect::<Vec<_>>(),
+        "scale_target": record.scale_target.as_ref().map(Input::from),
         "processing": record.processing,
         "matched": record.matched.as_ref().map(|matched| json!({
             "method": matched.method.name(),
             "target": matched.target.one_line(),
             "facts": matched.target.named_facts(),
-            "spectrum_file": matched.target.file.as_ref().map(input_file),
+            "spectrum_file": matched.target.file.as_ref().map(Input::from),
             "correlation_ratio": matched.resemblance.correlation_ratio,
             "husid_difference_ratio": matched.resemblance.husid_difference_ratio,
         })),
     })
-}
-
-fn input_file(file: &InputFile) -> Facts<'static> {
-    Facts::default()
-        .key("path", file.path.display().to_string())
-        .key("sha256", file.sha256.clone())
 }
 
 /// A restitution in outputs.

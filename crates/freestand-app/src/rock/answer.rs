@@ -1,7 +1,7 @@
 //! The response: what an object did under each motion, as a document, a table and a figure.
 
 use freestand_input::problem::Problem;
-use freestand_output::answer::Answer as _;
+use freestand_output::answer::{Answer as _, may_be_absent, object};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
@@ -73,13 +73,13 @@ impl Results {
                 let mut properties =
                     Map::from_iter([("motion".to_owned(), json!({"type": "string"}))]);
                 properties.extend(kind.clone());
-                json!({"type": "object", "properties": properties})
+                object(properties)
             })
             .collect();
         let results = json!({"type": "array", "items": {"anyOf": motions}});
         kinds.push(Map::from_iter([("results".to_owned(), results)]));
         for kind in &mut kinds {
-            kind.insert("plots".to_owned(), strings.clone());
+            kind.insert("plots".to_owned(), may_be_absent(strings.clone()));
             kind.insert("processing".to_owned(), strings.clone());
         }
         kinds

@@ -6,7 +6,6 @@ use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 use freestand_output::facts::{Facts, Value};
-use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
@@ -79,7 +78,7 @@ pub(super) fn report(
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
     let building = building_words(&shaken.study, request.units).filter(|_| is_above);
     let target = shaken.study.ground.code_spectrum();
-    let place = target.and_then(|target| target.place).map(Place::facts);
+    let place = target.and_then(|target| target.place);
     let assumptions = assumptions(request, (row, &shaken.study), &found, is_given);
     let facts = Facts::default()
         .key("answer", sentence.clone())

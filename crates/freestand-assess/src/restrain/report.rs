@@ -4,7 +4,6 @@ use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
-use freestand_study::places::Place;
 
 use super::{Case, sheet};
 use crate::restraint::Demand;
@@ -233,10 +232,7 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("level_ratio", object.level_ratio)
         .key(
             "place",
-            case.target
-                .as_ref()
-                .and_then(|target| target.place)
-                .map(Place::facts),
+            case.target.as_ref().and_then(|target| target.place),
         )
         .key("factors", factor_facts(&own.source.factors))
         .key("assumptions", case.assumptions.clone())

@@ -2,7 +2,8 @@
 
 use clap::Args;
 use freestand_app::run::{CHECK_SCHEMA, CheckStudy, StudyMeant};
-use freestand_study::check::check;
+use freestand_output::answer::Answer;
+use freestand_study::check::Check;
 use freestand_study::resolve::motion_paths;
 
 use super::{Done, Tell};
@@ -37,9 +38,9 @@ impl Tell for CheckStudy {
         let mut inputs = meant.inputs;
         inputs.extend(motion_paths(&study));
         let files = Files::begin(global, &inputs)?;
-        let facts = check(&study);
-        files.print(printer, CHECK_SCHEMA, &facts, &study.warnings, || {
-            lines(&facts)
+        let check = Check(&study);
+        files.print(printer, CHECK_SCHEMA, &check, &study.warnings, || {
+            lines(&check.facts())
         })?;
         Ok(Done::OK)
     }

@@ -3,11 +3,13 @@
 use clap::Args;
 use freestand_app::floor::{Floor, Meant, SCHEMA};
 use freestand_input::words::number;
+use freestand_output::answer::Answer;
 use freestand_output::facts::Facts;
 use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
 use freestand_study::floor::{
-    FloorReport, FloorRequest, SpectraReport, floor_response_figure, floors, spectra_table,
+    FloorReport, FloorRequest, LevelProfile, SpectraReport, floor_response_figure, floors,
+    spectra_table,
 };
 use freestand_study::recorded::ReadMotion;
 
@@ -121,12 +123,8 @@ const MODES: [Column; 5] = [
 
 fn text(report: &FloorReport) -> String {
     let several = report.motions.len() > 1;
-    let has = |name: &str| {
-        report
-            .levels
-            .iter()
-            .any(|level| level.facts.number(name).is_some())
-    };
+    let has =
+        |has: fn(&LevelProfile) -> bool| report.levels.iter().any(|level| has(&level.profile));
     let mut columns = vec![("level_ratio", "level", 4), ("height_m", "height [m]", 4)];
     columns.push((
         "pfa_g",
@@ -137,20 +135,18 @@ fn text(report: &FloorReport) -> String {
         columns.extend([("pfa_g_p16", "16 % [g]", 4), ("pfa_g_p84", "84 % [g]", 4)]);
     }
     columns.extend([("pfv_m_s", "PFV [m/s]", 4), ("pfd_m", "PFD [m]", 4)]);
-    columns.extend(has("drift_ratio").then_some(("drift_ratio", "drift [%]", 4)));
-    columns.extend(has("pfa_vertical_g").then_some(("pfa_vertical_g", "vertical PFA [g]", 4)));
+    let has_drift = has(|level| level.drift_ratio.is_some());
+    columns.extend(has_drift.then_some(("drift_ratio", "drift [%]", 4)));
+    let is_vertical = has(|level| level.vertical.is_some());
+    columns.extend(is_vertical.then_some(("pfa_vertical_g", "vertical PFA [g]", 4)));
     columns.extend(
         report
             .code_clause
             .map(|_| ("code_part_g", "code part [g]", 4)),
     );
     columns.extend((!several).then_some(("path", "file", 0)));
-    let levels = report
-        .levels
-        .iter()
-        .map(|level| level.facts.clone().key("path", level.path.clone()));
-    let numbered =
-        |(i, mode): (usize, &Facts<'static>)| Facts::default().key("mode", i + 1).and(mode.clone());
-    let modes: Vec<Facts> = report.modes.iter().enumerate().map(numbered).collect();
-    facts_table(&modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
+    let modes = report.modes.iter().enumerate();
+    let modes = modes.map(|(i, mode)| Facts::default().key("mode", i + 1).and(mode.facts()));
+    let levels = report.levels.iter().map(Answer::facts);
+    facts_table(modes, &MODES) + "\n" + &facts_table(levels, &columns)
 }

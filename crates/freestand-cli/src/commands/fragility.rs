@@ -187,10 +187,9 @@ pub(super) fn write(made: Vec<(String, Vec<u8>)>, files: &Files) -> Result<(), F
 /// The curves by one measure, for people.
 pub(super) fn curves_text(report: &FragilityReport) -> String {
     let measure = report.table.measure.with_unit();
-    let rows = report.rows();
     format!(
         "Intensities: {measure} of the {}\n\n{}",
         report.at.name(),
-        facts_table(&rows, &COLUMNS)
+        facts_table(report.rows(), &COLUMNS)
     )
 }

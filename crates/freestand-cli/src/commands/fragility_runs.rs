@@ -132,7 +132,7 @@ fn text(report: &RunsReport) -> String {
     for fit in &report.reports {
         text.push_str(&format!("\n{}", curves_text(fit)));
     }
-    let rows = report.measure_rows();
-    text.push_str(&format!("\n{}", facts_table(&rows, &MEASURE_COLUMNS)));
+    let measures = facts_table(report.measure_rows(), &MEASURE_COLUMNS);
+    text.push_str(&format!("\n{measures}"));
     text
 }

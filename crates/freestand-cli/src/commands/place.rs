@@ -95,8 +95,7 @@ fn print(
     text: impl FnOnce(&[&Place]) -> String,
     (global, printer): (&GlobalArgs, &Printer),
 ) -> Result<Done, Failure> {
-    let facts: Vec<Facts> = found.iter().map(|place| place.facts()).collect();
-    let document = Facts::default().key("places", facts);
+    let document = Facts::default().key("places", found);
     let files = Files::begin(global, &[])?;
     files.print(printer, SCHEMA, &document, warnings, || text(found))?;
     Ok(Done::OK)

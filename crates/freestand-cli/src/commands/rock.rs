@@ -202,7 +202,9 @@ fn text(results: &Results) -> String {
             .key("motion", one.motion.clone())
             .and(one.answer.facts())
     };
-    let rows: Vec<Facts<'_>> = results.iter().map(row).collect();
     let slides = matches!(results.first(), Some(one) if matches!(one.answer, Answer::Slides(_)));
-    facts_table(&rows, if slides { &SLIDING } else { &ROCKING })
+    facts_table(
+        results.iter().map(row),
+        if slides { &SLIDING } else { &ROCKING },
+    )
 }

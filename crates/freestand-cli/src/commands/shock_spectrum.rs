@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::shock_spectrum::{Meant, SCHEMA, Shock, ShockSpectrum};
 use freestand_input::problem::Problem;
+use freestand_output::answer::Answer;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
 
@@ -104,6 +105,7 @@ fn text(report: &ShockSpectrumReport) -> String {
     let mut text = table(&headings, &rows);
     for one in &report.spectra {
         if let Some(pulse) = &one.enveloping_half_sine {
+            let pulse = pulse.facts();
             let words = |name, unit| format!("{} {unit}", pulse.cell(name, unit, 4));
             text += &format!(
                 "{}: enveloped by a half-sine of {} and {}, with a velocity change of {}\n",

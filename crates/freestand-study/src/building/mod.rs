@@ -12,7 +12,7 @@ use freestand::code_spectrum::PeriodCode;
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
 use freestand_input::words::{counted, number, percent};
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 use freestand_records::tables::{load_table, read_modes, read_storeys};
 
 pub(crate) use words::axis_key;
@@ -345,13 +345,29 @@ pub fn model_words(building: &Building) -> String {
     }
 }
 
-/// A mode in outputs.
-pub(crate) fn mode_facts(mode: &Mode) -> Facts<'static> {
-    Facts::default()
-        .key("period_s", mode.period_s())
-        .key("damping_ratio", mode.damping_ratio())
-        .key("participation_ratio", mode.participation_ratio())
-        .key("effective_mass_ratio", mode.effective_mass_ratio())
+answer! {
+    /// A mode of a building.
+    pub struct ModeReport {
+        /// Of vibration.
+        period_s: f64,
+        /// Of critical damping.
+        damping_ratio: f64,
+        /// Γ.
+        participation_ratio: f64,
+        /// The share of the mass, where masses are known.
+        effective_mass_ratio: Option<f64>,
+    }
+}
+
+impl From<&Mode> for ModeReport {
+    fn from(mode: &Mode) -> Self {
+        Self {
+            period_s: mode.period_s(),
+            damping_ratio: mode.damping_ratio(),
+            participation_ratio: mode.participation_ratio(),
+            effective_mass_ratio: mode.effective_mass_ratio(),
+        }
+    }
 }
 
 /// One ratio, or those of the first and the last mode.

@@ -9,10 +9,9 @@ use freestand::code_spectrum::CodeSpectrum;
 use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
 pub(crate) use profile_figure::{ProfilePicture, floor_profile};
-use serde::Serialize;
 pub use spectra_figure::floor_response_figure;
 
-use crate::building::{BuildingInput, damping_words, mode_facts, model_words};
+use crate::building::{BuildingInput, ModeReport, damping_words, model_words};
 use crate::inspect::check_upsampling;
 use crate::recorded::ReadMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
@@ -20,7 +19,9 @@ use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, RecordedMotion};
 use crate::target::{CodeParts, code_parts};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
-use freestand_output::facts::{Facts, table};
+use freestand_output::answer;
+use freestand_output::answer::Answer;
+use freestand_output::facts::table;
 use freestand_output::figure::page::draw;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
@@ -83,88 +84,130 @@ pub struct MotionFloors {
     pub notes: Vec<Note>,
 }
 
-/// The report on the floors under all motions; of several, the median of each number.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct FloorReport {
-    pub motion: String,
-    pub processing: Vec<String>,
-    pub building_height_m: f64,
-    pub model: String,
-    pub damping: String,
-    pub damping_ratio: Option<f64>,
-    pub shear_flexure_ratio: Option<f64>,
-    pub pga_g: f64,
-    pub modes: Vec<Facts<'static>>,
-    pub across: Option<AxisReport>,
-    pub levels: Vec<LevelReport>,
-    pub motions: Vec<MotionReport>,
-    pub spectra: Option<SpectraReport>,
-    /// The clause of the code that `code_part_g` of the levels is from.
-    pub code_clause: Option<&'static str>,
+answer! {
+    /// The report on the floors under all motions; of several, the median of each number.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct FloorReport {
+        motion: String,
+        processing: Vec<String>,
+        building_height_m: f64,
+        model: String,
+        damping: String,
+        damping_ratio: Option<f64>,
+        shear_flexure_ratio: Option<f64>,
+        pga_g: f64,
+        modes: Vec<FloorMode>,
+        across: Option<AxisReport>,
+        levels: Vec<LevelReport>,
+        motions: Vec<MotionReport>,
+        spectra: Option<SpectraReport>,
+        /// The clause of the code that `code_part_g` of the levels is from.
+        code_clause: Option<&'static str>,
+    }
 }
 
-/// The second axis, where it differs from the first.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct AxisReport {
-    pub model: String,
-    pub damping: String,
-    pub modes: Vec<Facts<'static>>,
+answer! {
+    /// The second axis, where it differs from the first.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct AxisReport {
+        model: String,
+        damping: String,
+        modes: Vec<FloorMode>,
+    }
 }
 
-/// One level over all motions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LevelReport {
+answer! {
+    /// A mode of the building.
+    pub struct FloorMode {
+        mode: ModeReport = flat,
+        /// Γφ at the roof.
+        roof_share_ratio: f64,
+    }
+}
+
+answer! {
+    /// One level over all motions.
+    pub struct LevelReport {
+        profile: LevelProfile = flat,
+        /// The file of the floor motion, where there is one motion and it was written.
+        path: Option<String>,
+    }
+}
+
+answer! {
     /// A row of the profile.
-    #[serde(flatten)]
-    pub facts: Facts<'static>,
-    /// The file of the floor motion, where there is one motion and it was written.
-    pub path: Option<String>,
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct LevelProfile {
+        level_ratio: f64,
+        height_m: f64,
+        pfa_g: f64,
+        /// 16 and 84 % over several motions.
+        pfa_g_p16: Option<f64>,
+        pfa_g_p84: Option<f64>,
+        pfv_m_s: f64,
+        pfd_m: f64,
+        drift_ratio: Option<f64>,
+        /// The acceleration of a rigid part by the code.
+        code_part_g: Option<f64>,
+        vertical: Option<VerticalPeak> = flat,
+    }
 }
 
-/// The part of the report on one motion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct MotionReport {
-    pub motion: String,
-    pub processing: Vec<String>,
-    pub components: usize,
-    pub pga_g: f64,
-    pub levels: Vec<MotionLevel>,
+answer! {
+    /// Of motions with a vertical component.
+    pub struct VerticalPeak {
+        /// Peak vertical acceleration.
+        pfa_vertical_g: f64,
+    }
 }
 
-/// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
-/// directions; displacement (relative to the ground) and drift are the larger of the two axes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct MotionLevel {
-    pub level_ratio: f64,
-    pub pfa_g: f64,
-    pub pfa_along_g: f64,
-    pub pfa_across_g: Option<f64>,
-    /// Direction of the largest, from the first axis towards the second, 0 to 180; null for one
-    /// component.
-    pub pfa_direction_deg: Option<f64>,
-    pub pfv_m_s: f64,
-    pub pfd_m: f64,
-    pub drift_ratio: Option<f64>,
-    pub path: Option<String>,
-    /// Peak vertical acceleration, if the record has a vertical component.
-    pub pfa_vertical_g: Option<f64>,
-    pub vertical_path: Option<String>,
+answer! {
+    /// The part of the report on one motion.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct MotionReport {
+        motion: String,
+        processing: Vec<String>,
+        components: usize,
+        pga_g: f64,
+        levels: Vec<MotionLevel>,
+    }
+}
+
+answer! {
+    /// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
+    /// directions; displacement (relative to the ground) and drift are the larger of the two axes.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct MotionLevel {
+        level_ratio: f64,
+        pfa_g: f64,
+        pfa_along_g: f64,
+        pfa_across_g: Option<f64>,
+        /// Direction of the largest, from the first axis towards the second, 0 to 180; null for one
+        /// component.
+        pfa_direction_deg: Option<f64>,
+        pfv_m_s: f64,
+        pfd_m: f64,
+        drift_ratio: Option<f64>,
+        path: Option<String>,
+        /// Peak vertical acceleration, if the record has a vertical component.
+        pfa_vertical_g: Option<f64>,
+        vertical_path: Option<String>,
+    }
 }
 
 /// Calculates the floors under one motion.
@@ -448,35 +491,26 @@ impl FloorReport {
                     quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
                 };
                 let [p16, median, p84] = of(|level| Some(level.pfa_g));
-                let facts = Facts::default()
-                    .key("level_ratio", level_ratio)
-                    .key("height_m", level_ratio * request.building.height_m)
-                    .key("pfa_g", median.unwrap_or_default())
-                    .key("pfa_g_p16", p16.filter(|_| several))
-                    .key("pfa_g_p84", p84.filter(|_| several))
-                    .key(
-                        "pfv_m_s",
-                        of(|level| Some(level.pfv_m_s))[1].unwrap_or_default(),
-                    )
-                    .key(
-                        "pfd_m",
-                        of(|level| Some(level.pfd_m))[1].unwrap_or_default(),
-                    )
-                    .key("drift_ratio", of(|level| level.drift_ratio)[1])
-                    .key(
-                        "code_part_g",
-                        code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
-                    );
-                let vertical = of(|level| level.pfa_vertical_g)[1];
-                let facts = vertical
-                    .iter()
-                    .fold(facts, |facts, &pfa_g| facts.key("pfa_vertical_g", pfa_g));
+                let median_of = |value| of(value)[1];
+                let profile = LevelProfile {
+                    level_ratio,
+                    height_m: level_ratio * request.building.height_m,
+                    pfa_g: median.unwrap_or_default(),
+                    pfa_g_p16: p16.filter(|_| several),
+                    pfa_g_p84: p84.filter(|_| several),
+                    pfv_m_s: median_of(|level| Some(level.pfv_m_s)).unwrap_or_default(),
+                    pfd_m: median_of(|level| Some(level.pfd_m)).unwrap_or_default(),
+                    drift_ratio: median_of(|level| level.drift_ratio),
+                    code_part_g: code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
+                    vertical: median_of(|level| level.pfa_vertical_g)
+                        .map(|pfa_vertical_g| VerticalPeak { pfa_vertical_g }),
+                };
                 let path = first
                     .levels
                     .get(i)
                     .and_then(|level| level.path.clone())
                     .filter(|_| !several);
-                LevelReport { facts, path }
+                LevelReport { profile, path }
             });
         let levels = levels.collect();
         Some(Self {
@@ -506,12 +540,7 @@ impl FloorReport {
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn profile_figure(&self) -> Result<Figure, FigureError> {
-        let level = |name: &str| {
-            self.levels
-                .iter()
-                .filter_map(|level| level.facts.number(name))
-                .collect::<Vec<f64>>()
-        };
+        let profile = || self.levels.iter().map(|level| &level.profile);
         let pfa_g: Vec<Vec<f64>> = self
             .motions
             .iter()
@@ -519,10 +548,12 @@ impl FloorReport {
             .collect();
         let code = self.code_clause.map(|clause| CodeParts {
             clause,
-            accel_g: level("code_part_g"),
+            accel_g: profile().filter_map(|level| level.code_part_g).collect(),
         });
         let picture = ProfilePicture {
-            levels_ratio: &level("level_ratio"),
+            levels_ratio: &profile()
+                .map(|level| level.level_ratio)
+                .collect::<Vec<f64>>(),
             height_m: Some(self.building_height_m),
             pfa_g: &pfa_g,
             pga_g: &self
@@ -540,13 +571,15 @@ impl FloorReport {
     /// # Errors
     /// None in practice: see [`table`].
     pub fn profile_table(&self) -> Result<Table, Problem> {
-        table(self.levels.iter().map(|level| level.facts.clone()))
+        table(self.levels.iter().map(|level| level.profile.facts()))
     }
 }
 
-fn mode_reports(building: &Building) -> Vec<Facts<'static>> {
-    // Γφ at the roof.
-    let report = |mode: &Mode| mode_facts(mode).key("roof_share_ratio", mode.share_ratio(1.0));
+fn mode_reports(building: &Building) -> Vec<FloorMode> {
+    let report = |mode: &Mode| FloorMode {
+        mode: mode.into(),
+        roof_share_ratio: mode.share_ratio(1.0),
+    };
     building.modes().iter().map(report).collect()
 }
 

@@ -4,12 +4,11 @@ use freestand::G0_M_S2;
 use freestand::oscillator::response_spectrum;
 use freestand::signal::rotate::{Pair, RotateError, directional_spectrum};
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::statistics::{QUANTILES, ranked_quantile};
 use freestand_input::problem::Problem;
-use freestand_output::facts;
-use freestand_output::facts::table;
+use freestand_output::answer;
+use freestand_output::facts::{Facts, table};
 use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
 
@@ -22,32 +21,34 @@ pub struct SpectraRequest {
     pub periods_s: Vec<f64>,
 }
 
-/// Floor response spectra: medians over the motions; of two components, of the largest over all
-/// directions (RotD100).
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct SpectraReport {
-    pub periods_s: Vec<f64>,
-    pub damping_ratios: Vec<f64>,
-    pub levels: Vec<LevelSpectra>,
+answer! {
+    /// Floor response spectra: medians over the motions; of two components, of the largest over all
+    /// directions (RotD100).
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct SpectraReport {
+        periods_s: Vec<f64>,
+        damping_ratios: Vec<f64>,
+        levels: Vec<LevelSpectra>,
+    }
 }
 
-/// The spectra of one level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct LevelSpectra {
-    pub level_ratio: f64,
-    /// `[damping][period]`.
-    pub psa_g: Vec<Vec<f64>>,
-    /// 16 and 84 % over the motions; empty for one motion.
-    pub psa_g_p16: Vec<Vec<f64>>,
-    pub psa_g_p84: Vec<Vec<f64>>,
+answer! {
+    /// The spectra of one level.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct LevelSpectra {
+        level_ratio: f64,
+        /// `[damping][period]`.
+        psa_g: Vec<Vec<f64>>,
+        /// 16 and 84 % over the motions; empty for one motion.
+        psa_g_p16: Vec<Vec<f64>>,
+        psa_g_p84: Vec<Vec<f64>>,
+    }
 }
 
 /// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions
@@ -145,7 +146,8 @@ pub fn spectra_table(report: &SpectraReport) -> Result<Table, Problem> {
         for (damping, &damping_ratio) in report.damping_ratios.iter().enumerate() {
             for (period, &period_s) in report.periods_s.iter().enumerate() {
                 let at = |of: &[Vec<f64>]| of.get(damping).and_then(|row| row.get(period)).copied();
-                let row = facts!(level; level_ratio)
+                let row = Facts::default()
+                    .key("level_ratio", level.level_ratio)
                     .key("damping_ratio", damping_ratio)
                     .key("period_s", period_s);
                 let row = row.key("psa_g", at(&level.psa_g).unwrap_or_default());

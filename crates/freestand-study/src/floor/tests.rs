@@ -47,7 +47,7 @@ fn a_codes_parts_are_listed_with_the_floors() {
     for (level, expected_g) in report.levels.iter().zip([0.088, 0.176, 0.264]) {
         // Three roundings of decimal factors.
         assert!(
-            (level.facts.number("code_part_g").unwrap() - expected_g).abs() < 1e-15,
+            (level.profile.code_part_g.unwrap() - expected_g).abs() < 1e-15,
             "{level:?}"
         );
     }
@@ -150,21 +150,28 @@ fn of_several_motions_medians_are_reported() {
         // All is linear: the median is that of the factor 2, and 16 and 84 % of 1, 2, 3 are 1.32
         // and 2.68.
         let one = report.motions[0].levels[i].pfa_g;
-        for (name, factor) in [("pfa_g", 2.0), ("pfa_g_p16", 1.32), ("pfa_g_p84", 2.68)] {
-            assert!((level.facts.number(name).unwrap() / one - factor).abs() < 1e-12);
+        let LevelProfile {
+            pfa_g,
+            pfa_g_p16,
+            pfa_g_p84,
+            ..
+        } = level.profile;
+        for (value, factor) in [
+            (pfa_g, 2.0),
+            (pfa_g_p16.unwrap(), 1.32),
+            (pfa_g_p84.unwrap(), 2.68),
+        ] {
+            assert!((value / one - factor).abs() < 1e-12);
         }
     }
     let drifts: Vec<Option<f64>> = report
         .levels
         .iter()
-        .map(|level| level.facts.number("drift_ratio"))
+        .map(|level| level.profile.drift_ratio)
         .collect();
     assert!(drifts[0].is_none() && drifts[1].is_some_and(|drift| drift > 0.0));
     // From the ground to half-way: the displacement over 15 m.
-    assert!(
-        (drifts[1].unwrap() * 15.0 / report.levels[1].facts.number("pfd_m").unwrap() - 1.0).abs()
-            < 1e-12
-    );
+    assert!((drifts[1].unwrap() * 15.0 / report.levels[1].profile.pfd_m - 1.0).abs() < 1e-12);
 }
 
 #[test]

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::measures::{RockingMeasures, measures, rocking_measures, spectral_measures};
+use freestand::measures::{
+    Measures, RockingMeasures, SpectralMeasures, measures, rocking_measures, spectral_measures,
+};
 use freestand::motion::Motion;
 use rayon::prelude::*;
 
@@ -13,10 +15,11 @@ use crate::inspect::{Words, record_figure};
 use crate::recorded::{Failed, MotionFiles, name_of, unique};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_output::facts;
+use freestand_output::answer::Answer;
 use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
+use freestand_output::{answer, answer_of};
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
 use freestand_records::notes::{Note, grouped};
 use freestand_records::processing::{Processed, process};
@@ -39,6 +42,8 @@ pub struct InfoReport {
     pub motions: Vec<MotionInfo>,
     /// Files that could not be read or processed, in their order.
     pub failed: Vec<Failed>,
+    /// The figures that were written.
+    pub plots: Vec<String>,
     /// What readers concluded or ignored.
     pub warnings: Vec<String>,
 }
@@ -49,15 +54,8 @@ pub struct MotionInfo {
     path: String,
     /// A name for outputs, different for each motion.
     pub name: String,
-    /// The component.
-    pub component: String,
-    /// Format, component and station, for a figure.
-    description: String,
-    /// What was done to the samples, one step each.
-    processing: Vec<String>,
-    /// What is in it and its measures. First and last values, mean and sum are those of the file;
-    /// the measures, and the values called processed, those of the motion after `processing`.
-    facts: Facts<'static>,
+    /// What is in it.
+    pub contents: Contents,
     /// The motion, where it was kept.
     motion: Option<Motion>,
 }
@@ -77,6 +75,7 @@ pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
     let mut report = InfoReport {
         motions: Vec::new(),
         failed: Vec::new(),
+        plots: Vec::new(),
         warnings: Vec::new(),
     };
     let mut notes = Vec::new();
@@ -154,9 +153,10 @@ fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
     for one in each {
         match one {
             Ok((info, more)) => {
-                found
-                    .notes
-                    .extend(more.into_iter().map(|note| note.about(&info.component)));
+                found.notes.extend(
+                    more.into_iter()
+                        .map(|note| note.about(&info.contents.component)),
+                );
                 found.motions.push(info);
             }
             Err(problem) => found.problems.push(problem),
@@ -186,92 +186,134 @@ fn info_of_component(
         Some(Direction::Azimuth(degrees)) => (Some("horizontal"), Some(degrees)),
         None => (None, None),
     };
-    let of_block = |value: fn(&RockingMeasures) -> f64| rocking.as_ref().map(value);
-    let facts = Facts::default()
-        .fact("format", "format", file.format)
-        .fact("component", "component", component.name.clone())
-        .fact("station", "station", component.station.clone())
-        .fact("direction", "direction", direction)
-        .fact("azimuth_deg", "azimuth", azimuth_deg)
-        .fact("unit", "unit in the file", component.unit)
-        .fact("is_raw", "raw", component.is_raw)
-        .fact("dt_s", "time step", motion.dt_s())
-        .fact("npts", "samples", motion.accel_m_s2().len())
-        .fact("duration_s", "duration", motion.duration_s())
-        .and(measure_facts(&motion))
-        .fact(
-            "uplift_threshold_g",
-            "uplift threshold g tan α",
-            of_block(|r| r.uplift_threshold_m_s2 / G0_M_S2),
-        )
-        .fact(
-            "pga_over_threshold_ratio",
-            "PGA/(g tan α)",
-            of_block(|r| r.pga_ratio),
-        )
-        .fact(
-            "pgv_over_threshold_ratio",
-            "p PGV/(g tan α)",
-            of_block(|r| r.pgv_ratio),
-        )
-        .fact(
-            "time_above_threshold_s",
-            "time above the threshold",
-            of_block(|r| r.time_above_s),
-        )
-        .fact(
-            "excursions_above_threshold",
-            "  excursions",
-            rocking.map(|r| r.excursions),
-        )
-        .key("mean_m_s2", component.motion.mean_m_s2())
-        .key("sum_abs_m_s2", raw.iter().map(|a| a.abs()).sum::<f64>())
-        .key("first_values_m_s2", first(raw))
-        .key("last_values_m_s2", last(raw))
-        .key("processed_first_values_m_s2", first(motion.accel_m_s2()))
-        .key("processed_last_values_m_s2", last(motion.accel_m_s2()))
-        .key("scale_ratio", scale_ratio)
-        .fact("processing", "processing", steps.clone());
-    let station = component
-        .station
-        .as_ref()
-        .map_or(String::new(), |station| format!(", {station}"));
     let info = MotionInfo {
         path: file.path.to_string_lossy().into_owned(),
         name: motion_name(file, component),
-        component: component.name.clone(),
-        description: format!("{}, component {}{station}", file.format, component.name),
-        processing: steps,
-        facts,
+        contents: Contents {
+            format: file.format,
+            component: component.name.clone(),
+            station: component.station.clone(),
+            direction,
+            azimuth_deg,
+            unit: component.unit,
+            is_raw: component.is_raw,
+            dt_s: motion.dt_s(),
+            npts: motion.accel_m_s2().len(),
+            duration_s: motion.duration_s(),
+            measures: MotionMeasures::of(&motion),
+            above_threshold: AboveThreshold(rocking),
+            mean_m_s2: component.motion.mean_m_s2(),
+            sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum::<f64>(),
+            first_values_m_s2: first(raw),
+            last_values_m_s2: last(raw),
+            processed_first_values_m_s2: first(motion.accel_m_s2()),
+            processed_last_values_m_s2: last(motion.accel_m_s2()),
+            scale_ratio,
+            processing: steps,
+        },
         motion: request.keep_motions.then_some(motion),
     };
     Ok((info, notes))
 }
 
+answer! {
+    /// What is in a component, and its measures. First and last values, mean and sum are those of the file;
+    /// the measures, and the values called processed, those of the motion after `processing`.
+    pub struct Contents {
+        format: &'static str = "format",
+        component: String = "component",
+        station: Option<String> = "station",
+        /// up or horizontal, where the file says so.
+        direction: Option<&'static str> = "direction",
+        azimuth_deg: Option<f64> = "azimuth",
+        unit: &'static str = "unit in the file",
+        /// Whether the values of the file include the offset of the instrument.
+        is_raw: bool = "raw",
+        dt_s: f64 = "time step",
+        npts: usize = "samples",
+        duration_s: f64 = "duration",
+        measures: MotionMeasures = flat,
+        above_threshold: AboveThreshold = flat,
+        /// Of the file.
+        mean_m_s2: f64,
+        /// Of the file.
+        sum_abs_m_s2: f64,
+        /// Five of the file.
+        first_values_m_s2: Vec<f64>,
+        /// Two of the file.
+        last_values_m_s2: Vec<f64>,
+        /// Five of the processed motion.
+        processed_first_values_m_s2: Vec<f64>,
+        /// Two of the processed motion.
+        processed_last_values_m_s2: Vec<f64>,
+        /// The factor of the samples.
+        scale_ratio: f64,
+        /// What was done to the samples, one step each.
+        processing: Vec<String> = "processing",
+    }
+}
+
 /// The measures of a motion: peaks, intensities, durations and periods.
-pub fn measure_facts(motion: &Motion) -> Facts<'static> {
-    let m = measures(motion);
-    let spectral = spectral_measures(motion);
-    Facts::default()
-        .key("pga_m_s2", m.pga_m_s2)
-        .fact("pga_g", "PGA", m.pga_m_s2 / G0_M_S2)
-        .fact("pga_signed_m_s2", "  with its sign", m.pga_signed_m_s2)
-        .key("pga_index", m.pga_index)
-        .fact("pga_time_s", "  at", m.pga_index as f64 * motion.dt_s())
-        .and(facts!(m; pgv_m_s "PGV", pgd_m "PGD", rms_m_s2 "RMS acceleration", arias_m_s "Arias intensity",
-            cav_m_s "CAV", cav_std_m_s "CAV, standardised", specific_energy_density_m2_s "specific energy density",
-            d5_75_s "significant duration D5-75", d5_95_s "significant duration D5-95",
-            bracketed_duration_s "bracketed duration, 0.05 g", uniform_duration_s "uniform duration, 0.05 g"))
-        .and(facts!(spectral; housner_m "Housner intensity", asi_m_s "ASI", mean_period_s "mean period",
-            predominant_period_s "predominant period"))
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionMeasures {
+    of_time: Measures,
+    spectral: SpectralMeasures,
+    dt_s: f64,
 }
 
-fn first(values: &[f64]) -> &[f64] {
-    &values[..values.len().min(5)]
+impl MotionMeasures {
+    /// Those of a motion.
+    pub fn of(motion: &Motion) -> Self {
+        Self {
+            of_time: measures(motion),
+            spectral: spectral_measures(motion),
+            dt_s: motion.dt_s(),
+        }
+    }
 }
 
-fn last(values: &[f64]) -> &[f64] {
-    &values[values.len().saturating_sub(2)..]
+answer_of!(MotionMeasures as m {
+    pga_m_s2: f64 = m.of_time.pga_m_s2;
+    pga_g: f64 = m.of_time.pga_m_s2 / G0_M_S2 => "PGA";
+    /// The peak with its sign.
+    pga_signed_m_s2: f64 = m.of_time.pga_signed_m_s2 => "  with its sign";
+    pga_index: usize = m.of_time.pga_index;
+    pga_time_s: f64 = m.of_time.pga_index as f64 * m.dt_s => "  at";
+    pgv_m_s: f64 = m.of_time.pgv_m_s => "PGV";
+    pgd_m: f64 = m.of_time.pgd_m => "PGD";
+    rms_m_s2: f64 = m.of_time.rms_m_s2 => "RMS acceleration";
+    arias_m_s: f64 = m.of_time.arias_m_s => "Arias intensity";
+    cav_m_s: f64 = m.of_time.cav_m_s => "CAV";
+    cav_std_m_s: f64 = m.of_time.cav_std_m_s => "CAV, standardised";
+    specific_energy_density_m2_s: f64 = m.of_time.specific_energy_density_m2_s => "specific energy density";
+    d5_75_s: f64 = m.of_time.d5_75_s => "significant duration D5-75";
+    d5_95_s: f64 = m.of_time.d5_95_s => "significant duration D5-95";
+    bracketed_duration_s: f64 = m.of_time.bracketed_duration_s => "bracketed duration, 0.05 g";
+    uniform_duration_s: f64 = m.of_time.uniform_duration_s => "uniform duration, 0.05 g";
+    housner_m: f64 = m.spectral.housner_m => "Housner intensity";
+    asi_m_s: f64 = m.spectral.asi_m_s => "ASI";
+    mean_period_s: Option<f64> = m.spectral.mean_period_s => "mean period";
+    predominant_period_s: Option<f64> = m.spectral.predominant_period_s => "predominant period";
+});
+
+/// How far a motion is above the acceleration that uplifts a block, if one is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AboveThreshold(Option<RockingMeasures>);
+
+answer_of!(AboveThreshold as of {
+    uplift_threshold_g: Option<f64> = of.0.map(|r| r.uplift_threshold_m_s2 / G0_M_S2) => "uplift threshold g tan α";
+    pga_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pga_ratio) => "PGA/(g tan α)";
+    pgv_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pgv_ratio) => "p PGV/(g tan α)";
+    time_above_threshold_s: Option<f64> = of.0.map(|r| r.time_above_s) => "time above the threshold";
+    excursions_above_threshold: Option<usize> = of.0.map(|r| r.excursions) => "  excursions";
+});
+
+fn first(values: &[f64]) -> Vec<f64> {
+    values[..values.len().min(5)].to_vec()
+}
+
+fn last(values: &[f64]) -> Vec<f64> {
+    values[values.len().saturating_sub(2)..].to_vec()
 }
 
 /// The file's name, with the component's where there are several.
@@ -289,23 +331,31 @@ fn motion_name(file: &MotionFile, component: &Component) -> String {
     )
 }
 
-impl InfoReport {
-    /// The document of `freestand motion info`.
-    pub fn facts(&self) -> Facts<'_> {
-        let motions = Facts::default().key(
-            "motions",
-            self.motions
-                .iter()
-                .map(MotionInfo::facts)
-                .collect::<Vec<_>>(),
-        );
-        let failed = self
-            .failed
-            .iter()
-            .map(|one| one.facts().key("hint", one.problem.hint.as_deref()));
-        motions.key("failed", failed.collect::<Vec<_>>())
-    }
+answer_of!(InfoReport as report {
+    motions: Vec<&MotionInfo> = report.motions.iter().collect();
+    /// Files that could not be read or processed.
+    failed: Vec<FailedFile<'_>> = report.failed.iter().map(FailedFile).collect();
+    /// The figures that were written.
+    plots: Vec<String> = report.plots.clone();
+});
 
+/// A file that could not be read, and what to do.
+#[derive(Clone, Copy)]
+struct FailedFile<'r>(&'r Failed);
+
+answer_of!(FailedFile<'_> as file {
+    failed: &Failed = file.0 => flat;
+    /// What to do.
+    hint: Option<String> = file.0.problem.hint.clone();
+});
+
+answer_of!(MotionInfo as one {
+    path: String = one.path.clone() => "file";
+    name: String = one.name.clone();
+    contents: &Contents = &one.contents => flat;
+});
+
+impl InfoReport {
     /// The measures as CSV, one row for each component; the header states the units.
     ///
     /// # Errors
@@ -315,21 +365,13 @@ impl InfoReport {
         table(self.motions.iter().map(|one| {
             let row = Facts::default()
                 .key("motion", one.name.as_str())
-                .and(one.facts.clone());
-            row.key("processing", one.processing.join("; "))
+                .and(one.contents.facts());
+            row.key("processing", one.contents.processing.join("; "))
         }))
     }
 }
 
 impl MotionInfo {
-    /// Its part of the document.
-    pub fn facts(&self) -> Facts<'_> {
-        let named = Facts::default()
-            .fact("path", "file", self.path.as_str())
-            .key("name", self.name.as_str());
-        named.and(self.facts.clone())
-    }
-
     /// The motion as a figure; `None` where it was not kept.
     ///
     /// # Errors
@@ -338,10 +380,20 @@ impl MotionInfo {
         let Some(motion) = &self.motion else {
             return Ok(None);
         };
+        let Contents {
+            format,
+            component,
+            station,
+            processing,
+            ..
+        } = &self.contents;
+        let station = station
+            .as_ref()
+            .map_or(String::new(), |station| format!(", {station}"));
         let words = Words {
             name: &self.name,
-            description: &self.description,
-            processing: &self.processing,
+            description: &format!("{format}, component {component}{station}"),
+            processing,
         };
         record_figure(words, motion).map(Some)
     }

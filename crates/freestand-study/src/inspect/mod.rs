@@ -8,7 +8,7 @@ mod spectrum;
 
 mod spectrum_figure;
 
-pub use info::{InfoReport, InfoRequest, MotionInfo, info, measure_facts};
+pub use info::{Contents, InfoReport, InfoRequest, MotionInfo, MotionMeasures, info};
 pub(crate) use record_figure::record;
 pub use record_figure::{Words, record_figure};
 pub use rotd::{PercentileSpectrum, RotdReport, RotdRequest, check_percentiles, rotd};

@@ -56,7 +56,7 @@ fn values_are_those_of_the_file_and_measures_those_after_the_processing() {
     request.files.processing.scale = Scale::Factor(-2.0);
     // α = atan(1/2): uplift at 0.5 g.
     request.block = Some(Block::uniform(2.0, 1.0).unwrap());
-    let one = serde_json::to_value(info(&request).unwrap().motions[0].facts()).unwrap();
+    let one = serde_json::to_value(&info(&request).unwrap().motions[0]).unwrap();
     let number = |name: &str| one[name].as_f64();
     let values = |name: &str| {
         one[name]

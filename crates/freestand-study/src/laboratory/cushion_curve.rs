@@ -1,7 +1,6 @@
 //! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and
 //! from it to the thickness and the load that keep a shock below a limit.
 
-use std::cell::RefCell;
 use std::path::Path;
 
 use freestand::G0_M_S2;
@@ -9,7 +8,7 @@ use freestand::cushion::{CurveError, StressEnergy, StressEnergyFit};
 
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_output::facts::Facts;
+use freestand_output::{answer, answer_of};
 use freestand_records::tables::load_curve;
 
 /// A design; `None` where a value is not given.
@@ -28,11 +27,69 @@ pub struct CurveRequest {
 /// The fitted curve, and what follows from it for the design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveReport {
-    /// The document of `freestand cushion curve`.
-    pub facts: Facts<'static>,
+    fit: StressEnergyFit,
+    tests: Vec<CurveTest>,
+    request: CurveRequest,
+    /// At the static stress with the least peak.
+    best: Option<Design>,
+    /// At the given static stress.
+    given: Option<Design>,
+    /// At the given static stress, with the peak of the limit.
+    needed: Option<Design>,
+    /// The thinnest that keeps the limit.
+    optimum: Option<Design>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
 }
+
+/// A cushion under a load that falls on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Design {
+    static_stress_pa: f64,
+    drop_height_m: f64,
+    thickness_m: f64,
+}
+
+answer! {
+    /// A test, and the curve at it.
+    pub struct CurveTest {
+        /// mg/A.
+        static_stress_pa: f64,
+        /// Of the fall.
+        drop_height_m: f64,
+        /// Of the cushion.
+        thickness_m: f64,
+        /// Of the fall, in the volume of the cushion.
+        energy_j_m3: f64,
+        /// The measured peak.
+        peak_acceleration_g: f64,
+        /// The peak by the curve.
+        curve_g: f64,
+    }
+}
+
+answer_of!(CurveReport as report {
+    stress_pa: f64 = report.fit.curve.stress_pa => "dynamic stress at zero energy";
+    exponent_m3_j: f64 = report.fit.curve.exponent_m3_j => "  exponent per energy";
+    r_squared_ratio: f64 = report.fit.r_squared_ratio => "  R²";
+    tested_energies_j_m3: [f64; 2] = report.fit.energies_j_m3.into() => "  energies of the tests";
+    tests: Vec<CurveTest> = report.tests.clone();
+    best_static_stress_pa: Option<f64> = report.best.map(|best| best.static_stress_pa) => "best static stress";
+    best_peak_acceleration_g: Option<f64> = report.peak_g(report.best) => "  peak";
+    __: Option<String> = report.request.static_stress_pa.map(|stress| format_si(stress, Dimension::Pressure))
+        => "given static stress";
+    /// At the given static stress.
+    peak_acceleration_g: Option<f64> = report.peak_g(report.given) => "  peak";
+    __: Option<String> = report.request.limit_m_s2.map(|limit| format_si(limit, Dimension::Acceleration))
+        => "given limit";
+    /// That keeps the limit at the given static stress.
+    thickness_m: Option<f64> = report.needed.map(|needed| needed.thickness_m)
+        => "  thickness at the given static stress";
+    /// The least that keeps the limit.
+    optimum_thickness_m: Option<f64> = report.optimum.map(|optimum| optimum.thickness_m) => "  least thickness";
+    optimum_static_stress_pa: Option<f64> = report.optimum.map(|optimum| optimum.static_stress_pa)
+        => "  static stress of the least thickness";
+});
 
 /// Reads the tests of a cushion and fits its curve.
 ///
@@ -98,26 +155,39 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
             .in_file(path)
             .hint(hint)
     })?;
-    Ok(report(&fit, &tests, request))
+    Ok(report(fit, &tests, *request))
+}
+
+impl CurveReport {
+    fn peak_g(&self, design: Option<Design>) -> Option<f64> {
+        let curve = self.fit.curve;
+        design.map(|of| {
+            curve.peak_acceleration_g(of.static_stress_pa, of.drop_height_m, of.thickness_m)
+        })
+    }
 }
 
 fn report(
-    fit: &StressEnergyFit,
+    fit: StressEnergyFit,
     tests: &[(f64, f64, f64, f64)],
-    request: &CurveRequest,
+    request: CurveRequest,
 ) -> CurveReport {
     let curve = fit.curve;
     let (least, most) = fit.energies_j_m3;
-    let warnings = RefCell::new(Vec::new());
-    let warn = |words: String| warnings.borrow_mut().push(words);
-    let within = |what: &str, stress_pa: f64, height_m: f64, thickness_m: f64| {
-        let energy = stress_pa * height_m / thickness_m;
-        if !(least * 0.999..=most * 1.001).contains(&energy) {
-            warn(format!(
+    let within = |what: &str, design: Option<Design>| {
+        let of = design?;
+        let energy = of.static_stress_pa * of.drop_height_m / of.thickness_m;
+        (!(least * 0.999..=most * 1.001).contains(&energy)).then(|| {
+            format!(
                 "{what} needs the curve at {energy:.4e} J/m³, but the tests cover {least:.4e} to {most:.4e}: it is \
                  extrapolated"
-            ));
-        }
+            )
+        })
+    };
+    let design = |static_stress_pa, drop_height_m, thickness_m| Design {
+        static_stress_pa,
+        drop_height_m,
+        thickness_m,
     };
     let (height, thickness, stress) = (
         request.drop_height_m,
@@ -127,109 +197,55 @@ fn report(
     let limit_g = request.limit_m_s2.map(|limit| limit / G0_M_S2);
     let best = height
         .zip(thickness)
-        .map(|(h, t)| (curve.best_static_stress_pa(h, t), h, t));
-    if let Some((s, h, t)) = best {
-        within("the best static stress", s, h, t);
-    }
-    let asked = height.zip(thickness).zip(stress);
-    if let Some(((h, t), s)) = asked {
-        within("the peak", s, h, t);
-    }
-    let needed = height
+        .map(|(h, t)| design(curve.best_static_stress_pa(h, t), h, t));
+    let given = height
+        .zip(thickness)
         .zip(stress)
-        .zip(limit_g)
-        .map(|((h, s), limit)| (curve.thickness_m(s, h, limit), s, h));
-    match needed {
-        Some((Some(t), s, h)) => within("the thickness", s, h, t),
-        Some((None, ..)) => warn(
-            "no thickness keeps the peak within the limit at this static stress: the load is too light for this \
-             cushion; reduce the area of the cushion"
-                .to_owned(),
-        ),
-        None => {}
-    }
+        .map(|((h, t), s)| design(s, h, t));
+    let asked = height.zip(stress).zip(limit_g);
+    let needed =
+        asked.and_then(|((h, s), limit)| Some(design(s, h, curve.thickness_m(s, h, limit)?)));
     let optimum = height.zip(limit_g).map(|(h, limit)| {
         let t = curve.optimum_thickness_m(h, limit);
-        (t, curve.best_static_stress_pa(h, t), h)
+        design(curve.best_static_stress_pa(h, t), h, t)
     });
-    if let Some((t, s, h)) = optimum {
-        within("the optimum thickness", s, h, t);
-    }
-    if fit.r_squared_ratio < 0.9 {
-        warn(format!(
-            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not apply to all heights \
-             and thicknesses",
-            fit.r_squared_ratio
-        ));
-    }
-    let test = |&(s, h, t, g): &(f64, f64, f64, f64)| {
-        Facts::default()
-            .key("static_stress_pa", s)
-            .key("drop_height_m", h)
-            .key("thickness_m", t)
-            .key("energy_j_m3", s * h / t)
-            .key("peak_acceleration_g", g)
-            .key("curve_g", curve.peak_acceleration_g(s, h, t))
+    let too_light = asked.is_some() && needed.is_none();
+    let scatter = fit.r_squared_ratio < 0.9;
+    let warnings = [
+        within("the best static stress", best),
+        within("the peak", given),
+        within("the thickness", needed),
+        too_light.then(|| {
+            "no thickness keeps the peak within the limit at this static stress: the load is too light for this \
+             cushion; reduce the area of the cushion"
+                .to_owned()
+        }),
+        within("the optimum thickness", optimum),
+        scatter.then(|| {
+            format!(
+                "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not apply to all heights \
+                 and thicknesses",
+                fit.r_squared_ratio
+            )
+        }),
+    ];
+    let test = |&(s, h, t, g): &(f64, f64, f64, f64)| CurveTest {
+        static_stress_pa: s,
+        drop_height_m: h,
+        thickness_m: t,
+        energy_j_m3: s * h / t,
+        peak_acceleration_g: g,
+        curve_g: curve.peak_acceleration_g(s, h, t),
     };
-    let peak_g = |s, h, t| curve.peak_acceleration_g(s, h, t);
-    let asked_g = asked.map(|((h, t), s)| peak_g(s, h, t));
-    let facts = Facts::default()
-        .fact(
-            "stress_pa",
-            "dynamic stress at zero energy",
-            curve.stress_pa,
-        )
-        .fact(
-            "exponent_m3_j",
-            "  exponent per energy",
-            curve.exponent_m3_j,
-        )
-        .fact("r_squared_ratio", "  R²", fit.r_squared_ratio)
-        .fact(
-            "tested_energies_j_m3",
-            "  energies of the tests",
-            [least, most],
-        )
-        .key("tests", tests.iter().map(test).collect::<Vec<_>>())
-        .fact(
-            "best_static_stress_pa",
-            "best static stress",
-            best.map(|(s, ..)| s),
-        )
-        .fact(
-            "best_peak_acceleration_g",
-            "  peak",
-            best.map(|(s, h, t)| peak_g(s, h, t)),
-        )
-        .line(
-            "given static stress",
-            stress.map(|stress| format_si(stress, Dimension::Pressure)),
-        )
-        .fact("peak_acceleration_g", "  peak", asked_g)
-        .line(
-            "given limit",
-            request
-                .limit_m_s2
-                .map(|limit| format_si(limit, Dimension::Acceleration)),
-        )
-        .fact(
-            "thickness_m",
-            "  thickness at the given static stress",
-            needed.and_then(|(t, ..)| t),
-        )
-        .fact(
-            "optimum_thickness_m",
-            "  least thickness",
-            optimum.map(|(t, ..)| t),
-        )
-        .fact(
-            "optimum_static_stress_pa",
-            "  static stress of the least thickness",
-            optimum.map(|(_, s, _)| s),
-        );
     CurveReport {
-        facts,
-        warnings: warnings.into_inner(),
+        tests: tests.iter().map(test).collect(),
+        fit,
+        request,
+        best,
+        given,
+        needed,
+        optimum,
+        warnings: warnings.into_iter().flatten().collect(),
     }
 }
 
@@ -266,11 +282,11 @@ mod tests {
         request.static_stress_pa = Some(30e3);
         let report = cushion_curve(&path, &request).unwrap();
         std::fs::remove_file(&path).unwrap();
-        let number = |name: &str| report.facts.number(name).unwrap();
-        assert!((number("best_static_stress_pa") / 10e3 - 1.0).abs() < 1e-9);
-        assert!((number("best_peak_acceleration_g") - 27.1828).abs() < 1e-4);
+        let best = report.best.unwrap();
+        assert!((best.static_stress_pa / 10e3 - 1.0).abs() < 1e-9);
+        assert!((report.peak_g(report.best).unwrap() - 27.1828).abs() < 1e-4);
         // Four decimals of the limit are known.
-        assert!((number("optimum_thickness_m") / 0.02 - 1.0).abs() < 1e-5);
+        assert!((report.optimum.unwrap().thickness_m / 0.02 - 1.0).abs() < 1e-5);
         // 30 kPa asks for 1.5 times the energy of the hardest test.
         assert!(
             report

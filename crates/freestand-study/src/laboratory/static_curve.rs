@@ -9,8 +9,7 @@ use crate::recorded::Failed;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
 use freestand_input::words::significant;
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_records::formats::Sensitivity;
@@ -68,42 +67,29 @@ pub struct StaticsReport {
     pub warnings: Vec<String>,
 }
 
-impl StaticReport {
-    /// Its part of the document.
-    pub fn facts(&self) -> Facts<'_> {
-        let test = &self.test;
-        let dynamic = self
-            .dynamic_stiffness_n_m
-            .map(|k| k / test.secant_stiffness_n_m);
-        Facts::default()
-            .key("path", self.path.as_str())
-            .and(facts!(test; tangent_stiffness_n_m, secant_stiffness_n_m, hysteresis_ratio, load_n, max_force_n,
-                max_compression_m, toe_m))
-            .key("toe_compensated", self.toe != Toe::Keep)
-            // Cycles of the file that were not evaluated.
-            .and(facts!(test; other_cycles, exponent))
-            .key("dynamic_over_static_ratio", dynamic)
-            .key("impactor", self.impactor.as_deref())
-            .key("boundary", self.boundary.as_deref())
-    }
-}
+answer_of!(StaticReport as one {
+    path: String = one.path.clone();
+    tangent_stiffness_n_m: f64 = one.test.tangent_stiffness_n_m;
+    secant_stiffness_n_m: f64 = one.test.secant_stiffness_n_m;
+    hysteresis_ratio: Option<f64> = one.test.hysteresis_ratio;
+    load_n: f64 = one.test.load_n;
+    max_force_n: f64 = one.test.max_force_n;
+    max_compression_m: f64 = one.test.max_compression_m;
+    toe_m: f64 = one.test.toe_m;
+    toe_compensated: bool = one.toe != Toe::Keep;
+    /// Cycles of the file that were not evaluated.
+    other_cycles: usize = one.test.other_cycles;
+    exponent: Option<f64> = one.test.exponent;
+    dynamic_over_static_ratio: Option<f64> = one.dynamic_stiffness_n_m.map(|k| k / one.test.secant_stiffness_n_m);
+    impactor: Option<String> = one.impactor.clone();
+    boundary: Option<String> = one.boundary.clone();
+});
 
-impl StaticsReport {
-    /// The document of `freestand cushion static`.
-    pub fn facts(&self) -> Facts<'_> {
-        let tests = Facts::default().key(
-            "tests",
-            self.tests
-                .iter()
-                .map(StaticReport::facts)
-                .collect::<Vec<_>>(),
-        );
-        tests.key(
-            "failed",
-            self.failed.iter().map(Failed::facts).collect::<Vec<_>>(),
-        )
-    }
-}
+answer_of!(StaticsReport as report {
+    tests: Vec<&StaticReport> = report.tests.iter().collect();
+    /// Files that could not be evaluated.
+    failed: Vec<&Failed> = report.failed.iter().collect();
+});
 
 /// Reads and evaluates every file; one that fails does not stop the others.
 ///

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_output::facts::Facts;
+use freestand_output::answer;
 use freestand_output::rows::numbers_csv;
 
 /// Default standard deviation of the stated impact velocity, divided by the velocity.
@@ -88,6 +88,36 @@ pub fn static_file(cushion: &Cushion, options: &VirtualStaticOptions) -> String 
         "# virtual static test\ndisplacement [mm],force [N]",
         points.map(row),
     )
+}
+
+answer! {
+    /// Virtual tests of a cushion.
+    pub struct SimulatedTests {
+        /// Of the cushion.
+        law: &'static str,
+        /// Of the noise.
+        seed: u64,
+        /// In the order of their numbers.
+        tests: Vec<SimulatedTest>,
+    }
+}
+
+answer! {
+    /// A virtual test; the values are those of a drop.
+    pub struct SimulatedTest {
+        /// Its name.
+        name: String,
+        /// The file that it was written to.
+        path: Option<String>,
+        /// Without noise.
+        peak_acceleration_g: Option<f64>,
+        /// Of the first contact.
+        contact_time_s: Option<f64>,
+        /// Of the first contact.
+        samples_per_contact: Option<f64>,
+        /// Speed after the first contact over that before it.
+        restitution_ratio: Option<f64>,
+    }
 }
 
 /// A request for a table of recovered cushions: what is varied, and the drops.
@@ -202,14 +232,11 @@ struct Found {
 }
 
 /// Drops every cushion at every rate, noise, bias and zero shift, and identifies it; `progress` is
-/// called after every cell. Returns the rows of a table.
+/// called after every cell.
 ///
 /// The stated impact velocity has a random error of 1 % in every drop, as the identification
 /// assumes: without it the intervals, which include it, would cover too often.
-pub fn recovery(
-    request: &RecoveryRequest,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Vec<Facts<'static>> {
+pub fn recovery(request: &RecoveryRequest, progress: &(dyn Fn(usize) + Sync)) -> RecoveryReport {
     let mut rows = Vec::new();
     for cushion in &request.cushions {
         for &samples in &request.samples_per_contact {
@@ -232,7 +259,52 @@ pub fn recovery(
             }
         }
     }
-    rows
+    RecoveryReport {
+        seed: request.seed,
+        rows,
+    }
+}
+
+answer! {
+    /// How well drop tests recover their cushions.
+    pub struct RecoveryReport {
+        /// Of the noise.
+        seed: u64,
+        /// One for each cushion, rate, noise, bias and zero shift.
+        rows: Vec<Recovered>,
+    }
+}
+
+answer! {
+    /// The drops of one cushion, rate, noise, bias and zero shift; means are those of the drops that gave a stiffness.
+    pub struct Recovered {
+        /// Of the cushion.
+        law: &'static str,
+        /// The rate.
+        samples_per_contact: f64,
+        /// Over the peak.
+        noise_ratio: f64,
+        /// Of the whole record.
+        bias_g: f64,
+        /// Over the peak.
+        zero_shift_ratio: f64,
+        /// How many there were.
+        drops: usize,
+        /// Drops that gave a stiffness.
+        given: usize,
+        /// Drops with a flag.
+        flagged: usize,
+        /// Mean of k/k₀ − 1; k₀ is the true stiffness.
+        stiffness_bias_ratio: Option<f64>,
+        /// Root mean square of k/k₀ − 1.
+        stiffness_rms_ratio: Option<f64>,
+        /// Share of the 95 % intervals that contain k₀.
+        coverage_ratio: Option<f64>,
+        /// Of a law that has an exponent.
+        exponent_bias: Option<f64>,
+        /// ζ₀ of Hunt–Crossley is that of the same restitution.
+        damping_bias: Option<f64>,
+    }
 }
 
 /// The errors of a zero line.
@@ -248,7 +320,7 @@ fn cell(
     samples: f64,
     noise_ratio: f64,
     zero: Zero,
-) -> Facts<'static> {
+) -> Recovered {
     let (mass_kg, speed_m_s) = (request.mass_kg, request.speed_m_s);
     let contact = cushion.land(mass_kg, speed_m_s);
     let history = cushion.landing_history(mass_kg, speed_m_s, G0_M_S2);
@@ -282,7 +354,6 @@ fn cell(
         (!found.is_empty()).then(|| found.iter().map(|f| of(f)).sum::<f64>() / found.len() as f64)
     };
     let flagged = trials.iter().filter(|trial| trial.flagged).count();
-    // Share of the 95 % intervals that contain k₀.
     let coverage = mean(&|f| {
         if f.off.abs() <= NORMAL_975 * f.error {
             1.0
@@ -290,31 +361,22 @@ fn cell(
             0.0
         }
     });
-    Facts::default()
-        .key("law", cushion.law().name())
-        .key("samples_per_contact", samples)
-        .key("noise_ratio", noise_ratio)
-        .key("bias_g", zero.bias_g)
-        .key("zero_shift_ratio", zero.shift_ratio)
-        .key("drops", request.drops)
-        .key("given", found.len())
-        .key("flagged", flagged)
-        // Of k/k₀ − 1.
-        .key("stiffness_bias_ratio", mean(&|f| f.off.exp_m1()))
-        .key(
-            "stiffness_rms_ratio",
-            mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt),
-        )
-        .key("coverage_ratio", coverage)
-        .key(
-            "exponent_bias",
-            exponent_of(cushion.law()).and_then(|exponent| mean(&|f| f.exponent - exponent)),
-        )
-        // ζ₀ of Hunt–Crossley is that of the same restitution.
-        .key(
-            "damping_bias",
-            mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)),
-        )
+    Recovered {
+        law: cushion.law().name(),
+        samples_per_contact: samples,
+        noise_ratio,
+        bias_g: zero.bias_g,
+        zero_shift_ratio: zero.shift_ratio,
+        drops: request.drops,
+        given: found.len(),
+        flagged,
+        stiffness_bias_ratio: mean(&|f| f.off.exp_m1()),
+        stiffness_rms_ratio: mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt),
+        coverage_ratio: coverage,
+        exponent_bias: exponent_of(cushion.law())
+            .and_then(|exponent| mean(&|f| f.exponent - exponent)),
+        damping_bias: mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)),
+    }
 }
 
 fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Trial {
@@ -572,15 +634,14 @@ mod tests {
             speed_m_s: 1.4,
             seed: 1,
         };
-        let rows = recovery(&request, &|_| {});
+        let rows = recovery(&request, &|_| {}).rows;
         let [row] = rows.as_slice() else {
             panic!("{rows:?}")
         };
-        let number = |name: &str| row.number(name).unwrap();
-        assert_eq!((number("given"), number("flagged")), (drops as f64, 0.0));
+        assert_eq!((row.given, row.flagged), (drops, 0));
         assert!(
-            number("coverage_ratio") > least_coverage
-                && number("stiffness_bias_ratio").abs() < most_bias,
+            row.coverage_ratio.unwrap() > least_coverage
+                && row.stiffness_bias_ratio.unwrap().abs() < most_bias,
             "{row:?}"
         );
     }

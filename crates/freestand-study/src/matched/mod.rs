@@ -14,8 +14,7 @@ use crate::simulated::source_problem;
 use crate::target::Target;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, significant};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_output::figure::{Figure, FigureError};
 
 /// How the spectrum of a record is matched to the target.
@@ -232,22 +231,6 @@ pub(crate) fn peak_warning<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Opt
 }
 
 impl FitReport {
-    /// The whole report.
-    pub fn facts(&self) -> Facts<'_> {
-        self.target
-            .described()
-            .key("seed", self.seed)
-            .key("generator", self.seed.map(|_| GENERATOR))
-            .key("method", self.method.name())
-            .key(
-                "motions",
-                self.motions
-                    .iter()
-                    .map(FittedMotion::facts)
-                    .collect::<Vec<_>>(),
-            )
-    }
-
     /// The spectra of the motions and their target.
     ///
     /// # Errors
@@ -337,29 +320,36 @@ impl FittedMotion {
             ..one
         })
     }
-
-    /// Its name, its file, its misfit and how similar it is to the record.
-    pub fn facts(&self) -> Facts<'_> {
-        Facts::default()
-            .key("name", self.name.as_str())
-            .key("path", self.path.as_deref())
-            .key("dt_s", self.motion.dt_s())
-            .key("npts", self.motion.accel_m_s2().len())
-            .key("rms_misfit_ratio", self.misfit.rms_ratio)
-            .key("worst_misfit_ratio", self.misfit.worst_ratio)
-            .key("worst_misfit_period_s", self.misfit.worst_period_s)
-            .and(facts!(self.misfit; pga_g, target_zpa_g, pgv_m_s, d5_95_s))
-            .key(
-                "rms_misfit_before_pga_ratio",
-                self.before_pga.map(|misfit| misfit.rms_ratio),
-            )
-            .key(
-                "correlation_ratio",
-                self.resemblance.map(|kept| kept.correlation_ratio),
-            )
-            .key(
-                "husid_difference_ratio",
-                self.resemblance.map(|kept| kept.husid_difference_ratio),
-            )
-    }
 }
+
+answer_of!(FitReport as report {
+    target: &Target = &report.target => flat;
+    /// Of synthetic motions.
+    seed: Option<u64> = report.seed;
+    /// Of the random numbers.
+    generator: Option<&'static str> = report.seed.map(|_| GENERATOR);
+    method: &'static str = report.method.name();
+    motions: Vec<&FittedMotion> = report.motions.iter().collect();
+});
+
+answer_of!(FittedMotion as one {
+    name: String = one.name.clone();
+    /// The file that it was written to.
+    path: Option<String> = one.path.clone();
+    dt_s: f64 = one.motion.dt_s();
+    npts: usize = one.motion.accel_m_s2().len();
+    rms_misfit_ratio: f64 = one.misfit.rms_ratio;
+    worst_misfit_ratio: f64 = one.misfit.worst_ratio;
+    worst_misfit_period_s: f64 = one.misfit.worst_period_s;
+    pga_g: f64 = one.misfit.pga_g;
+    /// The acceleration of the target at T = 0.
+    target_zpa_g: f64 = one.misfit.target_zpa_g;
+    pgv_m_s: f64 = one.misfit.pgv_m_s;
+    d5_95_s: f64 = one.misfit.d5_95_s;
+    /// Where the peak was scaled.
+    rms_misfit_before_pga_ratio: Option<f64> = one.before_pga.map(|misfit| misfit.rms_ratio);
+    /// With the record.
+    correlation_ratio: Option<f64> = one.resemblance.map(|kept| kept.correlation_ratio);
+    /// From the record.
+    husid_difference_ratio: Option<f64> = one.resemblance.map(|kept| kept.husid_difference_ratio);
+});

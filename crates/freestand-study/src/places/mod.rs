@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use freestand::code_spectrum::NationalAnnex;
 use freestand_input::words::{canonical, number};
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 
 /// A place, and what its code says about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -321,55 +321,41 @@ impl Place {
             )
         })
     }
-
-    /// Its row of `freestand place list`; the values that its code does not have are null.
-    pub fn facts(&self) -> Facts<'static> {
-        let (mut z, mut ss_g, mut s1_g, mut a_g) = (None, None, None, None);
-        let (mut fault_km, mut type_2_g, mut annex) = (None, None, None);
-        match self.hazard {
-            PlaceHazard::As1170_4 { hazard_factor } => z = Some(hazard_factor),
-            PlaceHazard::Nzs1170_5 {
-                hazard_factor,
-                fault_distance_km,
-            } => {
-                (z, fault_km) = (Some(hazard_factor), Some(fault_distance_km));
-            }
-            PlaceHazard::Asce7 {
-                ss_g: short,
-                s1_g: long,
-            } => (ss_g, s1_g) = (Some(short), Some(long)),
-            PlaceHazard::Eurocode8 {
-                ground_acceleration_g,
-                type2_ground_acceleration_g,
-                annex: of,
-            } => {
-                (a_g, type_2_g) = (Some(ground_acceleration_g), type2_ground_acceleration_g);
-                annex = of.map(NationalAnnex::name);
-            }
-        }
-        Facts::default()
-            .key("name", self.name)
-            .key(
-                "region",
-                Some(self.region).filter(|region| !region.is_empty()),
-            )
-            .key("country", self.country)
-            .key("code", self.hazard.code())
-            .key("ss_g", ss_g)
-            .key("s1_g", s1_g)
-            .key("hazard_factor", z)
-            .key("ground_acceleration_g", a_g)
-            .key("type2_ground_acceleration_g", type_2_g)
-            .key("annex", annex)
-            .key(
-                "return_period_years",
-                self.hazard.return_period_years().map(u64::from),
-            )
-            .key("fault_distance_km", fault_km)
-            .key("source", self.source)
-            .key("confidence", self.confidence.name())
-    }
 }
+
+answer_of!(Place as place {
+    name: &'static str = place.name;
+    /// The state, in the United States.
+    region: Option<&'static str> = Some(place.region).filter(|region| !region.is_empty());
+    country: &'static str = place.country;
+    code: &'static str = place.hazard.code();
+    ss_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { ss_g, .. } => Some(ss_g), _ => None };
+    s1_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { s1_g, .. } => Some(s1_g), _ => None };
+    hazard_factor: Option<f64> = match place.hazard {
+        PlaceHazard::As1170_4 { hazard_factor } | PlaceHazard::Nzs1170_5 { hazard_factor, .. } => Some(hazard_factor),
+        _ => None,
+    };
+    ground_acceleration_g: Option<f64> = match place.hazard {
+        PlaceHazard::Eurocode8 { ground_acceleration_g, .. } => Some(ground_acceleration_g),
+        _ => None,
+    };
+    type2_ground_acceleration_g: Option<f64> = match place.hazard {
+        PlaceHazard::Eurocode8 { type2_ground_acceleration_g, .. } => type2_ground_acceleration_g,
+        _ => None,
+    };
+    annex: Option<&'static str> = match place.hazard {
+        PlaceHazard::Eurocode8 { annex, .. } => annex.map(NationalAnnex::name),
+        _ => None,
+    };
+    return_period_years: Option<u64> = place.hazard.return_period_years().map(u64::from);
+    fault_distance_km: Option<f64> = match place.hazard {
+        PlaceHazard::Nzs1170_5 { fault_distance_km, .. } => Some(fault_distance_km),
+        _ => None,
+    };
+    source: &'static str = place.source;
+    /// How far the values can be trusted.
+    confidence: &'static str = place.confidence.name();
+});
 
 /// Up to three places that a misspelt name may mean, the nearest first: at most a third of the
 /// letters differ, or the name begins with what was written.

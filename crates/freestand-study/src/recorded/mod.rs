@@ -22,7 +22,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_records::formats::{
     Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit,
 };
@@ -169,14 +169,12 @@ impl Failed {
             problem,
         }
     }
-
-    /// Its part of a document.
-    pub(crate) fn facts(&self) -> Facts<'_> {
-        Facts::default()
-            .key("path", self.path.as_str())
-            .key("reason", self.reason.as_str())
-    }
 }
+
+answer_of!(Failed as failed {
+    path: String = failed.path.clone();
+    reason: String = failed.reason.clone();
+});
 
 /// Reads all files.
 ///

@@ -10,7 +10,6 @@ use freestand::shock_response::{
     HalfSine, Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError,
     ShockSpectrum, ShockSpectrumOptions, enveloping_half_sine, pulse_spectrum, shock_spectrum,
 };
-use serde::Serialize;
 use std::f64::consts::PI;
 use std::time::Instant;
 
@@ -21,6 +20,7 @@ use freestand_input::words::{Choices, name_of, number};
 use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
+use freestand_output::{answer, answer_of};
 use freestand_records::notes::{Note, NoteKind, grouped};
 
 /// A shock response spectrum to compute.
@@ -108,7 +108,7 @@ pub const PEAKS: Choices<Peak> = &[
 ];
 
 /// One spectrum.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct OneShockSpectrum {
     /// The file; `None` for a pulse.
     pub path: Option<String>,
@@ -129,24 +129,77 @@ pub struct OneShockSpectrum {
     /// What was done to the samples.
     pub processing: Vec<String>,
     /// The pulse, where it is one.
-    pub pulse: Option<Facts<'static>>,
+    pub pulse: Option<GivenPulse>,
     /// The half-sine of the smallest peak whose spectrum envelopes this one: for the maximax of the
     /// absolute acceleration.
-    pub enveloping_half_sine: Option<Facts<'static>>,
+    pub enveloping_half_sine: Option<EnvelopingPulse>,
     /// The values in SI.
-    #[serde(skip)]
     values_si: Vec<f64>,
 }
 
-/// Time taken.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Timing {
-    /// The spectra alone, without reading and writing \[s\].
-    pub solve_s: f64,
+answer_of!(OneShockSpectrum as one {
+    /// The file; `null` for a pulse.
+    path: Option<String> = one.path.clone();
+    /// Its name, or the shape of the pulse.
+    name: String = one.name.clone();
+    frequencies_hz: Vec<f64> = one.frequencies_hz.clone();
+    /// The peaks, never negative, in `unit`.
+    values: Vec<f64> = one.values.clone();
+    unit: &'static str = one.unit;
+    /// Of each oscillator.
+    samples_per_period: Vec<f64> = one.samples_per_period.clone();
+    /// Between the samples of the input; `null` for a pulse.
+    dt_s: Option<f64> = one.dt_s;
+    /// Of the input; `null` for a pulse.
+    samples: Option<usize> = one.samples;
+    /// What was done to the samples.
+    processing: Vec<String> = one.processing.clone();
+    pulse: Option<GivenPulse> = one.pulse.clone();
+    enveloping_half_sine: Option<EnvelopingPulse> = one.enveloping_half_sine.clone();
+});
+
+answer! {
+    /// The pulse that was given.
+    pub struct GivenPulse {
+        /// Its name.
+        shape: &'static str,
+        size: PulseSize = flat,
+    }
 }
 
-/// The spectra; the keys of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+answer! {
+    /// A half-sine whose spectrum envelopes another.
+    pub struct EnvelopingPulse {
+        /// How it was chosen of all that envelope it.
+        rule: &'static str,
+        size: PulseSize = flat,
+    }
+}
+
+answer! {
+    /// The size of a pulse.
+    pub struct PulseSize {
+        /// Its peak.
+        peak_acceleration_g: f64,
+        /// The same.
+        peak_acceleration_m_s2: f64,
+        /// How long it is.
+        duration_s: f64,
+        /// Its area.
+        velocity_change_m_s: f64,
+    }
+}
+
+answer! {
+    /// Time taken.
+    pub struct Timing {
+        /// By the spectra alone, without reading and writing.
+        solve_s: f64,
+    }
+}
+
+/// The spectra.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ShockSpectrumReport {
     /// The response quantity.
     pub kind: &'static str,
@@ -154,8 +207,6 @@ pub struct ShockSpectrumReport {
     pub peak: &'static str,
     /// ζ.
     pub damping_ratio: f64,
-    /// Q = 1/(2ζ); `None` without damping.
-    pub quality_factor_ratio: Option<f64>,
     /// Whether samples were added for oscillators with few in a period.
     pub upsample: bool,
     /// One for each file, in their order, or that of the pulse.
@@ -163,11 +214,24 @@ pub struct ShockSpectrumReport {
     /// Time taken.
     pub timing: Timing,
     /// What the user should know.
-    #[serde(skip)]
     pub warnings: Vec<String>,
-    #[serde(skip)]
     response: ResponseKind,
 }
+
+answer_of!(ShockSpectrumReport as report {
+    /// The response quantity.
+    kind: &'static str = report.kind;
+    /// Which peak.
+    peak: &'static str = report.peak;
+    damping_ratio: f64 = report.damping_ratio;
+    /// Q = 1/(2ζ); `null` without damping.
+    quality_factor_ratio: Option<f64> = (report.damping_ratio > 0.0).then(|| 0.5 / report.damping_ratio);
+    /// Whether samples were added for oscillators with few in a period.
+    upsample: bool = report.upsample;
+    /// One for each file, in their order, or that of the pulse.
+    spectra: Vec<&OneShockSpectrum> = report.spectra.iter().collect();
+    timing: Timing = report.timing.clone();
+});
 
 /// Frequencies between two questions whether to go on: enough that the samples that are added for
 /// each group cost little beside its oscillators.
@@ -254,12 +318,10 @@ pub fn pulse_shock_spectrum(
         request,
     )?;
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
-    let shape = Facts::default().key("shape", name_of(SHAPES, pulse.shape()));
-    one.pulse = Some(shape.and(pulse_facts(
-        peak_m_s2,
-        duration_s,
-        pulse.velocity_change_m_s(),
-    )));
+    one.pulse = Some(GivenPulse {
+        shape: name_of(SHAPES, pulse.shape()),
+        size: pulse_size(peak_m_s2, duration_s, pulse.velocity_change_m_s()),
+    });
     let few = found
         .samples_per_period
         .iter()
@@ -344,24 +406,23 @@ fn one(
                  duration_s,
              }| {
                 let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
-                let rule = Facts::default().key("rule", "smallest-peak");
-                rule.and(pulse_facts(
-                    peak_acceleration,
-                    duration_s,
-                    velocity_change_m_s,
-                ))
+                EnvelopingPulse {
+                    rule: "smallest-peak",
+                    size: pulse_size(peak_acceleration, duration_s, velocity_change_m_s),
+                }
             },
         ),
         values_si,
     })
 }
 
-fn pulse_facts(peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) -> Facts<'static> {
-    Facts::default()
-        .key("peak_acceleration_g", peak_m_s2 / G0_M_S2)
-        .key("peak_acceleration_m_s2", peak_m_s2)
-        .key("duration_s", duration_s)
-        .key("velocity_change_m_s", velocity_change_m_s)
+fn pulse_size(peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) -> PulseSize {
+    PulseSize {
+        peak_acceleration_g: peak_m_s2 / G0_M_S2,
+        peak_acceleration_m_s2: peak_m_s2,
+        duration_s,
+        velocity_change_m_s,
+    }
 }
 
 fn report(
@@ -370,12 +431,10 @@ fn report(
     solve_s: f64,
     warnings: Vec<String>,
 ) -> ShockSpectrumReport {
-    let zeta = request.damping_ratio;
     ShockSpectrumReport {
         kind: name_of(KINDS, request.kind),
         peak: name_of(PEAKS, request.peak),
-        damping_ratio: zeta,
-        quality_factor_ratio: (zeta > 0.0).then(|| 0.5 / zeta),
+        damping_ratio: request.damping_ratio,
         upsample: request.upsample,
         spectra,
         timing: Timing { solve_s },

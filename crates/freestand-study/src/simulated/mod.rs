@@ -12,7 +12,7 @@ use freestand::motion::Motion;
 use freestand::synthesis::{
     Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration,
     PointSource, Preset, Quality, ShearWaveProfile, SimulationOptions, Simulator, SourceSpectrum,
-    SynthesisError, distance_for_target, mean_ratio, stream,
+    SpreadingPiece, SynthesisError, distance_for_target, mean_ratio, stream,
 };
 use rayon::prelude::*;
 
@@ -21,8 +21,7 @@ use crate::target::Target;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
 
@@ -167,19 +166,17 @@ impl FoundEarthquake {
             } => vec![lower_hz, upper_hz],
         }
     }
-
-    /// What is stated about it.
-    pub(crate) fn facts(&self) -> Facts<'static> {
-        facts!(self.source; magnitude, distance_m)
-            .key(
-                "mean_ratio_to_rock_spectrum",
-                self.mean_ratio_to_rock_spectrum,
-            )
-            .key("moment_n_m", self.source.moment_n_m())
-            .key("corner_frequencies_hz", self.corner_frequencies_hz())
-            .key("duration_s", self.source.duration_s())
-    }
 }
+
+answer_of!(FoundEarthquake as found {
+    magnitude: f64 = found.source.magnitude;
+    distance_m: f64 = found.source.distance_m;
+    /// Geometric mean of the PSA divided by the code's on rock, if the distance was searched for.
+    mean_ratio_to_rock_spectrum: Option<f64> = found.mean_ratio_to_rock_spectrum;
+    moment_n_m: f64 = found.source.moment_n_m();
+    corner_frequencies_hz: Vec<f64> = found.corner_frequencies_hz();
+    duration_s: f64 = found.source.duration_s();
+});
 
 /// The earthquakes of a request. Distances that fit a code's spectrum are searched for, which takes
 /// several rounds of [`PAIR_MOTIONS`] motions.
@@ -415,29 +412,41 @@ fn path_words(path: PathDuration) -> &'static str {
 }
 
 /// The parameters that all earthquakes of a request share, for programs.
-pub(crate) fn source_facts(source: &PointSource) -> Facts<'static> {
-    let (kappa_s, maximum_frequency_hz) = match source.high_cut {
-        HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
-        HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
-    };
-    let spreading: Vec<Facts> = source
-        .spreading
-        .iter()
-        .map(|piece| facts!(piece; from_distance_m, exponent_ratio))
-        .collect();
-    facts!(source; stress_drop_pa, density_kg_m3, shear_velocity_m_s)
-        .key("source_spectrum", words::spectrum_name(source.spectrum))
-        .key("spreading", spreading)
-        .key("quality", quality_words(&source.quality))
-        .key("kappa_s", kappa_s)
-        .key("maximum_frequency_hz", maximum_frequency_hz)
-        .key(
-            "vs30_m_s",
-            source.profile.as_ref().map(ShearWaveProfile::vs30_m_s),
-        )
-        .key("path_duration", path_words(source.path_duration))
-        .key("window", <&str>::from(source.window))
+#[derive(Debug, Clone)]
+pub(crate) struct Parameters(pub(crate) PointSource);
+
+impl Parameters {
+    /// κ₀ or the maximum frequency.
+    fn high_cut(&self) -> (Option<f64>, Option<f64>) {
+        match self.0.high_cut {
+            HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
+            HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
+        }
+    }
 }
+
+answer_of!(Parameters as of {
+    stress_drop_pa: f64 = of.0.stress_drop_pa;
+    density_kg_m3: f64 = of.0.density_kg_m3;
+    shear_velocity_m_s: f64 = of.0.shear_velocity_m_s;
+    source_spectrum: &'static str = words::spectrum_name(of.0.spectrum);
+    spreading: Vec<Spreading<'_>> = of.0.spreading.iter().map(Spreading).collect();
+    quality: String = quality_words(&of.0.quality);
+    kappa_s: Option<f64> = of.high_cut().0;
+    maximum_frequency_hz: Option<f64> = of.high_cut().1;
+    vs30_m_s: Option<f64> = of.0.profile.as_ref().map(ShearWaveProfile::vs30_m_s);
+    path_duration: &'static str = path_words(of.0.path_duration);
+    window: &'static str = of.0.window.into();
+});
+
+/// Geometric spreading from a distance on.
+#[derive(Clone, Copy)]
+struct Spreading<'s>(&'s SpreadingPiece);
+
+answer_of!(Spreading<'_> as piece {
+    from_distance_m: f64 = piece.0.from_distance_m;
+    exponent_ratio: f64 = piece.0.exponent_ratio;
+});
 
 /// The same parameters in words, for a report.
 pub(crate) fn source_words(source: &PointSource) -> String {
@@ -553,59 +562,46 @@ impl SimulatedRequest {
     }
 }
 
-impl Earthquake {
-    fn facts(&self) -> Facts<'_> {
-        self.found
-            .facts()
-            .key("searched_motions", self.searched_motions.map(u64::from))
-            .and(facts!(self; written_mean_ratio_to_site_spectrum, pad_s))
-            .key(
-                "motions",
-                self.motions
-                    .iter()
-                    .map(SimulatedMotion::facts)
-                    .collect::<Vec<_>>(),
-            )
-    }
-}
+answer_of!(Earthquake as one {
+    found: &FoundEarthquake = &one.found => flat;
+    searched_motions: Option<u64> = one.searched_motions.map(u64::from);
+    /// Geometric mean of the PSA of the written motions divided by the code's spectrum.
+    written_mean_ratio_to_site_spectrum: Option<f64> = one.written_mean_ratio_to_site_spectrum;
+    pad_s: f64 = one.pad_s;
+    motions: Vec<&SimulatedMotion> = one.motions.iter().collect();
+});
 
-impl SimulatedMotion {
-    /// Its name, its file and its measures.
-    pub fn facts(&self) -> Facts<'_> {
-        Facts::default()
-            .key("name", self.name.as_str())
-            .key("path", self.path.as_deref())
-            .key("npts", self.motion.accel_m_s2().len())
-            .key("pga_g", self.measures.pga_m_s2 / G0_M_S2)
-            .and(facts!(self.measures; pgv_m_s, pgd_m, arias_m_s, d5_95_s))
-    }
-}
+answer_of!(SimulatedMotion as one {
+    name: String = one.name.clone();
+    /// The file that it was written to.
+    path: Option<String> = one.path.clone();
+    npts: usize = one.motion.accel_m_s2().len();
+    pga_g: f64 = one.measures.pga_m_s2 / G0_M_S2;
+    pgv_m_s: f64 = one.measures.pgv_m_s;
+    pgd_m: f64 = one.measures.pgd_m;
+    arias_m_s: f64 = one.measures.arias_m_s;
+    d5_95_s: f64 = one.measures.d5_95_s;
+});
+
+answer_of!(SimulatedReport<'_> as report {
+    preset: &'static str = report.request.preset.name();
+    parameters: Parameters = Parameters(report.request.any_source());
+    /// The class of the site, by AS 1170.4.
+    site: &'static str = report.request.site.name();
+    kpz_g: Option<f64> = report.request.kpz_g();
+    seed: u64 = report.request.seed;
+    /// Of the random numbers.
+    generator: &'static str = GENERATOR;
+    dt_s: f64 = report.request.options.dt_s;
+    low_cut_hz: f64 = report.request.options.low_cut_hz;
+    assumptions: Vec<String> = report.request.assumptions();
+    earthquakes: Vec<&Earthquake> = report.earthquakes.iter().collect();
+});
 
 impl SimulatedReport<'_> {
     /// All motions, earthquake by earthquake.
     pub fn motions(&self) -> impl Iterator<Item = &SimulatedMotion> {
         self.earthquakes.iter().flat_map(|one| &one.motions)
-    }
-
-    /// The whole report.
-    pub fn facts(&self) -> Facts<'_> {
-        let request = self.request;
-        Facts::default()
-            .key("preset", request.preset.name())
-            .key("parameters", source_facts(&request.any_source()))
-            .key("site", request.site.name())
-            .key("kpz_g", request.kpz_g())
-            .and(facts!(request; seed))
-            .key("generator", GENERATOR)
-            .and(facts!(request.options; dt_s, low_cut_hz))
-            .key("assumptions", request.assumptions())
-            .key(
-                "earthquakes",
-                self.earthquakes
-                    .iter()
-                    .map(Earthquake::facts)
-                    .collect::<Vec<_>>(),
-            )
     }
 
     /// The target amplitudes of every earthquake against frequency, with low cut and site.

@@ -39,7 +39,7 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
     });
     let mut caption = format!(
         "Elastic acceleration spectrum, 5 % damping: {}.{zero}",
-        report.title
+        report.target.one_line()
     );
     if let Some(parts) = &report.parts {
         panels.push(parts_panel(&parts.levels));
@@ -51,7 +51,7 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
     let columns = panels.len();
     Page {
         name: "spectrum".to_owned(),
-        title: plain(&report.title),
+        title: plain(&report.target.one_line()),
         caption,
         panels,
         columns,

@@ -31,7 +31,7 @@ use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 
 /// A spectrum, with everything that outputs state about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,28 +162,9 @@ impl Target {
         spectrum_type(self.alternative.as_ref()?)
     }
 
-    /// What the document of a command says about it; values that its code does not have are null.
-    pub fn described(&self) -> Facts<'static> {
-        Facts::default()
-            .key("code", self.spectrum.name())
-            .key("site", self.spectrum.site_name())
-            .key("place", self.place.map(Place::facts))
-            .and(hazard_facts(Some(self)))
-            .key(
-                "minimum_kpz_governs",
-                self.as1170_4().map(As1170_4::minimum_governs),
-            )
-            .key("facts", self.named_facts())
-    }
-
     /// The facts for reports, each as a name and a value.
-    pub fn named_facts(&self) -> Vec<Facts<'static>> {
-        let fact = |(name, value): &(String, String)| {
-            Facts::default()
-                .key("name", name.clone())
-                .key("value", value.clone())
-        };
-        self.facts.iter().map(fact).collect()
+    pub(crate) fn named_facts(&self) -> Vec<NamedFact<'_>> {
+        self.facts.iter().map(NamedFact).collect()
     }
 
     /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ =
@@ -372,14 +353,38 @@ fn spectrum_type(spectrum: &CodeSpectrum) -> Option<u8> {
     }
 }
 
+answer_of!(Target as target {
+    code: &'static str = target.spectrum.name();
+    /// The class of the site.
+    site: Option<&'static str> = target.spectrum.site_name();
+    /// The place whose hazard was used.
+    place: Option<&'static Place> = target.place;
+    hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
+    /// Whether the minimum of kpZ governs, by AS 1170.4.
+    minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);
+    /// Its description and the sources of its numbers.
+    facts: Vec<NamedFact<'_>> = target.named_facts();
+});
+
 /// The hazard of a target; without one, its values are null.
-pub(crate) fn hazard_facts(target: Option<&Target>) -> Facts<'static> {
-    let years = target.and_then(|target| target.spectrum.return_period_years());
-    Facts::default()
-        .key("hazard_factor", target.and_then(Target::hazard_factor))
-        .key("return_period_years", years.map(u64::from))
-        .key("kpz_g", target.and_then(Target::kpz_g))
-}
+#[derive(Clone, Copy)]
+pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>);
+
+answer_of!(HazardOf<'_> as of {
+    /// Z.
+    hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
+    return_period_years: Option<u64> = of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
+    kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
+});
+
+/// A name and a value.
+#[derive(Clone, Copy)]
+pub(crate) struct NamedFact<'t>(&'t (String, String));
+
+answer_of!(NamedFact<'_> as fact {
+    name: String = fact.0.0.clone();
+    value: String = fact.0.1.clone();
+});
 
 #[cfg(test)]
 mod tests;

@@ -6,10 +6,9 @@ use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::synthesis::matched_periods_s;
 use freestand_input::problem::{Problem, Problems};
-use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
-use serde::Serialize;
+use freestand_output::{answer, answer_of};
 
 use super::Target;
 
@@ -51,17 +50,14 @@ pub fn code_parts(
 }
 
 /// A spectrum at its periods.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
 )]
 pub struct CodeSpectrumReport {
-    /// The code with its parameters, on one line.
-    #[serde(skip)]
-    pub title: String,
-    #[serde(flatten)]
-    pub code: Facts<'static>,
+    /// The code with its parameters.
+    pub target: Target,
     pub corner_periods_s: Vec<f64>,
     pub periods_s: Vec<f64>,
     pub sa_g: Vec<f64>,
@@ -69,33 +65,44 @@ pub struct CodeSpectrumReport {
     pub vertical_sa_g: Option<Vec<f64>>,
     pub parts: Option<PartsReport>,
     /// The values at the corners \[g\].
-    #[serde(skip)]
     pub(super) corners_g: Vec<f64>,
 }
 
-/// Accelerations of rigid parts over the height of a building.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct PartsReport {
-    pub clause: &'static str,
-    pub building_height_m: Option<f64>,
-    pub building_period_s: Option<f64>,
-    pub levels: Vec<PartsLevel>,
+answer_of!(CodeSpectrumReport as report {
+    target: &Target = &report.target => flat;
+    corner_periods_s: Vec<f64> = report.corner_periods_s.clone();
+    periods_s: Vec<f64> = report.periods_s.clone();
+    sa_g: Vec<f64> = report.sa_g.clone();
+    /// Given by Eurocode 8 only.
+    vertical_sa_g: Option<Vec<f64>> = report.vertical_sa_g.clone();
+    parts: Option<PartsReport> = report.parts.clone();
+});
+
+answer! {
+    /// Accelerations of rigid parts over the height of a building.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct PartsReport {
+        clause: &'static str,
+        building_height_m: Option<f64>,
+        building_period_s: Option<f64>,
+        levels: Vec<PartsLevel>,
+    }
 }
 
-/// The acceleration of a rigid part on one level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct PartsLevel {
-    pub level_ratio: f64,
-    pub height_m: Option<f64>,
-    pub floor_acceleration_g: f64,
+answer! {
+    /// The acceleration of a rigid part on one level.
+    #[expect(
+        missing_docs,
+        reason = "the names are those of the JSON document and state the units"
+    )]
+    pub struct PartsLevel {
+        level_ratio: f64,
+        height_m: Option<f64>,
+        floor_acceleration_g: f64,
+    }
 }
 
 /// The periods of a spectrum if none are given: 0 and those at which motions are matched.
@@ -166,8 +173,7 @@ pub fn code_spectrum(
             .collect()
     };
     problems.finish(Some(CodeSpectrumReport {
-        title: target.one_line(),
-        code: target.described(),
+        target: target.clone(),
         corners_g: at(&corner_periods_s),
         corner_periods_s,
         sa_g: at(&periods_s),

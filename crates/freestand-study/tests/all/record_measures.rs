@@ -99,14 +99,14 @@ fn measures_of_real_records() {
         let channels = record["channels"].as_array().unwrap();
         assert_eq!(motions.len(), channels.len(), "{name}");
         for (one, fact) in motions.iter().zip(channels) {
-            check(&format!("{name}, {}", one.component), one, fact);
+            check(&format!("{name}, {}", one.contents.component), one, fact);
         }
         println!("{name}: measures of {} components", motions.len());
     }
 }
 
 fn check(what: &str, one: &MotionInfo, fact: &Value) {
-    let one = serde_json::to_value(one.facts()).unwrap();
+    let one = serde_json::to_value(one).unwrap();
     let number = |name: &str| one[name].as_f64().unwrap();
     let mean_removed = fact["pga_basis"].as_str().unwrap().contains("mean removed");
     assert_eq!(

@@ -15,8 +15,9 @@ use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::suite::SuiteScale;
 use freestand_input::quantity::UnitSystem;
+use freestand_output::answer::Answer;
 use freestand_records::formats::{write_at2, write_csv, write_pair_csv};
-use freestand_study::check::check;
+use freestand_study::check::Check;
 use freestand_study::outputs::write_outputs;
 use freestand_study::report::provenance;
 use freestand_study::resolve::{Overrides, motion_paths, resolve, resolve_with};
@@ -590,7 +591,8 @@ fn a_run_writes_what_was_selected_and_runs_again_from_its_output() {
     ] {
         assert!(report.contains(words), "{words}");
     }
-    let said: Vec<String> = check(&study)
+    let said: Vec<String> = Check(&study)
+        .facts()
         .lines()
         .into_iter()
         .map(|(label, text)| format!("{label}: {text}"))

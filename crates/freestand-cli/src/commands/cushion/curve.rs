@@ -4,6 +4,7 @@ use std::slice;
 
 use clap::Args;
 use freestand_app::cushion_curve::{CushionCurve, Meant, SCHEMA};
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::cushion_curve::cushion_curve;
 
 use crate::args::GlobalArgs;
@@ -41,8 +42,8 @@ impl Tell for CushionCurve {
     ) -> Result<Done, Failure> {
         let files = Files::begin(global, slice::from_ref(&file))?;
         let report = cushion_curve(&file, &design)?;
-        files.print(printer, SCHEMA, &report.facts, &report.warnings, || {
-            lines(&report.facts)
+        files.print(printer, SCHEMA, &report, &report.warnings, || {
+            lines(&report.facts())
         })?;
         Ok(Done::OK)
     }

@@ -3,10 +3,10 @@
 use clap::Args;
 use freestand::identify::DropTest;
 use freestand_app::drop_test::{DropTests, SCHEMA};
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
-    DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_table,
+    DropRequest, DropsReport, cushion_toml, drop_tests, loop_table,
 };
 use serde::Serialize;
 
@@ -78,9 +78,7 @@ impl Tell for DropTests {
                     .collect(),
             });
         }
-        files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
-            text(&report)
-        })?;
+        files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
         printer.failed(&report.failed);
         Ok(Done {
             criterion_met: report.all_gave(),
@@ -143,11 +141,10 @@ fn columns(report: &DropsReport) -> Vec<Column> {
 }
 
 fn text(report: &DropsReport) -> String {
-    let tests: Vec<Facts> = report.tests.iter().map(DropReport::facts).collect();
-    let mut out = if let [one] = tests.as_slice() {
-        lines(one)
+    let mut out = if let [one] = report.tests.as_slice() {
+        lines(&one.facts())
     } else {
-        facts_table(&tests, &columns(report))
+        facts_table(report.tests.iter().map(Answer::facts), &columns(report))
     };
     if report.pooled.pad.is_some() {
         out += &format!("\n{}", lines(&report.pooled.facts()));

@@ -2,9 +2,8 @@
 
 use clap::Args;
 use freestand_app::recovery::{Recovery, SCHEMA};
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery};
-use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
@@ -30,12 +29,6 @@ pub(crate) struct RecoveryArgs {
     pub(super) request: Recovery,
 }
 
-#[derive(Debug, Serialize)]
-struct Report {
-    seed: u64,
-    rows: Vec<Facts<'static>>,
-}
-
 impl Tell for Recovery {
     type Output = ();
 
@@ -50,13 +43,11 @@ impl Tell for Recovery {
             request.cushions.len() * request.samples_per_contact.len() * request.noise_ratios.len();
         bar.set_length((cells * request.biases_g.len() * request.zero_shift_ratios.len()) as u64);
         bar.set_message("cells");
-        let rows = recovery(&request, &|done| bar.set_position(done as u64));
+        let report = recovery(&request, &|done| bar.set_position(done as u64));
         bar.finish_and_clear();
-        let report = Report {
-            seed: request.seed,
-            rows,
-        };
-        printer.result(SCHEMA, &report, &[], || facts_table(&report.rows, &COLUMNS))?;
+        printer.result(SCHEMA, &report, &[], || {
+            facts_table(report.rows.iter().map(Answer::facts), &COLUMNS)
+        })?;
         Ok(Done::OK)
     }
 }

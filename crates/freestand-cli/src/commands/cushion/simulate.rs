@@ -5,9 +5,10 @@ use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_app::virtual_test::{Meant, Plan, SCHEMA, VirtualTests};
-use freestand_output::facts::Facts;
-use freestand_study::laboratory::virtual_laboratory::{drop_file, static_file};
-use serde::Serialize;
+use freestand_output::answer::Answer;
+use freestand_study::laboratory::virtual_laboratory::{
+    SimulatedTest, SimulatedTests, drop_file, static_file,
+};
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
@@ -33,13 +34,6 @@ noise depend on --seed and on the number of the test.")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(super) request: VirtualTests,
-}
-
-#[derive(Debug, Serialize)]
-struct Report {
-    law: &'static str,
-    seed: u64,
-    tests: Vec<Facts<'static>>,
 }
 
 impl Tell for VirtualTests {
@@ -68,7 +62,7 @@ impl Tell for VirtualTests {
             }
             tests.push(one);
         }
-        let report = Report {
+        let report = SimulatedTests {
             law: cushion.law().name(),
             seed: meant.seed,
             tests,
@@ -82,7 +76,7 @@ impl Tell for VirtualTests {
             return Ok(Done::OK);
         }
         printer.result(SCHEMA, &report, notes, || {
-            facts_table(&report.tests, &COLUMNS)
+            facts_table(report.tests.iter().map(Answer::facts), &COLUMNS)
         })?;
         Ok(Done::OK)
     }
@@ -94,7 +88,7 @@ fn simulated(
     plan: &Plan,
     index: u64,
     files: &Files,
-) -> Result<(String, Facts<'static>), Failure> {
+) -> Result<(String, SimulatedTest), Failure> {
     let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
             let (text, drop) = drop_file(cushion, &VirtualDropOptions { index, ..*options })?;
@@ -109,14 +103,15 @@ fn simulated(
     let name = format!("{kind}-{:03}", index + 1);
     let path = files.write(&format!("{name}.csv"), || &text)?;
     let of = |value: fn(&VirtualDrop) -> f64| drop.as_ref().map(value);
-    let facts = Facts::default()
-        .key("name", name)
-        .key("path", path)
-        .key("peak_acceleration_g", of(|drop| drop.peak_m_s2 / G0_M_S2))
-        .key("contact_time_s", of(|drop| drop.contact_s))
-        .key("samples_per_contact", of(|drop| drop.contact_s / drop.dt_s))
-        .key("restitution_ratio", of(|drop| drop.restitution_ratio));
-    Ok((text, facts))
+    let test = SimulatedTest {
+        name,
+        path,
+        peak_acceleration_g: of(|drop| drop.peak_m_s2 / G0_M_S2),
+        contact_time_s: of(|drop| drop.contact_s),
+        samples_per_contact: of(|drop| drop.contact_s / drop.dt_s),
+        restitution_ratio: of(|drop| drop.restitution_ratio),
+    };
+    Ok((text, test))
 }
 
 const COLUMNS: [Column; 5] = [

@@ -2,9 +2,9 @@
 
 use clap::Args;
 use freestand_app::static_test::{SCHEMA, StaticTests};
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer;
 use freestand_study::laboratory::static_curve::{
-    StaticReport, StaticRequest, StaticsReport, curve_table, static_tests,
+    StaticRequest, StaticsReport, curve_table, static_tests,
 };
 use freestand_study::laboratory::static_figure;
 
@@ -51,9 +51,7 @@ impl Tell for StaticTests {
             })?;
         }
         files.figure("static", || static_figure(&report))?;
-        files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
-            text(&report)
-        })?;
+        files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
         printer.failed(&report.failed);
         Ok(Done {
             criterion_met: report.failed.is_empty(),
@@ -75,6 +73,5 @@ const COLUMNS: [Column; 10] = [
 ];
 
 fn text(report: &StaticsReport) -> String {
-    let tests: Vec<Facts> = report.tests.iter().map(StaticReport::facts).collect();
-    facts_table(&tests, &COLUMNS) + &failed_lines(&report.failed)
+    facts_table(report.tests.iter().map(Answer::facts), &COLUMNS) + &failed_lines(&report.failed)
 }

@@ -67,7 +67,7 @@ fn text(report: &CodeSpectrumReport) -> String {
             .collect()
     };
     let rows: Vec<Vec<String>> = (0..report.periods_s.len()).map(row).collect();
-    let mut text = format!("{}\n{}", report.title, table(&headings, &rows));
+    let mut text = format!("{}\n{}", report.target.one_line(), table(&headings, &rows));
     if let Some(parts) = &report.parts {
         let rows: Vec<Vec<String>> = parts
             .levels

@@ -2,9 +2,9 @@
 
 use clap::Args;
 use freestand_app::motion::{INFO, Meant, MotionInfo};
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer;
 use freestand_output::figure::Figure;
-use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo as Told, info};
+use freestand_study::inspect::{InfoReport, InfoRequest, info};
 use rayon::prelude::*;
 
 use super::plot::{PlotArgs, place};
@@ -56,20 +56,17 @@ impl Tell for MotionInfo {
         if let Some(target) = target.as_ref().filter(|_| count > 1) {
             target.check(count)?;
         }
-        let report = info(&InfoRequest {
+        let mut report = info(&InfoRequest {
             keep_motions: target.is_some(),
             ..asked
         })?;
         let out = Files::with_tables(global, &inputs, &output.tables, INFO, None)?;
-        let mut plots = Vec::new();
         if let Some(target) = target {
             target.check(report.motions.len())?;
-            plots = place(&target, figures(&report)?, &out, &inputs)?;
+            report.plots = place(&target, figures(&report)?, &out, &inputs)?;
         }
         out.table("measures", || report.measures_table())?;
-        // The figures that were written.
-        let facts = report.facts().key("plots", plots);
-        out.print(printer, INFO, &facts, &report.warnings, || {
+        out.print(printer, INFO, &report, &report.warnings, || {
             text(&report, has_block)
         })?;
         printer.failed(&report.failed);
@@ -93,16 +90,15 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
 }
 
 fn text(report: &InfoReport, has_block: bool) -> String {
-    let motions: Vec<Facts> = report.motions.iter().map(Told::facts).collect();
     let columns = if has_block {
         &COLUMNS[..]
     } else {
         &COLUMNS[..COLUMNS.len() - 3]
     };
-    let text = if let [one] = motions.as_slice() {
-        lines(one)
+    let text = if let [one] = report.motions.as_slice() {
+        lines(&one.facts())
     } else {
-        facts_table(&motions, columns)
+        facts_table(report.motions.iter().map(Answer::facts), columns)
     };
     text + &failed_lines(&report.failed)
 }

@@ -5,6 +5,7 @@ use clap::Args;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_app::simulate::{Meant, SCHEMA, Simulate};
+use freestand_output::answer::Answer as _;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
@@ -59,9 +60,7 @@ impl Tell for Simulate {
         }
         warnings.extend(report.warnings.iter().cloned());
         warnings.extend(request.assumptions());
-        files.print(printer, SCHEMA, &report.facts(), &warnings, || {
-            text(&report)
-        })?;
+        files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
         Ok(Done::OK)
     }
 }

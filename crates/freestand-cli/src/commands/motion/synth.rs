@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
+use freestand_output::answer::Answer as _;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
@@ -91,9 +92,9 @@ fn finish(
         };
         files.figure(name, || record_figure(words, motion))?;
     }
-    let (facts, warnings) = (report.facts(), [&report.warnings(), notes].concat());
-    files.finish(SCHEMA, &facts, &warnings)?;
-    printer.result(SCHEMA, &facts, &warnings, || text(&report))?;
+    let warnings = [&report.warnings(), notes].concat();
+    files.finish(SCHEMA, &report, &warnings)?;
+    printer.result(SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

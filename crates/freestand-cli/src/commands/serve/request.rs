@@ -57,9 +57,8 @@ static MEMORY: LazyLock<Arc<Memory>> = LazyLock::new(Arc::default);
 
 /// What the page shows before anything is asked.
 fn facts() -> Value {
-    let place = |place: &freestand_study::places::Place| {
-        serde_json::to_value(place.facts()).unwrap_or(Value::Null)
-    };
+    let place =
+        |place: &freestand_study::places::Place| serde_json::to_value(place).unwrap_or(Value::Null);
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "commands": COMMANDS.map(|command| command.name),

@@ -18,8 +18,7 @@ use crate::recorded::Failed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::words::{self, Choices, counted, shortest, significant};
-use freestand_output::facts;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_records::formats::{ReadOptions, parse_motions};
@@ -139,21 +138,14 @@ impl DropsReport {
             && self.pooled.reason.is_none()
             && self.tests.iter().all(|test| test.test.identified.is_some())
     }
-
-    /// The document of `freestand cushion drop`.
-    pub fn facts(&self) -> Facts<'_> {
-        Facts::default()
-            .key(
-                "tests",
-                self.tests.iter().map(DropReport::facts).collect::<Vec<_>>(),
-            )
-            .key("pooled", self.pooled.facts())
-            .key(
-                "failed",
-                self.failed.iter().map(Failed::facts).collect::<Vec<_>>(),
-            )
-    }
 }
+
+answer_of!(DropsReport as report {
+    tests: Vec<&DropReport> = report.tests.iter().collect();
+    pooled: &PooledReport = &report.pooled;
+    /// Files that could not be read.
+    failed: Vec<&Failed> = report.failed.iter().collect();
+});
 
 /// Reads and evaluates every file; one that cannot be read does not stop the others.
 ///
@@ -462,108 +454,105 @@ impl DropReport {
         self.test.identified.as_ref()
     }
 
-    /// Its part of the document.
-    pub fn facts(&self) -> Facts<'_> {
-        let (test, found) = (&self.test, self.found());
-        let reason = found.is_none().then(|| {
-            let remedies = test
-                .flags
-                .iter()
-                .map(|flag| flag.remedy())
-                .collect::<Vec<_>>()
-                .join("; ");
-            if remedies.is_empty() {
-                "no law could be fitted".to_owned()
-            } else {
-                remedies
-            }
-        });
-        let interval = |f: &Identified| {
-            [-NORMAL_975, NORMAL_975].map(|side| f.stiffness.fit_n_m * (side * f.error_ratio).exp())
-        };
-        let (coefficient_n_mn, damping_n_s_m, dissipation_s_m) = numbers(found);
-        let candidate = |c: &Candidate| {
-            let law = Facts::default()
-                .key("law", c.law.name())
-                .key("stiffness_n_m", c.secant_n_m);
-            law.and(facts!(c; exponent, damping_ratio, residual_ratio, chi_squared))
-        };
-        let candidates = found
-            .map_or(&[][..], |f| &f.candidates)
-            .iter()
-            .map(candidate);
-        let quality = facts!(test; samples_per_contact "samples per contact", zero_shift_ratio "zero shift over peak",
-                noise_ratio "noise over peak")
-        .fact("residual_ratio", "residual of the fit over peak", found.map(|f| f.residual_ratio))
-        .fact("spread_ratio", "spread of the estimates", found.map(|f| f.stiffness.spread_ratio()))
-        .fact("flags", "flag", test.flags.iter().map(|flag| flag.name()).collect::<Vec<_>>());
-        Facts::default()
-            .fact("path", "file", self.path.as_str())
-            .key("drop", self.drop)
-            .key("start_time_s", self.start_time_s)
-            .key("mass_kg", self.mass_kg)
-            .fact("impact_velocity_m_s", "impact velocity", test.impact_velocity_m_s)
-            .fact("impact_velocity_source", "  source", <&str>::from(self.velocity_source))
-            .key("fitted_velocity_m_s", found.map(|f| f.fitted_velocity_m_s))
-            .fact("peak_acceleration_g", "peak acceleration", test.peak_acceleration_m_s2.map(|a| a / G0_M_S2))
-            .and(facts!(test; contact_time_s "contact time", max_compression_m "largest compression",
-                restitution_ratio "restitution", restitution_bounce_ratio "restitution, from the bounce",
-                energy_lost_ratio))
-            .key("stiffness_n_m", stiffness(found))
-            .fact("stiffness_ci95_n_m", "  95 % interval of the fit", found.map(interval))
-            .fact("law", "law", found.map(|f| f.chosen.name()))
-            .fact("initial_stiffness_n_m", "tangent at the origin", found.and_then(|f| f.initial_stiffness_n_m))
-            .key("cubic_n_m3", found.and_then(|f| f.cubic_n_m3))
-            .key("filter_corner_hz", found.and_then(|f| f.filter_corner_hz))
-            .key("coefficient_n_mn", coefficient_n_mn)
-            .fact("exponent", "exponent, fitted", found.map(|f| f.exponent))
-            .key("exponent_error", found.and_then(|f| f.exponent_error))
-            .fact("exponent_by_identity", "exponent, 2ad/v² − 1", found.map(|f| f.exponent_by_identity))
-            .fact("damping_ratio", "damping ratio", found.map(|f| f.damping_ratio))
-            .key("damping_n_s_m", damping_n_s_m)
-            .key("dissipation_s_m", dissipation_s_m)
-            .key("gravity_in_contact", found.map(|f| f.has_gravity))
-            .key("candidates", candidates.collect::<Vec<_>>())
-            .key("quality", quality)
-            .key("impactor", self.impactor.as_deref())
-            .key("sphere_radius_m", self.sphere_radius_m)
-            .key("boundary", self.boundary.as_deref())
-            .fact("reason", "no stiffness", reason)
+    /// A number of the law.
+    fn of<T>(&self, value: impl Fn(&Identified) -> T) -> Option<T> {
+        self.found().map(value)
+    }
+
+    /// What to do so that the drop gives a stiffness.
+    fn reason(&self) -> Option<String> {
+        if self.found().is_some() {
+            return None;
+        }
+        let remedies: Vec<&str> = self.test.flags.iter().map(|flag| flag.remedy()).collect();
+        Some(match remedies.as_slice() {
+            [] => "no law could be fitted".to_owned(),
+            some => some.join("; "),
+        })
     }
 }
 
-/// The estimates; the keys are present even without a stiffness.
-fn stiffness(found: Option<&Identified>) -> Facts<'static> {
-    let estimate = |of: fn(&StiffnessEstimates) -> f64| found.map(|f| of(&f.stiffness));
-    Facts::default()
-        .fact("fit", "stiffness F/d, fitted", estimate(|k| k.fit_n_m))
-        .fact(
-            "integrated",
-            "  F/d, integrated",
-            found.and_then(|f| f.stiffness.integrated_n_m),
-        )
-        .fact(
-            "peak_over_velocity",
-            "  m (a/v)²",
-            estimate(|k| k.peak_over_velocity_n_m),
-        )
-        .fact(
-            "contact_time",
-            "  m (π/tc)²",
-            estimate(|k| k.contact_time_n_m),
-        )
-        .fact(
-            "velocity_over_compression",
-            "  m (v/d)²",
-            estimate(|k| k.velocity_over_compression_n_m),
-        )
-        .fact(
-            "acceleration_over_compression",
-            "  m a/d",
-            estimate(|k| k.acceleration_over_compression_n_m),
-        )
-        .fact("energy", "  2E/d²", estimate(|k| k.energy_n_m))
-}
+answer_of!(DropReport as one {
+    path: String = one.path.clone() => "file";
+    /// Its number in its file.
+    drop: usize = one.drop;
+    /// Of its pulse, from the first sample of the file.
+    start_time_s: Option<f64> = one.start_time_s;
+    mass_kg: f64 = one.mass_kg;
+    impact_velocity_m_s: Option<f64> = one.test.impact_velocity_m_s => "impact velocity";
+    /// given, height or impulse.
+    impact_velocity_source: &'static str = one.velocity_source.into() => "  source";
+    fitted_velocity_m_s: Option<f64> = one.of(|found| found.fitted_velocity_m_s);
+    peak_acceleration_g: Option<f64> = one.test.peak_acceleration_m_s2.map(|a| a / G0_M_S2) => "peak acceleration";
+    contact_time_s: Option<f64> = one.test.contact_time_s => "contact time";
+    max_compression_m: Option<f64> = one.test.max_compression_m => "largest compression";
+    restitution_ratio: Option<f64> = one.test.restitution_ratio => "restitution";
+    restitution_bounce_ratio: Option<f64> = one.test.restitution_bounce_ratio => "restitution, from the bounce";
+    energy_lost_ratio: Option<f64> = one.test.energy_lost_ratio;
+    stiffness_n_m: Estimates = Estimates(one.of(|found| found.stiffness));
+    stiffness_ci95_n_m: Option<[f64; 2]> = one.of(|found| {
+        [-NORMAL_975, NORMAL_975].map(|side| found.stiffness.fit_n_m * (side * found.error_ratio).exp())
+    }) => "  95 % interval of the fit";
+    law: Option<&'static str> = one.of(|found| found.chosen.name()) => "law";
+    initial_stiffness_n_m: Option<f64> = one.of(|found| found.initial_stiffness_n_m).flatten() => "tangent at the origin";
+    cubic_n_m3: Option<f64> = one.of(|found| found.cubic_n_m3).flatten();
+    filter_corner_hz: Option<f64> = one.of(|found| found.filter_corner_hz).flatten();
+    coefficient_n_mn: Option<f64> = numbers(one.found()).0;
+    exponent: Option<f64> = one.of(|found| found.exponent) => "exponent, fitted";
+    exponent_error: Option<f64> = one.of(|found| found.exponent_error).flatten();
+    exponent_by_identity: Option<f64> = one.of(|found| found.exponent_by_identity) => "exponent, 2ad/v² − 1";
+    damping_ratio: Option<f64> = one.of(|found| found.damping_ratio) => "damping ratio";
+    damping_n_s_m: Option<f64> = numbers(one.found()).1;
+    dissipation_s_m: Option<f64> = numbers(one.found()).2;
+    gravity_in_contact: Option<bool> = one.of(|found| found.has_gravity);
+    /// The laws that were fitted.
+    candidates: Vec<Fitted<'_>> = one.found().map_or(&[][..], |found| &found.candidates).iter().map(Fitted).collect();
+    quality: OfQuality<'_> = OfQuality(one);
+    impactor: Option<String> = one.impactor.clone();
+    sphere_radius_m: Option<f64> = one.sphere_radius_m;
+    boundary: Option<String> = one.boundary.clone();
+    reason: Option<String> = one.reason() => "no stiffness";
+});
+
+/// The estimates; without a stiffness, all are missing.
+#[derive(Clone, Copy)]
+struct Estimates(Option<StiffnessEstimates>);
+
+answer_of!(Estimates as k {
+    fit: Option<f64> = k.0.map(|k| k.fit_n_m) => "stiffness F/d, fitted";
+    integrated: Option<f64> = k.0.and_then(|k| k.integrated_n_m) => "  F/d, integrated";
+    peak_over_velocity: Option<f64> = k.0.map(|k| k.peak_over_velocity_n_m) => "  m (a/v)²";
+    contact_time: Option<f64> = k.0.map(|k| k.contact_time_n_m) => "  m (π/tc)²";
+    velocity_over_compression: Option<f64> = k.0.map(|k| k.velocity_over_compression_n_m) => "  m (v/d)²";
+    acceleration_over_compression: Option<f64> = k.0.map(|k| k.acceleration_over_compression_n_m) => "  m a/d";
+    energy: Option<f64> = k.0.map(|k| k.energy_n_m) => "  2E/d²";
+});
+
+/// A law that was fitted.
+#[derive(Clone, Copy)]
+struct Fitted<'r>(&'r Candidate);
+
+answer_of!(Fitted<'_> as fitted {
+    law: &'static str = fitted.0.law.name();
+    stiffness_n_m: f64 = fitted.0.secant_n_m;
+    exponent: f64 = fitted.0.exponent;
+    damping_ratio: f64 = fitted.0.damping_ratio;
+    residual_ratio: f64 = fitted.0.residual_ratio;
+    chi_squared: f64 = fitted.0.chi_squared;
+});
+
+/// How far a drop can be trusted.
+#[derive(Clone, Copy)]
+struct OfQuality<'r>(&'r DropReport);
+
+answer_of!(OfQuality<'_> as of {
+    samples_per_contact: Option<f64> = of.0.test.samples_per_contact => "samples per contact";
+    zero_shift_ratio: Option<f64> = of.0.test.zero_shift_ratio => "zero shift over peak";
+    noise_ratio: Option<f64> = of.0.test.noise_ratio => "noise over peak";
+    residual_ratio: Option<f64> = of.0.of(|found| found.residual_ratio) => "residual of the fit over peak";
+    spread_ratio: Option<f64> = of.0.of(|found| found.stiffness.spread_ratio()) => "spread of the estimates";
+    flags: Vec<&'static str> = of.0.test.flags.iter().map(|flag| flag.name()).collect() => "flag";
+});
 
 /// K, c and Λ of the law.
 pub(super) fn numbers(found: Option<&Identified>) -> (Option<f64>, Option<f64>, Option<f64>) {

@@ -7,7 +7,7 @@ use freestand::identify::{FittedLaw, Pooled, PooledDrop, pool_drops};
 
 use super::{DropReport, numbers};
 use freestand_input::words::significant;
-use freestand_output::facts::Facts;
+use freestand_output::answer_of;
 
 /// Masses that differ by more than this are those of different plates.
 const MASS_SHARE: f64 = 0.01;
@@ -163,39 +163,27 @@ fn of_repeats(tests: &[&DropReport], law: FittedLaw, seed: u64) -> Option<Pooled
 }
 
 impl PooledReport {
-    /// Its part of the document.
-    pub fn facts(&self) -> Facts<'_> {
-        let pad = self.pad.as_ref();
-        let of = |value: fn(&Pooled) -> f64| pad.map(|pad| value(&pad.stiffness));
-        Facts::default()
-            .fact(
-                "stiffness_n_m",
-                "stiffness of the pad",
-                of(|pooled| pooled.stiffness_n_m),
-            )
-            .fact(
-                "ci95_n_m",
-                "  95 % interval",
-                pad.map(|pad| <[f64; 2]>::from(pad.stiffness.ci95_n_m)),
-            )
-            .fact("exponent", "  exponent", of(|pooled| pooled.exponent))
-            .key(
-                "scatter_ratio",
-                pad.and_then(|pad| pad.stiffness.scatter_ratio),
-            )
-            .fact("count", "  drops", pad.map_or(0, |pad| pad.stiffness.count))
-            .fact("law", "  law", pad.map(|pad| pad.law.name()))
-            .key("coefficient_n_mn", pad.and_then(|pad| pad.coefficient_n_mn))
-            .key("damping_ratio", pad.and_then(|pad| pad.damping_ratio))
-            .key("damping_n_s_m", pad.and_then(|pad| pad.damping_n_s_m))
-            .key("dissipation_s_m", pad.and_then(|pad| pad.dissipation_s_m))
-            .key(
-                "restitution_ratio",
-                pad.and_then(|pad| pad.restitution_ratio),
-            )
-            .key("reason", self.reason.as_deref())
+    /// A number of the pad.
+    fn of<T>(&self, value: impl Fn(&PooledPad) -> T) -> Option<T> {
+        self.pad.as_ref().map(value)
     }
 }
+
+answer_of!(PooledReport as pooled {
+    stiffness_n_m: Option<f64> = pooled.of(|pad| pad.stiffness.stiffness_n_m) => "stiffness of the pad";
+    ci95_n_m: Option<[f64; 2]> = pooled.of(|pad| pad.stiffness.ci95_n_m.into()) => "  95 % interval";
+    exponent: Option<f64> = pooled.of(|pad| pad.stiffness.exponent) => "  exponent";
+    scatter_ratio: Option<f64> = pooled.of(|pad| pad.stiffness.scatter_ratio).flatten();
+    count: usize = pooled.of(|pad| pad.stiffness.count).unwrap_or(0) => "  drops";
+    law: Option<&'static str> = pooled.of(|pad| pad.law.name()) => "  law";
+    coefficient_n_mn: Option<f64> = pooled.of(|pad| pad.coefficient_n_mn).flatten();
+    damping_ratio: Option<f64> = pooled.of(|pad| pad.damping_ratio).flatten();
+    damping_n_s_m: Option<f64> = pooled.of(|pad| pad.damping_n_s_m).flatten();
+    dissipation_s_m: Option<f64> = pooled.of(|pad| pad.dissipation_s_m).flatten();
+    restitution_ratio: Option<f64> = pooled.of(|pad| pad.restitution_ratio).flatten();
+    /// Why there is no pad although each drop has a stiffness.
+    reason: Option<String> = pooled.reason.clone();
+});
 
 /// The properties in which the drops differ too much to be repeats, with their values. A value that
 /// is not given counts as equal.
