@@ -61,7 +61,7 @@ pub struct Risk {
     #[command(flatten)]
     #[serde(flatten)]
     pub cells: CellKeys,
-    /// Options, such as straps or pads: id, option, cost [AUD], median_factor or curves (CSV)
+    /// Options, such as straps or pads: id, option, `cost [AUD]`, median_factor or curves (CSV)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     pub options: Option<Written>,
     /// The most that options may cost, such as "20000 AUD"

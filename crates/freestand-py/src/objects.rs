@@ -8,6 +8,7 @@ use freestand_app::restrain::{Asked, Restrain, SCHEMA as RESTRAIN};
 use freestand_assess::one_object::one_object;
 use freestand_assess::restrain::{restrain as restrained, restrain_list as restrained_list};
 use freestand_input::problem::Problems;
+use freestand_output::answer::Answer as _;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -46,7 +47,7 @@ pub(crate) fn check_object(
         one_object(&meant.object, &|| stop.load(Ordering::Relaxed))
     })?;
     let report = report.map_err(raised)?;
-    told(SCHEMA, &report.facts, &report.warnings)
+    told(SCHEMA, &report, &report.warnings)
 }
 
 /// What a request asks of restraints. A study that cannot be used raises a `StudyError`.
@@ -66,8 +67,7 @@ pub(crate) fn restrain(
     let work = match restraints(request, files)? {
         Asked::One(one) => watched(py, None, |_| {
             let report = restrained(one)?;
-            let document = report.facts.clone().key("sheet", None::<String>);
-            Ok((document, report.warnings, Some(report.sheet)))
+            Ok((report.facts(), report.warnings, Some(report.sheet)))
         })?,
         Asked::List(list) => watched(py, None, |_| {
             let report = restrained_list(&list)?;

@@ -4,7 +4,9 @@ use freestand::rocking::Outcome;
 use freestand::spectra::UpliftCell;
 
 use crate::result::{ObjectResponse, ObjectStatistics, Ranked};
+use freestand_output::answer::Described;
 use freestand_output::facts::Value;
+use serde_json::json;
 
 /// The quantiles that are reported: 16, 50 and 84 %.
 pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
@@ -110,6 +112,12 @@ impl Ranked {
             Self::Value(value) => Some(value),
             Self::Overturned | Self::NoData => None,
         }
+    }
+}
+
+impl Described for Ranked {
+    fn schema() -> serde_json::Value {
+        json!({"type": ["number", "string", "null"]})
     }
 }
 

@@ -140,7 +140,7 @@ pub struct OneObject {
     #[arg(long, value_name = "RATIO", help_heading = "One object")]
     pub restitution_factor: Option<Written>,
     /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
-    /// fit of `exceeds` uses the shocks of the column edge_acceleration [g], not the outcomes
+    /// fit of `exceeds` uses the shocks of the column `edge_acceleration [g]`, not the outcomes
     #[arg(long, value_name = "ACCELERATION", help_heading = "One object")]
     pub tolerance: Option<Written>,
     /// Duration of the half-sine pulse whose peak is --tolerance

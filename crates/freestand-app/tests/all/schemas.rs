@@ -12,11 +12,11 @@ use freestand_app::fragility::{self, Fragility};
 use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
-use freestand_app::object::Object;
+use freestand_app::object::{self, Object};
 use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::recovery::Recovery;
-use freestand_app::restrain::Restrain;
+use freestand_app::restrain::{self, Restrain};
 use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{CheckStudy, Run};
@@ -30,6 +30,8 @@ use freestand_app::static_test::StaticTests;
 use freestand_app::synth::{Match, Synth};
 use freestand_app::virtual_test::VirtualTests;
 use freestand_assess::fragility::{FragilityReport, RunsReport};
+use freestand_assess::one_object::ObjectReport;
+use freestand_assess::restrain::{RestrainListReport, RestrainReport};
 use freestand_assess::risk::RiskReport;
 use freestand_output::answer::Answer;
 use freestand_study::shock::ShockAnswer;
@@ -48,6 +50,21 @@ fn the_schemas_are_those_of_the_structs() {
                 "fragility",
                 fragility::SCHEMA,
                 &[FragilityReport::properties(), RunsReport::properties()],
+            ),
+        ),
+        (
+            "object.response.json",
+            of_response("object", object::SCHEMA, &[ObjectReport::properties()]),
+        ),
+        (
+            "restrain.response.json",
+            of_response(
+                "restrain",
+                restrain::SCHEMA,
+                &[
+                    RestrainReport::properties(),
+                    RestrainListReport::properties(),
+                ],
             ),
         ),
         (

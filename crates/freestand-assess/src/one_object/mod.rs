@@ -12,7 +12,7 @@ mod shaking;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
-use freestand_output::facts::Facts;
+use freestand_study::places::Place;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 
@@ -25,7 +25,9 @@ pub use crate::verdict::{Follow, Shown, ShownEarthquake};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 
+pub use report::AtScale;
 pub use sentence::AnswerKind;
+use sentence::Withstands;
 pub use shaking::check_place;
 
 /// Schema of the document of `freestand object`.
@@ -168,12 +170,27 @@ pub struct ObjectReport {
     pub answer: String,
     /// What it says.
     pub kind: AnswerKind,
-    /// The document, and what people read of it.
-    pub facts: Facts<'static>,
-    /// The object under its motions at each scale, one row each.
-    pub scales: Vec<Facts<'static>>,
+    /// The object under its motions at each scale.
+    pub scales: Vec<AtScale>,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// The earthquake in words.
+    earthquake: String,
+    /// What its motions are called.
+    noun: &'static str,
+    /// The building in words, of an object above the ground.
+    building: Option<String>,
+    level_ratio: Option<f64>,
+    place: Option<&'static Place>,
+    is_round: bool,
+    place_is_assumed: bool,
+    building_is_assumed: bool,
+    /// What nobody stated.
+    assumptions: Vec<String>,
+    withstands: Option<Withstands>,
+    units: UnitSystem,
+    found: Assessment,
+    tally: Tally,
 }
 
 /// Assesses one object, on the current thread pool. Nothing is written.

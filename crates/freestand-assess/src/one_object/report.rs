@@ -3,9 +3,9 @@
 use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
-use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
-use freestand_output::facts::{Facts, Value};
+use freestand_output::{answer, answer_of};
+use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
@@ -69,67 +69,197 @@ pub(super) fn report(
              falling"
         ));
     }
-    let scales: Vec<Facts> = scales
-        .iter()
-        .map(|(scale, (found, tally))| at_scale(*scale, found, tally))
-        .collect();
-    let sentence = answer.sentence();
     let level_ratio = row.item.level_ratio.filter(|_| !is_given);
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
-    let building = building_words(&shaken.study, request.units).filter(|_| is_above);
     let target = shaken.study.ground.code_spectrum();
-    let place = target.and_then(|target| target.place);
-    let assumptions = assumptions(request, (row, &shaken.study), &found, is_given);
-    let facts = Facts::default()
-        .key("answer", sentence.clone())
-        .key("answer_kind", <&str>::from(answer.kind))
-        .fact("earthquake", "earthquake", shaken.words.clone())
-        .fact("building", "building", building)
-        .and(numbers(
-            (&found, &tally),
-            withstands,
-            shaken.told.noun(),
-            request.units,
-        ))
-        .key("level_ratio", level_ratio)
-        .key("place", place)
-        .key("scales", (!scales.is_empty()).then(|| scales.clone()))
-        .key("decision", found.decision.name())
-        .key("why", found.why.clone())
-        .key("close_call", found.answers.as_ref().map(Answers::is_close))
-        .key(
-            "worlds_needed",
-            found
-                .answers
-                .as_ref()
-                .and_then(|answers| answers.worlds_needed)
-                .map(u64::from),
-        )
-        .key("is_round", row.item.is_round)
-        .key(
-            "clearance_needed_m",
-            found.rolled.map(|rolled| rolled.clearance_needed_m),
-        )
-        .key(
-            "p_overturn_locked",
-            found.braked.map(|braked| braked.overturn.value),
-        )
-        .key("place_is_assumed", shaken.study.place_is_assumed)
-        .key(
-            "building_is_assumed",
-            shaken.study.building_is_assumed && is_above,
-        )
-        .key("assumptions", assumptions.clone())
-        // One line, however many there are.
-        .line("assumed", Some(assumptions.join("; ")));
+    let at_scale = |(scale_ratio, (found, tally))| AtScale {
+        scale_ratio,
+        found,
+        tally,
+    };
     ObjectReport {
-        answer: sentence,
+        answer: answer.sentence(),
         kind: answer.kind,
-        facts,
-        scales,
+        scales: scales.into_iter().map(at_scale).collect(),
         warnings,
+        earthquake: shaken.words.clone(),
+        noun: shaken.told.noun(),
+        building: building_words(&shaken.study, request.units).filter(|_| is_above),
+        level_ratio,
+        place: target.and_then(|target| target.place),
+        is_round: row.item.is_round,
+        place_is_assumed: shaken.study.place_is_assumed,
+        building_is_assumed: shaken.study.building_is_assumed && is_above,
+        assumptions: assumptions(request, (row, &shaken.study), &found, is_given),
+        withstands,
+        units: request.units,
+        found,
+        tally,
     }
 }
+
+/// The object under its motions, all multiplied by a scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtScale {
+    /// The scale.
+    pub scale_ratio: f64,
+    found: Assessment,
+    tally: Tally,
+}
+
+answer_of!(AtScale as at {
+    scale_ratio: f64 = at.scale_ratio;
+    floor_acceleration_g: OnFloor = OnFloor::of(&at.found);
+    motions: u64 = at.tally.worlds.into();
+    motions_lifted: u64 = at.tally.lifted.into();
+    motions_overturned: u64 = at.tally.overturned.into();
+    /// Largest uplift without a fall.
+    uplift_m_max: Option<f64> = at.tally.uplift_m_max;
+    /// Largest shock without a fall.
+    landing_acceleration_g_max: Option<f64> = at.tally.shock_g_max;
+});
+
+answer! {
+    /// Peak accelerations of the floor over the motions.
+    pub struct OnFloor {
+        median: Option<f64> = "floor acceleration, median",
+        max: Option<f64> = "floor acceleration, largest",
+    }
+}
+
+impl OnFloor {
+    fn of(found: &Assessment) -> Self {
+        let floor = found.floor.as_ref();
+        Self {
+            median: floor.map(|floor| floor.pfa_g_median),
+            max: floor.map(|floor| floor.pfa_g_max),
+        }
+    }
+}
+
+impl ObjectReport {
+    /// A probability with its interval, for people.
+    fn interval(&self, p: Option<Probability>) -> Option<String> {
+        let confidence = self.found.answers.as_ref()?.confidence;
+        let p = p?;
+        let [value, low, high, sure] =
+            [p.value, p.low, p.high, confidence].map(|share| percent_significant(share, 2));
+        let low = low.trim_end_matches(" %");
+        Some(format!("{value} ({sure} interval: {low} to {high})"))
+    }
+
+    /// What people call the acceleration that lifts an edge; its casters let an object roll before.
+    fn lift_label(&self) -> &'static str {
+        match (self.found.rolled, self.found.model) {
+            (Some(_), _) => "",
+            // On its pads it may lift earlier, in resonance with the floor.
+            (None, Some(ObjectModel::Compliant)) => "acceleration that lifts an edge, rigid base",
+            (None, _) => "acceleration that lifts an edge",
+        }
+    }
+
+    fn sliding(&self) -> Option<SlidingVerdict> {
+        self.found.sliding.as_ref().map(|sliding| sliding.verdict)
+    }
+
+    /// What people call how far it moves.
+    fn travel_label(&self) -> &'static str {
+        match self.found.model {
+            Some(ObjectModel::Slide) => "slides, median",
+            _ => "rolls, median",
+        }
+    }
+}
+
+// The numbers with the names of `objects.csv` are the same.
+answer_of!(ObjectReport as report {
+    /// The answer in one sentence.
+    answer: String = report.answer.clone();
+    answer_kind: &'static str = report.kind.into();
+    earthquake: String = report.earthquake.clone() => "earthquake";
+    building: Option<String> = report.building.clone() => "building";
+    falls: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.falls.into());
+    shock: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.shock.into());
+    motions: u64 = report.tally.worlds.into() => (report.noun);
+    motions_lifted: u64 = report.tally.lifted.into() => "of them lift an edge";
+    motions_overturned: u64 = report.tally.overturned.into() => "of them overturn it";
+    p_overturn: Option<f64> = report.found.p_overturn.map(|p| p.value);
+    p_overturn_low: Option<f64> = report.found.p_overturn.map(|p| p.low);
+    p_overturn_high: Option<f64> = report.found.p_overturn.map(|p| p.high);
+    __: Option<String> = report.interval(report.found.p_overturn) => "probability that it falls";
+    accepted_ratio: f64 = report.found.accepted_ratio;
+    __: String = percent_significant(report.found.accepted_ratio, 2) => "accepted probability";
+    accepted_for: &'static str = report.found.accepted_for.name();
+    /// Of the intervals.
+    confidence: Option<f64> = report.found.answers.as_ref().map(|answers| answers.confidence);
+    floor_acceleration_g: OnFloor = OnFloor::of(&report.found);
+    model: Option<&'static str> = report.found.model.map(ObjectModel::name);
+    /// The steady floor acceleration that first lifts an edge.
+    lift_acceleration_g: f64 = lift_g(&report.found, &report.tally) => (report.lift_label());
+    motions_leaning: Option<u64> = report.found.at_wall.as_ref().map(|_| leaning(&report.found, &report.tally).into());
+    p_lean: Option<f64> = report.found.at_wall.as_ref().map(|wall| wall.lean_share);
+    __: Option<String> = report.found.at_wall.as_ref().map(|wall| percent_significant(wall.strike_share, 2)) => "strikes its wall in";
+    wall_strike_share: Option<f64> = report.found.at_wall.as_ref().map(|wall| wall.strike_share);
+    wall_speed_m_s_median: Option<f64> = report.found.at_wall.as_ref().map(|wall| wall.speed_m_s_median);
+    __: Option<String> = report.found.at_wall.as_ref().map(|wall| report.units.speed(wall.speed_m_s_median, 3)) => "  speed there, median";
+    wall_acceleration_g_median: Option<f64> = report.found.at_wall.as_ref().and_then(|wall| wall.acceleration_g_median);
+    __: Option<String> = report.found.at_wall.as_ref().and_then(|wall| shock_words(Ranked::Value(wall.acceleration_g_median?))) => "  shock there, median";
+    slide_m_median: Option<f64> = report.found.rolled.map(|rolled| rolled.travel_m_median);
+    slide_m_p84: Option<f64> = report.found.rolled.map(|rolled| rolled.travel_m_p84);
+    __: Option<String> = report.found.rolled.map(|rolled| report.units.distance(rolled.travel_m_median, 3)) => (report.travel_label());
+    __: Option<String> = report.found.rolled.map(|rolled| report.units.distance(rolled.travel_m_p84, 3)) => "  in 84 % up to";
+    stop_share: Option<f64> = report.found.rolled.map(|rolled| rolled.stop_share);
+    trip_speed_m_s: Option<f64> = report.found.rolled.map(|rolled| rolled.trip_speed_m_s);
+    __: Option<String> = report.found.rolled.map(|rolled| report.units.speed(rolled.trip_speed_m_s, 4)) => "speed at which a stop trips it";
+    trip_margin: Option<f64> = report.found.rolled.as_ref().and_then(Rolled::trip_margin);
+    uplift_m_max: Option<f64> = report.tally.uplift_m_max;
+    __: Option<String> = report.tally.uplift_m_max.map(|most_m| report.units.distance(most_m, 3)) => "largest uplift without a fall";
+    uplift_m_median: Ranked = report.found.response.as_ref().map(|response| response.uplift_m[1]).unwrap_or(Ranked::NoData);
+    rotation_ratio_median: Ranked = report.found.response.as_ref().map(|response| response.rotation_ratio[1]).unwrap_or(Ranked::NoData);
+    edge_acceleration_g_median: Ranked = report.found.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]).unwrap_or(Ranked::NoData);
+    __: Option<String> = report.found.shock.as_ref().and_then(|shock| shock_words(shock.edge_acceleration_g[1])) => "shock, median";
+    edge_acceleration_g_p16: Ranked = report.found.shock.as_ref().map(|shock| shock.edge_acceleration_g[0]).unwrap_or(Ranked::NoData);
+    edge_acceleration_g_p84: Ranked = report.found.shock.as_ref().map(|shock| shock.edge_acceleration_g[2]).unwrap_or(Ranked::NoData);
+    edge_acceleration_compliant_g_median: Ranked = report.found.on_pads.as_ref().map(|pads| pads.edge_acceleration_g_median).unwrap_or(Ranked::NoData);
+    edge_acceleration_g_max: Option<f64> = report.found.shock.as_ref().and_then(|shock| shock.edge_acceleration_max_g);
+    landing_acceleration_g_max: Option<f64> = report.tally.shock_g_max;
+    __: Option<String> = report.tally.shock_g_max.and_then(|most_g| shock_words(Ranked::Value(most_g))) => "largest shock without a fall";
+    ceiling_g: Option<f64> = report.found.shock.as_ref().map(|shock| shock.ceiling_g);
+    pulse_duration_s: Option<f64> = report.found.shock.as_ref().map(|shock| shock.pulse_duration_s);
+    velocity_change_m_s: Ranked = report.found.shock.as_ref().map(|shock| shock.velocity_change_m_s).unwrap_or(Ranked::NoData);
+    pad_uplift_threshold_g: Option<f64> = report.found.on_pads.as_ref().and_then(|pads| pads.pad_uplift_threshold_g);
+    rocking_frequency_hz: Option<f64> = report.found.on_pads.as_ref().and_then(|pads| pads.rocking_frequency_hz);
+    __: Option<String> = report.withstands.map(|one| one.words()) => "withstands";
+    tolerance_g: Option<f64> = report.withstands.map(|one| one.peak_g);
+    tolerance_duration_s: Option<f64> = report.withstands.and_then(|one| one.duration_s);
+    demand_capacity_ratio: Ranked = report.found.capacity.as_ref().map(|capacity| capacity.demand_capacity).unwrap_or(Ranked::NoData);
+    p_exceed: Option<f64> = report.found.p_exceed.map(|p| p.value);
+    p_exceed_low: Option<f64> = report.found.p_exceed.map(|p| p.low);
+    p_exceed_high: Option<f64> = report.found.p_exceed.map(|p| p.high);
+    __: Option<String> = report.interval(report.found.p_exceed) => "probability of more than that, or a fall";
+    models_agree: Option<bool> = report.found.answers.as_ref().and_then(|answers| answers.models_agree);
+    clearance_m: Option<f64> = report.found.clearance_m;
+    sliding: Option<&'static str> = report.sliding().map(SlidingVerdict::name);
+    __: Option<&'static str> = report.sliding().filter(|one| report.found.rolled.is_none() && *one != SlidingVerdict::No).map(SlidingVerdict::name) => "slides";
+    level_ratio: Option<f64> = report.level_ratio;
+    place: Option<&Place> = report.place;
+    /// The object under its motions at each scale.
+    scales: Option<Vec<&AtScale>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
+    decision: &'static str = report.found.decision.name();
+    why: String = report.found.why.clone();
+    close_call: Option<bool> = report.found.answers.as_ref().map(Answers::is_close);
+    /// Earthquakes that would settle the question.
+    worlds_needed: Option<u64> = report.found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from);
+    is_round: bool = report.is_round;
+    clearance_needed_m: Option<f64> = report.found.rolled.map(|rolled| rolled.clearance_needed_m);
+    p_overturn_locked: Option<f64> = report.found.braked.map(|braked| braked.overturn.value);
+    place_is_assumed: bool = report.place_is_assumed;
+    building_is_assumed: bool = report.building_is_assumed;
+    /// What nobody stated.
+    assumptions: Vec<String> = report.assumptions.clone();
+    // One line, however many there are.
+    __: String = report.assumptions.join("; ") => "assumed";
+});
 
 fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
     Counts {
@@ -194,237 +324,11 @@ fn floor(request: &ObjectRequest, row: &Row, study: &Study) -> ToldFloor {
     }
 }
 
-/// The numbers: those with the names of `objects.csv` are the same.
-fn numbers(
-    (found, tally): (&Assessment, &Tally),
-    withstands: Option<Withstands>,
-    noun: &'static str,
-    units: UnitSystem,
-) -> Facts<'static> {
-    let answers = found.answers.as_ref();
-    let confidence = answers.map(|answers| answers.confidence);
-    let interval = |p: Option<Probability>| {
-        let (p, confidence) = p.zip(confidence)?;
-        let [value, low, high, sure] =
-            [p.value, p.low, p.high, confidence].map(|share| percent_significant(share, 2));
-        let low = low.trim_end_matches(" %");
-        Some(format!("{value} ({sure} interval: {low} to {high})"))
-    };
-    let [p_overturn, p_exceed] = [found.p_overturn, found.p_exceed];
-    let response = found.response.as_ref();
-    let (shock, on_pads) = (found.shock.as_ref(), found.on_pads.as_ref());
-    let sliding = found.sliding.as_ref().map(|sliding| sliding.verdict);
-    let shares = |name: [&'static str; 3], p: Option<Probability>| {
-        Facts::default()
-            .key(name[0], p.map(|p| p.value))
-            .key(name[1], p.map(|p| p.low))
-            .key(name[2], p.map(|p| p.high))
-    };
-    Facts::default()
-        .key("falls", answers.map(|answers| <&str>::from(answers.falls)))
-        .key("shock", answers.map(|answers| <&str>::from(answers.shock)))
-        .fact("motions", noun, u64::from(tally.worlds))
-        .fact(
-            "motions_lifted",
-            "of them lift an edge",
-            u64::from(tally.lifted),
-        )
-        .fact(
-            "motions_overturned",
-            "of them overturn it",
-            u64::from(tally.overturned),
-        )
-        .and(shares(
-            ["p_overturn", "p_overturn_low", "p_overturn_high"],
-            p_overturn,
-        ))
-        .line("probability that it falls", interval(p_overturn))
-        .key("accepted_ratio", found.accepted_ratio)
-        .line(
-            "accepted probability",
-            Some(percent_significant(found.accepted_ratio, 2)),
-        )
-        .key("accepted_for", found.accepted_for.name())
-        .key("confidence", confidence)
-        .fact("floor_acceleration_g", "", floor_acceleration(found))
-        .and(around(found, tally, units))
-        .key("uplift_m_max", tally.uplift_m_max)
-        .line(
-            "largest uplift without a fall",
-            tally.uplift_m_max.map(|most_m| units.distance(most_m, 3)),
-        )
-        .key(
-            "uplift_m_median",
-            ranked(response.map(|response| response.uplift_m[1])),
-        )
-        .key(
-            "rotation_ratio_median",
-            ranked(response.map(|response| response.rotation_ratio[1])),
-        )
-        .key(
-            "edge_acceleration_g_median",
-            ranked(shock.map(|shock| shock.edge_acceleration_g[1])),
-        )
-        .line(
-            "shock, median",
-            shock.and_then(|shock| shock_words(shock.edge_acceleration_g[1])),
-        )
-        .key(
-            "edge_acceleration_g_p16",
-            ranked(shock.map(|shock| shock.edge_acceleration_g[0])),
-        )
-        .key(
-            "edge_acceleration_g_p84",
-            ranked(shock.map(|shock| shock.edge_acceleration_g[2])),
-        )
-        .key(
-            "edge_acceleration_compliant_g_median",
-            ranked(on_pads.map(|pads| pads.edge_acceleration_g_median)),
-        )
-        .key(
-            "edge_acceleration_g_max",
-            shock.and_then(|shock| shock.edge_acceleration_max_g),
-        )
-        .key("landing_acceleration_g_max", tally.shock_g_max)
-        .line(
-            "largest shock without a fall",
-            tally
-                .shock_g_max
-                .and_then(|most_g| shock_words(Ranked::Value(most_g))),
-        )
-        .key("ceiling_g", shock.map(|shock| shock.ceiling_g))
-        .key(
-            "pulse_duration_s",
-            shock.map(|shock| shock.pulse_duration_s),
-        )
-        .key(
-            "velocity_change_m_s",
-            ranked(shock.map(|shock| shock.velocity_change_m_s)),
-        )
-        .key(
-            "pad_uplift_threshold_g",
-            on_pads.and_then(|pads| pads.pad_uplift_threshold_g),
-        )
-        .key(
-            "rocking_frequency_hz",
-            on_pads.and_then(|pads| pads.rocking_frequency_hz),
-        )
-        .line("withstands", withstands.map(|one| one.words()))
-        .key("tolerance_g", withstands.map(|one| one.peak_g))
-        .key(
-            "tolerance_duration_s",
-            withstands.and_then(|one| one.duration_s),
-        )
-        .key(
-            "demand_capacity_ratio",
-            ranked(
-                found
-                    .capacity
-                    .as_ref()
-                    .map(|capacity| capacity.demand_capacity),
-            ),
-        )
-        .and(shares(
-            ["p_exceed", "p_exceed_low", "p_exceed_high"],
-            p_exceed,
-        ))
-        .line(
-            "probability of more than that, or a fall",
-            interval(p_exceed),
-        )
-        .key(
-            "models_agree",
-            answers.and_then(|answers| answers.models_agree),
-        )
-        .key("clearance_m", found.clearance_m)
-        .key("sliding", sliding.map(SlidingVerdict::name))
-        .line(
-            "slides",
-            sliding
-                .filter(|one| found.rolled.is_none() && *one != SlidingVerdict::No)
-                .map(|one| one.name().to_owned()),
-        )
-}
-
 /// The steady floor acceleration that first lifts an edge: of a stack, of the upper body or of both \[g\].
 fn lift_g(found: &Assessment, tally: &Tally) -> f64 {
     found.stacked.map_or(tally.lift_g, |stack| {
         stack.threshold_upper_g.min(stack.threshold_together_g)
     })
-}
-
-/// Its model, its wall and its casters, with the names of `objects.csv`.
-fn around(found: &Assessment, tally: &Tally, units: UnitSystem) -> Facts<'static> {
-    let (wall, rolled) = (found.at_wall.as_ref(), found.rolled.as_ref());
-    let lift = match found.model {
-        // On its pads it may lift earlier, in resonance with the floor.
-        Some(ObjectModel::Compliant) => "acceleration that lifts an edge, rigid base",
-        _ => "acceleration that lifts an edge",
-    };
-    let shock_g = wall.and_then(|wall| wall.acceleration_g_median);
-    let facts = Facts::default().key("model", found.model.map(ObjectModel::name));
-    // Its casters let an object roll before an edge lifts.
-    let facts = match rolled {
-        Some(_) => facts.key("lift_acceleration_g", lift_g(found, tally)),
-        None => facts.fact("lift_acceleration_g", lift, lift_g(found, tally)),
-    };
-    facts
-        .key(
-            "motions_leaning",
-            wall.map(|_| u64::from(leaning(found, tally))),
-        )
-        .key("p_lean", wall.map(|wall| wall.lean_share))
-        .line(
-            "strikes its wall in",
-            wall.map(|wall| percent_significant(wall.strike_share, 2)),
-        )
-        .key("wall_strike_share", wall.map(|wall| wall.strike_share))
-        .key(
-            "wall_speed_m_s_median",
-            wall.map(|wall| wall.speed_m_s_median),
-        )
-        .line(
-            "  speed there, median",
-            wall.map(|wall| units.speed(wall.speed_m_s_median, 3)),
-        )
-        .key("wall_acceleration_g_median", shock_g)
-        .line(
-            "  shock there, median",
-            shock_g.and_then(|shock_g| shock_words(Ranked::Value(shock_g))),
-        )
-        .key(
-            "slide_m_median",
-            rolled.map(|rolled| rolled.travel_m_median),
-        )
-        .key("slide_m_p84", rolled.map(|rolled| rolled.travel_m_p84))
-        .line(
-            if found.model == Some(ObjectModel::Slide) {
-                "slides, median"
-            } else {
-                "rolls, median"
-            },
-            rolled.map(|rolled| units.distance(rolled.travel_m_median, 3)),
-        )
-        .line(
-            "  in 84 % up to",
-            rolled.map(|rolled| units.distance(rolled.travel_m_p84, 3)),
-        )
-        .key("stop_share", rolled.map(|rolled| rolled.stop_share))
-        .key("trip_speed_m_s", rolled.map(|rolled| rolled.trip_speed_m_s))
-        .line(
-            "speed at which a stop trips it",
-            rolled.map(|rolled| units.speed(rolled.trip_speed_m_s, 4)),
-        )
-        .key("trip_margin", rolled.and_then(Rolled::trip_margin))
-}
-
-/// A number, `overturned`, or nothing.
-fn ranked(value: Option<Ranked>) -> Value<'static> {
-    match value {
-        Some(Ranked::Value(value)) => value.into(),
-        Some(Ranked::Overturned) => "overturned".into(),
-        Some(Ranked::NoData) | None => Value::Missing,
-    }
 }
 
 fn shock_words(shock_g: Ranked) -> Option<String> {
@@ -433,33 +337,6 @@ fn shock_words(shock_g: Ranked) -> Option<String> {
         Ranked::Overturned => Some("most of them overturn it".to_owned()),
         Ranked::NoData => None,
     }
-}
-
-/// The object under its motions, all multiplied by a scale.
-fn at_scale(scale: f64, found: &Assessment, tally: &Tally) -> Facts<'static> {
-    Facts::default()
-        .key("scale_ratio", scale)
-        .key("floor_acceleration_g", floor_acceleration(found))
-        .key("motions", u64::from(tally.worlds))
-        .key("motions_lifted", u64::from(tally.lifted))
-        .key("motions_overturned", u64::from(tally.overturned))
-        .key("uplift_m_max", tally.uplift_m_max)
-        .key("landing_acceleration_g_max", tally.shock_g_max)
-}
-
-fn floor_acceleration(found: &Assessment) -> Facts<'static> {
-    let floor = found.floor.as_ref();
-    Facts::default()
-        .fact(
-            "median",
-            "floor acceleration, median",
-            floor.map(|floor| floor.pfa_g_median),
-        )
-        .fact(
-            "max",
-            "floor acceleration, largest",
-            floor.map(|floor| floor.pfa_g_max),
-        )
 }
 
 /// Whether a wall or a neighbour was named.

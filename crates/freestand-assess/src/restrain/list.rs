@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
-use freestand_output::facts::{self, Facts};
+use freestand_output::answer::Answer;
+use freestand_output::facts::table;
 use freestand_output::table::Table;
+use freestand_output::{answer, answer_of};
 
 use super::report::{ToConfirm, clause_words, to_confirm};
 use super::{
@@ -44,7 +46,7 @@ pub struct RestrainListRequest {
 /// The forces of all objects of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestrainListReport {
-    rows: Vec<Facts<'static>>,
+    rows: Vec<ListRow>,
     /// The same in words: row, object, force, its share of the weight, tension of an edge, the same in
     /// concrete; or the reason.
     pub lines: Vec<[String; 6]>,
@@ -60,31 +62,57 @@ pub struct RestrainListReport {
     pub warnings: Vec<String>,
 }
 
-impl RestrainListReport {
-    /// The result, with all rows.
-    pub fn facts(&self) -> Facts<'static> {
-        Facts::default()
-            .key("objects", self.rows.len())
-            .key("held", self.held)
-            .key("assumptions", self.assumptions.clone())
-            .key(
-                "to_confirm",
-                self.to_confirm
-                    .iter()
-                    .cloned()
-                    .map(ToConfirm::facts)
-                    .collect::<Vec<_>>(),
-            )
-            .key("problems", self.problems.clone())
-            .key("rows", self.rows.clone())
-    }
+answer_of!(RestrainListReport as report {
+    objects: usize = report.rows.len();
+    /// Objects with a force.
+    held: usize = report.held;
+    /// What was not stated about the hazard.
+    assumptions: Vec<String> = report.assumptions.clone();
+    /// What an engineer must confirm.
+    to_confirm: Vec<&ToConfirm> = report.to_confirm.iter().collect();
+    /// What is wrong or doubtful in the list.
+    problems: Vec<String> = report.problems.clone();
+    rows: Vec<ListRow> = report.rows.clone();
+});
 
+answer! {
+    /// An object of the list: its force, or the reason why it has none.
+    pub struct ListRow {
+        id: String,
+        item: String,
+        row: usize,
+        quantity: usize,
+        level_ratio: Option<f64>,
+        /// The row of the table of components of the code.
+        component: Option<&'static str>,
+        clause: Option<String>,
+        force_n: Option<f64>,
+        /// Of its weight.
+        force_ratio: Option<f64>,
+        acts_at_height_m: Option<f64>,
+        /// The axis across which it tips.
+        axis: Option<&'static str>,
+        anchor_inset_m: Option<f64>,
+        /// Along one edge.
+        anchor_tension_n: Option<f64>,
+        anchor_tension_concrete_n: Option<f64>,
+        tension_of_each_n: Option<f64>,
+        tension_concrete_of_each_n: Option<f64>,
+        shear_of_each_n: Option<f64>,
+        bracket_height_m: Option<f64>,
+        bracket_force_n: Option<f64>,
+        /// Why it has no force.
+        reason: Option<String>,
+    }
+}
+
+impl RestrainListReport {
     /// The rows as `restraint.csv`.
     ///
     /// # Errors
     /// A row that has no place in a table.
     pub fn table(&self) -> Result<Table, Problem> {
-        facts::table(self.rows.iter().cloned())
+        table(self.rows.iter().map(Answer::facts))
     }
 }
 
@@ -209,60 +237,35 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         let force = case.as_ref().map(|case| &case.own.force);
         let per_anchor = |edge_n: f64| edge_n / request.anchors_per_edge as f64;
         report.held += usize::from(case.is_some());
-        report.rows.push(
-            Facts::default()
-                .key("id", item.id.clone())
-                .key("item", item.item.clone())
-                .key("row", item.row as usize)
-                .key("quantity", item.quantity as usize)
-                .key("level_ratio", item.level_ratio.filter(|_| is_on_floor))
-                .key(
-                    "component",
-                    case.as_ref()
-                        .and_then(|case| case.question.object.component)
-                        .map(|row| row.name),
-                )
-                .key("clause", case.as_ref().map(|case| clause_words(&case.own)))
-                .key("force_n", force.map(|force| force.force_n))
-                .key("force_ratio", force.map(|force| force.force_ratio))
-                .key(
-                    "acts_at_height_m",
-                    case.as_ref().map(|case| case.question.object.cg_height_m),
-                )
-                .key(
-                    "axis",
-                    case.as_ref()
-                        .and_then(|case| case.own.axis.as_ref())
-                        .map(|axis| axis.axis.name()),
-                )
-                .key("anchor_inset_m", case.as_ref().map(|case| case.own.inset_m))
-                .key(
-                    "anchor_tension_n",
-                    force.map(|force| force.anchor_tension_n),
-                )
-                .key(
-                    "anchor_tension_concrete_n",
-                    force.map(|force| force.anchor_tension_concrete_n),
-                )
-                .key(
-                    "tension_of_each_n",
-                    force.map(|force| per_anchor(force.anchor_tension_n)),
-                )
-                .key(
-                    "tension_concrete_of_each_n",
-                    force.map(|force| per_anchor(force.anchor_tension_concrete_n)),
-                )
-                .key(
-                    "shear_of_each_n",
-                    case.as_ref().map(|case| case.anchor_shear_n()),
-                )
-                .key(
-                    "bracket_height_m",
-                    force.map(|force| force.bracket_height_m),
-                )
-                .key("bracket_force_n", force.map(|force| force.bracket_force_n))
-                .key("reason", reason.clone()),
-        );
+        report.rows.push(ListRow {
+            id: item.id.clone(),
+            item: item.item.clone(),
+            row: item.row as usize,
+            quantity: item.quantity as usize,
+            level_ratio: item.level_ratio.filter(|_| is_on_floor),
+            component: case
+                .as_ref()
+                .and_then(|case| case.question.object.component)
+                .map(|row| row.name),
+            clause: case.as_ref().map(|case| clause_words(&case.own)),
+            force_n: force.map(|force| force.force_n),
+            force_ratio: force.map(|force| force.force_ratio),
+            acts_at_height_m: case.as_ref().map(|case| case.question.object.cg_height_m),
+            axis: case
+                .as_ref()
+                .and_then(|case| case.own.axis.as_ref())
+                .map(|axis| axis.axis.name()),
+            anchor_inset_m: case.as_ref().map(|case| case.own.inset_m),
+            anchor_tension_n: force.map(|force| force.anchor_tension_n),
+            anchor_tension_concrete_n: force.map(|force| force.anchor_tension_concrete_n),
+            tension_of_each_n: force.map(|force| per_anchor(force.anchor_tension_n)),
+            tension_concrete_of_each_n: force
+                .map(|force| per_anchor(force.anchor_tension_concrete_n)),
+            shear_of_each_n: case.as_ref().map(|case| case.anchor_shear_n()),
+            bracket_height_m: force.map(|force| force.bracket_height_m),
+            bracket_force_n: force.map(|force| force.bracket_force_n),
+            reason: reason.clone(),
+        });
         let [held, share, tension, concrete] = match (force, reason) {
             (Some(force), _) => [
                 units.force(force.force_n),

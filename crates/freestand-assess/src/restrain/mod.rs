@@ -179,6 +179,7 @@ enum FactorsOf {
 }
 
 /// A request with everything that follows from it.
+#[derive(Debug, Clone, PartialEq)]
 struct Case {
     request: RestrainRequest,
     question: RestraintQuestion,
@@ -197,8 +198,7 @@ struct Case {
 /// # Errors
 /// Everything that is wrong with the request.
 pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
-    let case = case(request)?;
-    Ok(report::report(&case))
+    Ok(report::report(case(request)?))
 }
 
 /// Everything that is wrong with a request.

@@ -3,7 +3,10 @@
 use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
-use freestand_output::facts::Facts;
+use freestand_output::answer::ByName;
+use freestand_output::answer_of;
+use freestand_study::places::Place;
+use freestand_study::target::Target;
 
 use super::{Case, sheet};
 use crate::restraint::Demand;
@@ -12,8 +15,6 @@ use crate::restraint::factor::{Factor, FactorSource};
 /// The force, moments and anchors of one object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestrainReport {
-    /// The result; the path of the sheet is added by who writes it.
-    pub facts: Facts<'static>,
     /// The answer in one sentence.
     pub answer: String,
     /// The factors: symbol, value with its unit, who says so.
@@ -26,14 +27,16 @@ pub struct RestrainReport {
     pub to_confirm: Vec<ToConfirm>,
     /// `restraint.html`.
     pub sheet: String,
+    /// Where it was written; whoever writes it says so.
+    pub sheet_path: Option<String>,
     /// Warnings.
     pub warnings: Vec<String>,
+    case: Case,
 }
 
-pub(super) fn report(case: &Case) -> RestrainReport {
+pub(super) fn report(case: Case) -> RestrainReport {
     RestrainReport {
-        facts: facts(case),
-        answer: answer(case),
+        answer: answer(&case),
         factors: case.own.source.factors.iter().map(factor_words).collect(),
         others: case
             .others
@@ -42,8 +45,10 @@ pub(super) fn report(case: &Case) -> RestrainReport {
             .collect(),
         assumptions: case.assumptions.clone(),
         to_confirm: to_confirm(&case.own),
-        sheet: sheet::sheet(case),
+        sheet: sheet::sheet(&case),
+        sheet_path: None,
         warnings: case.warnings.clone(),
+        case,
     }
 }
 
@@ -139,118 +144,148 @@ fn other_words(units: UnitSystem, demand: &Demand) -> [String; 5] {
     ]
 }
 
-fn facts(case: &Case) -> Facts<'static> {
-    let (own, object) = (&case.own, &case.question.object);
-    let force = &own.force;
-    let units = case.request.units;
-    let moment = |moment_n_m: f64| Some(units.moment(moment_n_m));
-    let formula = format!(
-        "{} = {} W",
-        own.source.numbers,
-        number(own.source.force.formula_ratio, 4)
-    );
-    let hazard = case.target.as_ref().map(|target| target.parts_words());
-    let axis = own.axis.as_ref().map(|axis| axis.axis.name());
-    let per_anchor = Facts::default()
-        .key("tension_n", case.anchor_n(force.anchor_tension_n))
-        .key(
-            "tension_concrete_n",
-            case.anchor_n(force.anchor_tension_concrete_n),
-        )
-        .key("shear_n", case.anchor_shear_n());
-    let [tension, in_concrete] = [force.anchor_tension_n, force.anchor_tension_concrete_n]
-        .map(|tension_n| tension_words(units, tension_n));
-    let shear = units.force(case.anchor_shear_n());
-    let anchors = case.request.anchors_per_edge;
-    let of_each = [force.anchor_tension_n, force.anchor_tension_concrete_n]
-        .map(|edge_n| case.anchor_n(edge_n));
-    let pull = match of_each {
-        [tension_n, concrete_n] if tension_n > 0.0 || concrete_n > 0.0 => {
+impl Case {
+    /// The words about each anchor.
+    fn anchor_words(&self) -> String {
+        let (force, units) = (&self.own.force, self.request.units);
+        let [tension_n, concrete_n] = [force.anchor_tension_n, force.anchor_tension_concrete_n]
+            .map(|edge_n| self.anchor_n(edge_n));
+        let pull = if tension_n > 0.0 || concrete_n > 0.0 {
             format!(
                 "{} of tension, in concrete {}; ",
                 units.force(tension_n),
                 units.force(concrete_n)
             )
-        }
-        _ => String::new(),
-    };
-    let each = format!("{pull}{shear} of shear ({anchors} along each of two edges)");
-    let bracket_height = units.length(force.bracket_height_m);
-    let bracket = format!(
-        "{} at {bracket_height}, with {} at the feet",
-        units.force(force.bracket_force_n),
-        units.force(force.bracket_base_shear_n)
-    );
-    Facts::default()
-        .key("code", own.source.code)
-        .key("clause", own.source.clause)
-        .line("clause", Some(clause_words(own)))
-        .line("hazard", hazard)
-        .line(
-            "floor",
-            Some(case.floor.clone()).filter(|floor| !floor.is_empty()),
+        } else {
+            String::new()
+        };
+        let shear = units.force(self.anchor_shear_n());
+        let anchors = self.request.anchors_per_edge;
+        format!("{pull}{shear} of shear ({anchors} along each of two edges)")
+    }
+
+    fn bracket_words(&self) -> String {
+        let (force, units) = (&self.own.force, self.request.units);
+        format!(
+            "{} at {}, with {} at the feet",
+            units.force(force.bracket_force_n),
+            units.length(force.bracket_height_m),
+            units.force(force.bracket_base_shear_n)
         )
-        .line("formula", Some(own.source.equation.clone()))
-        .line(" ", Some(format!("= {formula}")))
-        .line("limits", limits_words(own))
-        .key("force_n", force.force_n)
-        .key("force_ratio", force.force_ratio)
-        .line(
-            "force",
-            Some(format!(
-                "{}, {} of its weight",
-                units.force_in_both(force.force_n),
-                number(force.force_ratio, 4)
-            )),
-        )
-        .key("acts_at_height_m", object.cg_height_m)
-        .line(
-            "acts at a height of",
-            Some(units.length(object.cg_height_m)),
-        )
-        .key("overturning_moment_n_m", own.overturning_moment_n_m)
-        .line("overturning moment", moment(own.overturning_moment_n_m))
-        .key("resisting_moment_n_m", own.resisting_moment_n_m)
-        .line("resisting moment", moment(own.resisting_moment_n_m))
-        .key("axis", axis)
-        .line("tips across", axis.map(|axis| format!("the {axis}")))
-        .key("anchor_inset_m", own.inset_m)
-        .key("anchor_tension_n", force.anchor_tension_n)
-        .line("anchors along one edge", Some(tension))
-        .key("anchor_tension_concrete_n", force.anchor_tension_concrete_n)
-        .line("the same in concrete", Some(in_concrete))
-        .key("per_anchor", per_anchor)
-        .line("each anchor", Some(each))
-        .key("anchors_per_edge", anchors)
-        .key("bracket_height_m", force.bracket_height_m)
-        .key("bracket_force_n", force.bracket_force_n)
-        .key("bracket_base_shear_n", force.bracket_base_shear_n)
-        .line("or a bracket", Some(bracket))
-        .key("held_weight_ratio", force.held_weight_ratio)
-        .key("overstrength_ratio", force.overstrength_ratio)
-        .key("formula", formula)
-        .key("level_ratio", object.level_ratio)
-        .key(
-            "place",
-            case.target.as_ref().and_then(|target| target.place),
-        )
-        .key("factors", factor_facts(&own.source.factors))
-        .key("assumptions", case.assumptions.clone())
-        .key(
-            "component",
-            case.question.object.component.map(|row| row.name),
-        )
-        .key(
-            "to_confirm",
-            to_confirm(own)
-                .into_iter()
-                .map(ToConfirm::facts)
-                .collect::<Vec<_>>(),
-        )
-        .key(
-            "others",
-            case.others.iter().map(other_facts).collect::<Vec<_>>(),
-        )
+    }
+
+    fn force_words(&self) -> String {
+        let force = &self.own.force;
+        let share = number(force.force_ratio, 4);
+        let both = self.request.units.force_in_both(force.force_n);
+        format!("{both}, {share} of its weight")
+    }
+
+    /// The formula with its numbers.
+    fn formula_words(&self) -> String {
+        let source = &self.own.source;
+        let ratio = number(source.force.formula_ratio, 4);
+        format!("{} = {ratio} W", source.numbers)
+    }
+
+    fn axis(&self) -> Option<&'static str> {
+        self.own.axis.as_ref().map(|axis| axis.axis.name())
+    }
+}
+
+answer_of!(RestrainReport as report {
+    code: Option<&'static str> = report.case.own.source.code;
+    clause: &'static str = report.case.own.source.clause;
+    __: String = clause_words(&report.case.own) => "clause";
+    __: Option<String> = report.case.target.as_ref().map(Target::parts_words) => "hazard";
+    __: Option<String> = Some(report.case.floor.clone()).filter(|floor| !floor.is_empty()) => "floor";
+    __: String = report.case.own.source.equation.clone() => "formula";
+    __: String = format!("= {}", report.case.formula_words()) => " ";
+    __: Option<String> = limits_words(&report.case.own) => "limits";
+    force_n: f64 = report.case.own.force.force_n;
+    /// Of its weight.
+    force_ratio: f64 = report.case.own.force.force_ratio;
+    __: String = report.case.force_words() => "force";
+    acts_at_height_m: f64 = report.case.question.object.cg_height_m;
+    __: String = report.case.request.units.length(report.case.question.object.cg_height_m) => "acts at a height of";
+    overturning_moment_n_m: f64 = report.case.own.overturning_moment_n_m;
+    __: String = report.case.request.units.moment(report.case.own.overturning_moment_n_m) => "overturning moment";
+    resisting_moment_n_m: f64 = report.case.own.resisting_moment_n_m;
+    __: String = report.case.request.units.moment(report.case.own.resisting_moment_n_m) => "resisting moment";
+    /// The axis across which it tips.
+    axis: Option<&'static str> = report.case.axis();
+    __: Option<String> = report.case.axis().map(|axis| format!("the {axis}")) => "tips across";
+    anchor_inset_m: f64 = report.case.own.inset_m;
+    /// Along one edge.
+    anchor_tension_n: f64 = report.case.own.force.anchor_tension_n;
+    __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_n) => "anchors along one edge";
+    anchor_tension_concrete_n: f64 = report.case.own.force.anchor_tension_concrete_n;
+    __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_concrete_n) => "the same in concrete";
+    per_anchor: OfAnchor<'_> = OfAnchor(&report.case);
+    __: String = report.case.anchor_words() => "each anchor";
+    anchors_per_edge: usize = report.case.request.anchors_per_edge;
+    bracket_height_m: f64 = report.case.own.force.bracket_height_m;
+    bracket_force_n: f64 = report.case.own.force.bracket_force_n;
+    /// At the feet, beside the bracket.
+    bracket_base_shear_n: f64 = report.case.own.force.bracket_base_shear_n;
+    __: String = report.case.bracket_words() => "or a bracket";
+    held_weight_ratio: f64 = report.case.own.force.held_weight_ratio;
+    overstrength_ratio: f64 = report.case.own.force.overstrength_ratio;
+    /// The formula with its numbers.
+    formula: String = report.case.formula_words();
+    level_ratio: f64 = report.case.question.object.level_ratio;
+    place: Option<&Place> = report.case.target.as_ref().and_then(|target| target.place);
+    factors: ByName<&Factor> = factors(&report.case.own.source.factors);
+    /// What was not stated.
+    assumptions: Vec<String> = report.assumptions.clone();
+    /// The row of the table of components of the code.
+    component: Option<&'static str> = report.case.question.object.component.map(|row| row.name);
+    /// What an engineer must confirm.
+    to_confirm: Vec<&ToConfirm> = report.to_confirm.iter().collect();
+    /// The same by other codes.
+    others: Vec<ByCode<'_>> = report.case.others.iter().map(ByCode).collect();
+    /// Where the sheet was written.
+    sheet: Option<String> = report.sheet_path.clone();
+});
+
+/// What each anchor carries.
+#[derive(Clone, Copy)]
+struct OfAnchor<'r>(&'r Case);
+
+answer_of!(OfAnchor<'_> as one {
+    tension_n: f64 = one.0.anchor_n(one.0.own.force.anchor_tension_n);
+    tension_concrete_n: f64 = one.0.anchor_n(one.0.own.force.anchor_tension_concrete_n);
+    shear_n: f64 = one.0.anchor_shear_n();
+});
+
+/// The same by another code.
+#[derive(Clone, Copy)]
+struct ByCode<'r>(&'r Demand);
+
+answer_of!(ByCode<'_> as by {
+    code: Option<&'static str> = by.0.source.code;
+    clause: &'static str = by.0.source.clause;
+    force_n: f64 = by.0.force.force_n;
+    force_ratio: f64 = by.0.force.force_ratio;
+    overturning_moment_n_m: f64 = by.0.overturning_moment_n_m;
+    resisting_moment_n_m: f64 = by.0.resisting_moment_n_m;
+    anchor_tension_n: f64 = by.0.force.anchor_tension_n;
+    anchor_tension_concrete_n: f64 = by.0.force.anchor_tension_concrete_n;
+    bracket_force_n: f64 = by.0.force.bracket_force_n;
+    factors: ByName<&Factor> = factors(&by.0.source.factors);
+});
+
+answer_of!(Factor as factor {
+    symbol: &'static str = factor.symbol;
+    value: f64 = factor.value;
+    unit: &'static str = factor.unit;
+    /// Who says so.
+    source: String = factor.source.words();
+});
+
+/// Factors by their keys.
+fn factors(all: &[Factor]) -> ByName<&Factor> {
+    ByName(all.iter().map(|factor| (factor.key, factor)).collect())
 }
 
 /// What nobody has read in the code, and an engineer must confirm before the sheet is signed.
@@ -262,13 +297,11 @@ pub struct ToConfirm {
     pub value: String,
 }
 
-impl ToConfirm {
-    pub(super) fn facts(self) -> Facts<'static> {
-        Facts::default()
-            .key("what", self.what)
-            .key("value", Some(self.value).filter(|value| !value.is_empty()))
-    }
-}
+answer_of!(ToConfirm as one {
+    what: String = one.what.clone();
+    /// The value that was used; of a clause none.
+    value: Option<String> = Some(one.value.clone()).filter(|value| !value.is_empty());
+});
 
 pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
     let factor = |factor: &Factor| match factor.source {
@@ -296,30 +329,4 @@ pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
         .filter_map(factor)
         .chain(source.to_confirm.iter().map(clause))
         .collect()
-}
-
-fn factor_facts(factors: &[Factor]) -> Facts<'static> {
-    factors.iter().fold(Facts::default(), |facts, factor| {
-        let one = Facts::default()
-            .key("symbol", factor.symbol)
-            .key("value", factor.value)
-            .key("unit", factor.unit)
-            .key("source", factor.source.words());
-        facts.key(factor.key, one)
-    })
-}
-
-fn other_facts(demand: &Demand) -> Facts<'static> {
-    let force = &demand.force;
-    Facts::default()
-        .key("code", demand.source.code)
-        .key("clause", demand.source.clause)
-        .key("force_n", force.force_n)
-        .key("force_ratio", force.force_ratio)
-        .key("overturning_moment_n_m", demand.overturning_moment_n_m)
-        .key("resisting_moment_n_m", demand.resisting_moment_n_m)
-        .key("anchor_tension_n", force.anchor_tension_n)
-        .key("anchor_tension_concrete_n", force.anchor_tension_concrete_n)
-        .key("bracket_force_n", force.bracket_force_n)
-        .key("factors", factor_facts(&demand.source.factors))
 }

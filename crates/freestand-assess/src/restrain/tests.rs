@@ -1,4 +1,5 @@
 use freestand_input::keys::Words;
+use freestand_output::answer::Answer as _;
 use freestand_study::resolve::resolve;
 
 use super::*;
@@ -37,7 +38,7 @@ fn code(words: &[(&'static str, &'static str)]) -> RestrainHazard {
 }
 
 fn number_of(report: &RestrainReport, name: &str) -> f64 {
-    report.facts.number(name).unwrap()
+    report.facts().number(name).unwrap()
 }
 
 #[track_caller]
@@ -86,7 +87,7 @@ fn asce_7_16_by_hand() {
     near(number_of(&report, "force_ratio"), 0.72);
     near(number_of(&report, "acts_at_height_m"), 1.15);
     assert_eq!(
-        (report.facts.text("code"), report.facts.text("clause")),
+        (report.facts().text("code"), report.facts().text("clause")),
         (Some("ASCE 7-16"), Some("13.3.1"))
     );
     let factor = |symbol: &str| {
@@ -208,7 +209,7 @@ fn the_edition_in_force() {
     let by = |words: &[(&'static str, &'static str)]| {
         restrain(cabinet(code(words), Some(1.0)))
             .unwrap()
-            .facts
+            .facts()
             .text("code")
             .map(str::to_owned)
     };
@@ -349,7 +350,7 @@ fn as_1170_4_by_hand() {
         number_of(&report, "anchor_tension_n") / WEIGHT_N,
         (0.143 * 2.02 * 1.15 - 0.27) / 0.6,
     );
-    assert_eq!(report.facts.text("code"), Some("AS 1170.4"));
+    assert_eq!(report.facts().text("code"), Some("AS 1170.4"));
 }
 
 /// NZS 1170.5, Wellington (Z = 0.4, 500 years: R = 1), class C: C(0) = 1.33 · 0.4 = 0.532 g; at a fifth
@@ -411,7 +412,7 @@ fn eurocode_8_by_hand() {
     })
     .unwrap();
     near(number_of(&report, "force_ratio"), 0.378);
-    assert_eq!(report.facts.text("code"), Some("Eurocode 8"));
+    assert_eq!(report.facts().text("code"), Some("Eurocode 8"));
 }
 
 /// F = m a: 0.9 W; T = (0.9 · 1.15 − 0.27)/0.6 = 1.275 W.
@@ -421,7 +422,7 @@ fn a_floor_acceleration_by_hand() {
     near(number_of(&report, "force_ratio"), 0.9);
     near(number_of(&report, "anchor_tension_n") / WEIGHT_N, 1.275);
     assert_eq!(
-        (report.facts.text("code"), report.facts.text("clause")),
+        (report.facts().text("code"), report.facts().text("clause")),
         (None, Some("F = m a"))
     );
     assert!(

@@ -2,9 +2,9 @@
 
 use clap::Args;
 use freestand_app::object::{Meant, Object, SCHEMA};
-use freestand_assess::one_object::{ObjectReport, one_object_shown};
+use freestand_assess::one_object::{AtScale, ObjectReport, one_object_shown};
 use freestand_input::quantity::UnitSystem;
-use freestand_output::facts::Facts;
+use freestand_output::answer::Answer as _;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -70,7 +70,7 @@ impl Tell for Object {
         if let Some((session, shown)) = session.zip(shown.as_ref()) {
             session.beside(shown);
         }
-        files.print(printer, SCHEMA, &report.facts, &report.warnings, || {
+        files.print(printer, SCHEMA, &report, &report.warnings, || {
             text(&report, object.units)
         })?;
         Ok(Done::OK)
@@ -98,7 +98,8 @@ fn scale_headings(units: UnitSystem) -> (&'static str, [&'static str; 7]) {
 }
 
 /// A row of that table.
-fn at_scale(row: &Facts, length: &str) -> Vec<String> {
+fn at_scale(row: &AtScale, length: &str) -> Vec<String> {
+    let facts = row.facts();
     let columns = [
         ("scale_ratio", "", 0),
         ("median", "", 3),
@@ -109,7 +110,7 @@ fn at_scale(row: &Facts, length: &str) -> Vec<String> {
         ("landing_acceleration_g_max", "", 3),
     ];
     columns
-        .map(|(name, unit, digits)| row.cell(name, unit, digits))
+        .map(|(name, unit, digits)| facts.cell(name, unit, digits))
         .to_vec()
 }
 
@@ -119,7 +120,7 @@ const MAX_ROWS: usize = 18;
 fn text(report: &ObjectReport, units: UnitSystem) -> String {
     let mut text = format!("{}\n\n", report.answer);
     if report.scales.is_empty() {
-        text.push_str(&lines(&report.facts));
+        text.push_str(&lines(&report.facts()));
         return text;
     }
     let (length, headings) = scale_headings(units);

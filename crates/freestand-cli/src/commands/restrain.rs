@@ -6,6 +6,7 @@ use freestand_assess::restrain::{
     RestrainListReport, RestrainReport, ToConfirm, restrain, restrain_list,
 };
 use freestand_input::keys::KeyStyle;
+use freestand_output::answer::Answer as _;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -55,19 +56,16 @@ impl Tell for Restrain {
         let inputs = std::mem::take(&mut meant.inputs);
         match meant.asked()? {
             Asked::One(one) => {
-                let report = restrain(one)?;
+                let mut report = restrain(one)?;
                 let files = Files::begin(global, &inputs)?;
-                let sheet = files.write(SHEET, || &report.sheet)?;
-                let document = report.facts.clone().key("sheet", sheet.clone());
-                files.print(printer, SCHEMA, &document, &report.warnings, || {
-                    text(&report, sheet.as_deref())
-                })?;
+                report.sheet_path = files.write(SHEET, || &report.sheet)?;
+                files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
             }
             Asked::List(list) => {
                 let report = restrain_list(&list)?;
                 let files = Files::begin(global, &inputs)?;
                 files.table("restraint", || report.table())?;
-                files.print(printer, SCHEMA, &report.facts(), &report.warnings, || {
+                files.print(printer, SCHEMA, &report, &report.warnings, || {
                     list_text(&report)
                 })?;
             }
@@ -126,8 +124,8 @@ fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
     text
 }
 
-fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
-    let mut text = format!("{}\n\n{}\n", report.answer, lines(&report.facts));
+fn text(report: &RestrainReport) -> String {
+    let mut text = format!("{}\n\n{}\n", report.answer, lines(&report.facts()));
     let rows: Vec<Vec<String>> = report.factors.iter().map(|row| row.to_vec()).collect();
     text.push_str(&table(&["factor", "value", "who says so"], &rows));
     if !report.others.is_empty() {
@@ -143,7 +141,7 @@ fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
         text.push_str(&table(&headings, &rows));
     }
     text.push_str(&open_text(&report.to_confirm, &report.assumptions));
-    if let Some(path) = sheet {
+    if let Some(path) = &report.sheet_path {
         text.push_str(&format!("\nto print: {path}\n"));
     }
     text
