@@ -25,6 +25,7 @@ pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
 pub mod tolerance;
+pub mod typed;
 pub mod validate;
 
 mod block;

@@ -62,7 +62,7 @@ impl Site {
     }
 }
 
-/// A body of `POST /api/v1/run` and `/jobs`.
+/// A body of `POST /api/v1/run`, `/asked` and `/jobs`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Asked {
@@ -126,8 +126,14 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             Ok(value(StatusCode::OK, &json!({ "files": files })))
         }
         (&Method::POST, ["v1", "run"]) => live(site, body(request).await?).await,
+        (&Method::POST, ["v1", "asked"]) => {
+            let mut asked = body(request).await?;
+            asked.files.remove(BESIDE);
+            let typed = (site.program.typed)(&understood(&site, asked, None)?)?;
+            Ok(value(StatusCode::OK, &typed))
+        }
         (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?).await,
-        (_, ["v1", "files" | "run" | "jobs"]) => Ok(not_allowed("POST")),
+        (_, ["v1", "files" | "run" | "asked" | "jobs"]) => Ok(not_allowed("POST")),
         (&Method::DELETE, ["v1", "jobs", id]) => {
             site.jobs.find(id)?.cancel.cancel();
             Ok(nothing())

@@ -20,6 +20,7 @@ use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::tolerance::ToleranceSearch;
+use freestand_app::typed::{self, Typed};
 use freestand_app::validate::Validate;
 use freestand_assess::inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
@@ -49,6 +50,7 @@ pub(super) const PROGRAM: Program = Program {
     facts,
     kind,
     check,
+    typed,
     answer,
 };
 
@@ -193,6 +195,28 @@ fn check(request: &Request) -> Result<(), Refusal> {
     check().map_err(|failure| seen.refusal(&failure))
 }
 
+/// A request as a person types it, with the names of files in place of their paths.
+fn typed(request: &Request) -> Result<Value, Refusal> {
+    let seen = Seen::new(request);
+    let mut entries = request.options.clone();
+    for (key, paths) in &request.files {
+        let names = paths.iter().filter_map(|path| path.file_name());
+        entries.insert(
+            key.clone(),
+            names.map(|name| name.to_string_lossy()).collect(),
+        );
+    }
+    if !request.edits.is_empty() {
+        let edits = request.edits.iter();
+        let edits = edits.map(|edit| format!("{}={}", edit.cell, edit.value));
+        entries.insert("edit".into(), edits.collect());
+    }
+    let typed = asked(request).and_then(|command| (command.typed)(command.name, &entries));
+    typed
+        .map(|typed| json!(typed))
+        .map_err(|failure| seen.refusal(&failure))
+}
+
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
     let run = || -> Result<Reply, Failure> {
@@ -239,6 +263,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
 struct Asked {
     name: &'static str,
     check: fn(&Request) -> Result<(), Failure>,
+    typed: fn(&str, &Map<String, Value>) -> Result<Typed, Failure>,
     tell: fn(&Request, &GlobalArgs, &Printer) -> Result<Done, Failure>,
     /// Whether it writes a folder even if none is named.
     writes_a_folder: bool,
@@ -272,6 +297,7 @@ impl Asked {
                 let (entries, files) = written(request)?;
                 Ok(from_entries::<Q>(&entries)?.check(&files)?)
             },
+            typed: |name, entries| Ok(typed::typed::<Q>(name, &from_entries(entries)?)),
             tell: |request, global, printer| {
                 let (entries, files) = written(request)?;
                 let meant = from_entries::<Q>(&entries)?.resolve(&files)?;
