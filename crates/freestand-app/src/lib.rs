@@ -6,6 +6,7 @@ pub mod assess;
 pub mod check_list;
 pub mod code_spectrum;
 pub mod drop_test;
+pub mod entered;
 pub mod files;
 pub mod floor;
 pub mod fragility;

@@ -42,6 +42,7 @@ const FAKE: Program = Program {
     kind,
     check,
     typed,
+    read: Ok,
     answer: fake,
 };
 
@@ -534,6 +535,7 @@ fn methods_and_types() {
         ("POST /api/v1/facts", "GET"),
         ("PUT /api/v1/run", "POST"),
         ("GET /api/v1/asked", "POST"),
+        ("GET /api/v1/quantities", "POST"),
         ("PUT /api/v1/jobs/job-1", "DELETE"),
         ("POST /api/v1/jobs/job-1/events", "GET"),
     ] {

@@ -8,6 +8,7 @@ use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
+use freestand_app::entered::Entered;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::floor::Floor;
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
@@ -51,6 +52,7 @@ pub(super) const PROGRAM: Program = Program {
     kind,
     check,
     typed,
+    read,
     answer,
 };
 
@@ -215,6 +217,17 @@ fn typed(request: &Request) -> Result<Value, Refusal> {
     typed
         .map(|typed| json!(typed))
         .map_err(|failure| seen.refusal(&failure))
+}
+
+/// The texts of a form, `{"texts": [{"text", "quantity", "units"}]}`, as the program reads them.
+fn read(mut body: Value) -> Result<Value, Refusal> {
+    let texts = body.get_mut("texts").map(Value::take).unwrap_or_default();
+    let texts: Vec<Entered> = serde_json::from_value(texts).map_err(|error| {
+        let hint = "send {\"texts\": [{\"text\": …, \"quantity\": …, \"units\": …}]}";
+        Refusal::new(Status::BadInput, "value", error.to_string(), hint)
+    })?;
+    let read: Vec<_> = texts.iter().map(Entered::read).collect();
+    Ok(json!({ "read": read }))
 }
 
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {

@@ -1,6 +1,7 @@
 /** What the page asks the program. The token is in the address behind the #, which no server sees. */
 
 import type { Edit } from './inventory';
+import type { Quantity, Units } from './units';
 import { t } from './words';
 
 export interface Failure { kind: string; key: string | null; file: string | null; line: number | null; message: string; hint: string; others?: Failure[] }
@@ -26,6 +27,12 @@ export interface Ask {
 
 /** What asks the same in a shell, and in Python where there is such a function. */
 export interface Typed { line: string; python: string | null }
+
+/** A text in a field, and the units that its form showed. */
+export interface Entered { text: string; quantity: Quantity; units: Units }
+
+/** The text as it is asked, and its value in SI if it has one. */
+export interface Reading { asked: string; si: number | null }
 
 export interface Uploaded { id: string; name: string; bytes: number; sha256: string; kind: string }
 
@@ -93,6 +100,11 @@ export async function run<T>(ask: Ask, signal?: AbortSignal): Promise<T> {
 
 export async function typed(ask: Ask): Promise<Typed> {
   return (await answered('asked', json(ask))).json() as Promise<Typed>;
+}
+
+/** Texts of fields as the program reads them, in their order. */
+export async function readings(texts: Entered[]): Promise<Reading[]> {
+  return ((await (await answered('quantities', json({ texts }))).json()) as { read: Reading[] }).read;
 }
 
 export async function upload(files: Iterable<File>): Promise<Uploaded[]> {
