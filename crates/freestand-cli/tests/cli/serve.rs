@@ -964,7 +964,7 @@ fn what_is_asked_can_be_typed_with_the_names_of_the_files() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("my list.csv");
     std::fs::write(&path, "item,height,thickness\nrack,2 m,0.6 m\n").unwrap();
-    let id = page.upload(&path)["id"].clone();
+    let id = page.upload(&path);
     let typed = |request: &Value| {
         page.post(
             "/api/v1/asked",
