@@ -7,6 +7,7 @@ pub mod check_list;
 pub mod code_spectrum;
 pub mod cushion_curve;
 pub mod drop_test;
+pub mod entered;
 pub mod files;
 pub mod floor;
 pub mod fragility;
@@ -32,6 +33,7 @@ pub mod simulate;
 pub mod spectrum;
 pub mod static_test;
 pub mod synth;
+pub mod typed;
 pub mod validate;
 pub mod virtual_test;
 

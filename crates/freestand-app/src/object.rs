@@ -476,7 +476,7 @@ fn tolerance(read: &mut WordReader<'_>) -> Option<Withstood> {
 }
 
 /// A peak, perhaps with the duration of its half-sine: `10 g`, `15g 11ms`.
-fn withstood(text: &str) -> Result<Withstood, Problem> {
+pub(crate) fn withstood(text: &str) -> Result<Withstood, Problem> {
     let peak = |text: &str| quantity::parse_positive(text, Dimension::Acceleration, "the value");
     let problem = match peak(text) {
         Ok(peak_m_s2) => {
@@ -522,7 +522,7 @@ fn friction(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
 }
 
 /// One ratio, or the two ends of a range: `0.4`, `0.3-0.5`, `0.3 to 0.5`.
-fn ratios(text: &str) -> Result<(f64, f64), Problem> {
+pub(crate) fn ratios(text: &str) -> Result<(f64, f64), Problem> {
     let positive = |text: &str| quantity::parse_positive(text, Dimension::Ratio, "the value");
     // A minus sign after an e is that of an exponent.
     let dashes = text.match_indices(['-', '\u{2013}']);

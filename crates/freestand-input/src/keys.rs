@@ -194,6 +194,19 @@ pub fn argument_key(argument: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
+/// The unit of a bare number that Python takes for a key; none where its value has no unit.
+///
+/// # Example
+/// ```
+/// use freestand_input::keys::unit_of_argument;
+/// assert_eq!((unit_of_argument("pad_stiffness"), unit_of_argument("law")), ("N/m", ""));
+/// ```
+pub fn unit_of_argument(key: &str) -> &'static str {
+    let mut renamed = ARGUMENTS.iter();
+    let found = renamed.find(|(_, known, _)| *known == key);
+    found.map_or("", |(.., unit)| unit.trim_start())
+}
+
 impl KeyStyle {
     /// A key in this style. A flag does not state a unit: `return_period_years` is
     /// `--return-period`.

@@ -2,7 +2,8 @@
 //! and answers its requests.
 //!
 //! It knows no command. A [`Program`] says what there is (`facts`), what an uploaded file is
-//! (`kind`) and what the answer to a [`Request`] is (`answer`); all of HTTP is here: who may ask
+//! (`kind`), how a [`Request`] is typed elsewhere (`typed`), what its answer is (`answer`) and how texts
+//! are read (`read`); all of HTTP is here: who may ask
 //! (`guard`), files that were uploaded (`uploads`), requests of which only the newest counts
 //! (`slots`), work that takes long (`jobs`), and the page itself (`assets`).
 
@@ -37,6 +38,10 @@ pub struct Program {
     pub kind: fn(&Path) -> Kind,
     /// Refuses a request that cannot be begun; asked before a job is, so that it is refused at once.
     pub check: fn(&Request) -> Result<(), Refusal>,
+    /// A request as a person types it elsewhere: the document of `POST /api/v1/asked`.
+    pub typed: fn(&Request) -> Result<Value, Refusal>,
+    /// Texts of a form as the program reads them: the document of `POST /api/v1/quantities`.
+    pub read: fn(Value) -> Result<Value, Refusal>,
     /// The answer to a request. It is called on a thread that may block.
     pub answer: fn(&Request, &Cancel, &Events) -> Result<Reply, Refusal>,
 }

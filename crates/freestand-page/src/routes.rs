@@ -10,6 +10,7 @@ use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
 use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue, LOCATION};
 use hyper::{Method, StatusCode};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
@@ -62,7 +63,7 @@ impl Site {
     }
 }
 
-/// A body of `POST /api/v1/run` and `/jobs`.
+/// A body of `POST /api/v1/run`, `/asked` and `/jobs`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Asked {
@@ -126,8 +127,18 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             Ok(value(StatusCode::OK, &json!({ "files": files })))
         }
         (&Method::POST, ["v1", "run"]) => live(site, body(request).await?).await,
+        (&Method::POST, ["v1", "asked"]) => {
+            let mut asked: Asked = body(request).await?;
+            asked.files.remove(BESIDE);
+            let typed = (site.program.typed)(&understood(&site, asked, None)?)?;
+            Ok(value(StatusCode::OK, &typed))
+        }
+        (&Method::POST, ["v1", "quantities"]) => {
+            let read = (site.program.read)(body(request).await?)?;
+            Ok(value(StatusCode::OK, &read))
+        }
         (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?).await,
-        (_, ["v1", "files" | "run" | "jobs"]) => Ok(not_allowed("POST")),
+        (_, ["v1", "files" | "run" | "asked" | "quantities" | "jobs"]) => Ok(not_allowed("POST")),
         (&Method::DELETE, ["v1", "jobs", id]) => {
             site.jobs.find(id)?.cancel.cancel();
             Ok(nothing())
@@ -184,7 +195,7 @@ fn unknown() -> Refusal {
 }
 
 /// The JSON body of a request.
-async fn body(request: hyper::Request<Incoming>) -> Result<Asked, Refusal> {
+async fn body<T: DeserializeOwned>(request: hyper::Request<Incoming>) -> Result<T, Refusal> {
     let of_type = request
         .headers()
         .get(CONTENT_TYPE)

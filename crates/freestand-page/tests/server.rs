@@ -41,6 +41,8 @@ const FAKE: Program = Program {
     facts,
     kind,
     check,
+    typed,
+    read: Ok,
     answer: fake,
 };
 
@@ -55,6 +57,16 @@ fn check(request: &Request) -> Result<(), Refusal> {
         )),
         _ => Ok(()),
     }
+}
+
+/// The names of the files are those of the user.
+fn typed(request: &Request) -> Result<Value, Refusal> {
+    check(request)?;
+    let paths = request.files.iter().flat_map(|(_, paths)| paths);
+    let names: Vec<_> = paths
+        .filter_map(|path| path.file_name()?.to_str())
+        .collect();
+    Ok(json!({"line": format!("{} {}", request.command, names.join(" "))}))
 }
 
 fn facts() -> Value {
@@ -522,6 +534,8 @@ fn methods_and_types() {
         ("POST /", "GET, HEAD"),
         ("POST /api/v1/facts", "GET"),
         ("PUT /api/v1/run", "POST"),
+        ("GET /api/v1/asked", "POST"),
+        ("GET /api/v1/quantities", "POST"),
         ("PUT /api/v1/jobs/job-1", "DELETE"),
         ("POST /api/v1/jobs/job-1/events", "GET"),
     ] {
@@ -654,6 +668,12 @@ fn files_are_kept_and_named() {
         &json!({"command": "echo", "files": {"motion": [files[0]["id"]]}}),
     );
     assert_eq!(echoed.json()["sizes"], json!([8]));
+    let asked = |command: &str| {
+        let asked = json!({"command": command, "files": {"motion": [files[0]["id"]], "beside": [files[1]["id"]]}});
+        site.post("/api/v1/asked", &asked)
+    };
+    assert_eq!(asked("echo").json()["line"], json!("echo list.csv"));
+    assert_eq!(asked("never").status, 400);
     assert_eq!(site.upload(&[]).status, 400);
 }
 

@@ -25,6 +25,7 @@ use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_
 use freestand_assess::restrain::{
     RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain,
 };
+use freestand_output::answer::Answer as _;
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
@@ -632,7 +633,7 @@ fn a_list_and_restrain_agree() {
             .chain([("restraint_force_n", "force_n")])
         {
             let listed: f64 = column(&out, listed)[id].parse().unwrap();
-            assert_eq!(Some(listed), report.facts.number(alone), "{id}: {alone}");
+            assert_eq!(Some(listed), report.facts().number(alone), "{id}: {alone}");
             assert!(listed > 0.0, "{id}: {alone}");
         }
         assert_eq!(

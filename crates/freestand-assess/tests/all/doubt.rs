@@ -104,7 +104,7 @@ fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) ->
 }
 
 fn json(report: &ObjectReport) -> serde_json::Value {
-    serde_json::to_value(&report.facts).unwrap()
+    serde_json::to_value(report).unwrap()
 }
 
 /// A number of storeys is that building, for a list as for one object: a jar on the roof of two storeys

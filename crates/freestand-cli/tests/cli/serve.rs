@@ -962,6 +962,57 @@ fn options_that_name_files_are_refused() {
 }
 
 #[test]
+fn what_is_asked_can_be_typed_with_the_names_of_the_files() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("my list.csv");
+    std::fs::write(&path, "item,height,thickness\nrack,2 m,0.6 m\n").unwrap();
+    let id = page.upload(&path);
+    let typed = |request: &Value| {
+        page.post(
+            "/api/v1/asked",
+            "application/json",
+            request.to_string().as_bytes(),
+        )
+    };
+    let list = json!({"command": "assess", "options": {"place": "Athens", "storeys": 3}, "files": {"inventory": [id]},
+        "edits": [{"cell": "B2", "value": "1,9 m"}], "shape": "events"});
+    let (status, told) = typed(&list);
+    assert_eq!(status, 200, "{told}");
+    assert_eq!(
+        told["line"],
+        r#"freestand assess --place Athens --inventory "my list.csv" --edit "B2=1,9 m" --storeys 3"#
+    );
+    assert_eq!(
+        told["python"],
+        "import freestand as fs\nfs.assess(place=\"Athens\", inventory=\"my list.csv\", edits=[\"B2=1,9 m\"], storeys=3)"
+    );
+    let (status, told) = typed(&json!({"command": "no such"}));
+    assert_eq!(status, 400, "{told}");
+}
+
+#[test]
+fn texts_of_fields_are_read() {
+    let page = Page::open();
+    let read = |body: &Value| {
+        page.post(
+            "/api/v1/quantities",
+            "application/json",
+            body.to_string().as_bytes(),
+        )
+    };
+    let texts = json!({"texts": [{"text": "1,8", "quantity": "length", "units": "si"}, {"text": "?", "quantity": "mass", "units": "us"}]});
+    let expected = json!({"read": [{"asked": "1.8 m", "si": 1.8}, {"asked": "?", "si": null}]});
+    assert_eq!(read(&texts), (200, expected));
+    for wrong in [
+        json!({}),
+        json!({"texts": [{"text": "1", "quantity": "colour", "units": "si"}]}),
+    ] {
+        assert_eq!(read(&wrong).0, 400, "{wrong}");
+    }
+}
+
+#[test]
 fn the_messages_are_those_of_the_command_line() {
     let page = Page::open();
     let size = json!({"height": "2 apples", "thickness": "0.5 m", "mass": "100 kg"});

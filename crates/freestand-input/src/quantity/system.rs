@@ -1,10 +1,13 @@
 //! The system of units in which a person reads a result.
 
+use serde::Deserialize;
+
 use super::{Dimension, lookup};
 use crate::words::number;
 
 /// A system of units.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum UnitSystem {
     /// Millimetres, metres, kilograms, newtons.
     #[default]

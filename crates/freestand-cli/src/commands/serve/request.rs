@@ -8,6 +8,7 @@ use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
+use freestand_app::entered::Entered;
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::floor::Floor;
 use freestand_app::library::{Search, Tolerances};
@@ -20,6 +21,7 @@ use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::typed::{self, Typed};
 use freestand_app::validate::Validate;
 use freestand_assess::inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
 use freestand_assess::library::{Libraries, ToleranceLibrary};
@@ -49,6 +51,8 @@ pub(super) const PROGRAM: Program = Program {
     facts,
     kind,
     check,
+    typed,
+    read,
     answer,
 };
 
@@ -192,6 +196,39 @@ fn check(request: &Request) -> Result<(), Refusal> {
     check().map_err(|failure| seen.refusal(&failure))
 }
 
+/// A request as a person types it, with the names of files in place of their paths.
+fn typed(request: &Request) -> Result<Value, Refusal> {
+    let seen = Seen::new(request);
+    let mut entries = request.options.clone();
+    for (key, paths) in &request.files {
+        let names = paths.iter().filter_map(|path| path.file_name());
+        entries.insert(
+            key.clone(),
+            names.map(|name| name.to_string_lossy()).collect(),
+        );
+    }
+    if !request.edits.is_empty() {
+        let edits = request.edits.iter();
+        let edits = edits.map(|edit| format!("{}={}", edit.cell, edit.value));
+        entries.insert("edit".into(), edits.collect());
+    }
+    let typed = asked(request).and_then(|command| (command.typed)(command.name, &entries));
+    typed
+        .map(|typed| json!(typed))
+        .map_err(|failure| seen.refusal(&failure))
+}
+
+/// The texts of a form, `{"texts": [{"text", "quantity", "units"}]}`, as the program reads them.
+fn read(mut body: Value) -> Result<Value, Refusal> {
+    let texts = body.get_mut("texts").map(Value::take).unwrap_or_default();
+    let texts: Vec<Entered> = serde_json::from_value(texts).map_err(|error| {
+        let hint = "send {\"texts\": [{\"text\": …, \"quantity\": …, \"units\": …}]}";
+        Refusal::new(Status::BadInput, "value", error.to_string(), hint)
+    })?;
+    let read: Vec<_> = texts.iter().map(Entered::read).collect();
+    Ok(json!({ "read": read }))
+}
+
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
     let run = || -> Result<Reply, Failure> {
@@ -238,6 +275,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
 struct Asked {
     name: &'static str,
     check: fn(&Request) -> Result<(), Failure>,
+    typed: fn(&str, &Map<String, Value>) -> Result<Typed, Failure>,
     tell: fn(&Request, &GlobalArgs, &Printer) -> Result<Done, Failure>,
     /// Whether it writes a folder even if none is named.
     writes_a_folder: bool,
@@ -271,6 +309,7 @@ impl Asked {
                 let (entries, files) = written(request)?;
                 Ok(from_entries::<Q>(&entries)?.check(&files)?)
             },
+            typed: |name, entries| Ok(typed::typed::<Q>(name, &from_entries(entries)?)),
             tell: |request, global, printer| {
                 let (entries, files) = written(request)?;
                 let meant = from_entries::<Q>(&entries)?.resolve(&files)?;

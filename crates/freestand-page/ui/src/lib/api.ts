@@ -1,5 +1,7 @@
 /** What the page asks the program. The token is in the address behind the #, which no server sees. */
 
+import type { Edit } from './inventory';
+import type { Quantity, Units } from './units';
 import { t } from './words';
 
 export interface Failure { kind: string; key: string | null; file: string | null; line: number | null; message: string; hint: string; others?: Failure[] }
@@ -20,7 +22,17 @@ export interface Ask {
   shape?: 'columns' | 'events';
   slot?: string;
   continues?: string;
+  edits?: Edit[];
 }
+
+/** What asks the same in a shell, and in Python where there is such a function. */
+export interface Typed { line: string; python: string | null }
+
+/** A text in a field, and the units that its form showed. */
+export interface Entered { text: string; quantity: Quantity; units: Units }
+
+/** The text as it is asked, and its value in SI if it has one. */
+export interface Reading { asked: string; si: number | null }
 
 export interface Uploaded { id: string; name: string; bytes: number; sha256: string; kind: string }
 
@@ -84,6 +96,15 @@ export async function run<T>(ask: Ask, signal?: AbortSignal): Promise<T> {
       if (!(error instanceof Refused) || error.status !== SUPERSEDED || isOwn || tries >= MOST_TRIES) throw error;
     }
   }
+}
+
+export async function typed(ask: Ask): Promise<Typed> {
+  return (await answered('asked', json(ask))).json() as Promise<Typed>;
+}
+
+/** Texts of fields as the program reads them, in their order. */
+export async function readings(texts: Entered[]): Promise<Reading[]> {
+  return ((await (await answered('quantities', json({ texts }))).json()) as { read: Reading[] }).read;
 }
 
 export async function upload(files: Iterable<File>): Promise<Uploaded[]> {
@@ -151,21 +172,4 @@ export async function follow(id: string, each: (name: string, data: never) => vo
     await new Promise((resolve) => setTimeout(resolve, PAUSE));
   }
   throw lost();
-}
-
-/** The line that asks the same in a shell. */
-export function commandLine(ask: Ask, names: Record<string, string> = {}): string {
-  const quoted = (text: string) => (/^[\w.:/%+-]+$/.test(text) ? text : `"${text.replace(/(["\\$`])/g, '\\$1')}"`);
-  const parts = ['freestand', ask.command];
-  for (const [flag, paths] of Object.entries(ask.files ?? {})) {
-    const files = paths.map((id) => quoted(names[id] ?? id)).join(' ');
-    // A study and the files of most commands are arguments without a flag.
-    const isPlain = flag === 'file' || (ask.command === 'assess' && flag === 'study');
-    parts.push(isPlain ? files : `--${flag} ${files}`);
-  }
-  for (const [flag, value] of Object.entries(ask.options)) {
-    if (value === false || value === '') continue;
-    parts.push(value === true ? `--${flag}` : `--${flag} ${[value].flat().map((one) => quoted(String(one))).join(' ')}`);
-  }
-  return parts.join(' ');
 }

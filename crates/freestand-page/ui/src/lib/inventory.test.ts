@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { chosen, hiddenRows, nextProblem, problemCells, ranked, rowsOf, typedInPython, windowed, type Problem, type Row } from './inventory';
+import { chosen, hiddenRows, nextProblem, problemCells, ranked, rowsOf, windowed, type Problem, type Row } from './inventory';
 
 const row = (rank: number, id: string, more: Partial<Row> = {}): Row => ({
   rank, id, item: null, quantity: 1, floor: '1', decision: 'leave', why: '', row: rank, p_overturn: null, p_overturn_low: null,
@@ -58,13 +58,4 @@ test('a long list has few rows in the document', () => {
   expect(windowed(5, 0, 40, 40)).toEqual({ from: 0, to: 5 });
   const { from, to } = windowed(10_000, 4000, 40, 40);
   expect([from <= 100, to - from]).toEqual([true, 40]);
-});
-
-test('Python reads a corrected list from its corrected copy', () => {
-  const ask = { command: 'assess', options: { place: 'Athens' }, files: { study: ['f1'], inventory: ['f2'] } };
-  const names = { f1: 'study.toml', f2: 'list.csv' };
-  expect(typedInPython(ask, names)).toBe('import freestand as fs\nfs.assess(study="study.toml", inventory="list.csv", place="Athens")');
-  const lines = typedInPython(ask, names, [{ cell: 'D7', value: '900 mm' }])!.split('\n');
-  expect(lines[0]).toMatch(/^# checked\.xlsx/);
-  expect(lines[2]).toBe('fs.assess(study="study.toml", inventory="checked.xlsx", place="Athens")');
 });

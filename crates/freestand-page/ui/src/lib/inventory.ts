@@ -1,7 +1,5 @@
 /** A list of objects as the program read it, and the verdicts on them. */
 
-import { commandLine, type Ask } from './api';
-import { pythonLine } from './python';
 import { t } from './words';
 
 export interface Problem { severity: string; kind: string; heading: string | null; count: number; rows: number[]; cells: string[]; message: string; hint: string; edits: string[] }
@@ -28,23 +26,8 @@ export interface Row {
 export const VERDICTS = { restrain: '▲', soften: '◆', lock: '■', 'no-verdict': '?', leave: '●' } as const;
 export type Verdict = keyof typeof VERDICTS;
 
-/** The line that asks the same in a shell: files that others name are there without being named. */
-export function typed(ask: Ask, names: Record<string, string>, edits: Edit[] = []): string {
-  const files = Object.fromEntries(Object.entries(ask.files ?? {}).filter(([flag]) => flag !== 'beside'));
-  const quoted = ({ cell, value }: Edit) => ` --edit "${`${cell}=${value}`.replace(/(["\\$`])/g, '\\$1')}"`;
-  return commandLine({ ...ask, files }, names) + edits.map(quoted).join('');
-}
-
 /** The name of the copy of a list with the corrected cells. */
 export const CHECKED = 'checked.xlsx';
-
-/** The same in Python, which reads a corrected list from the copy with the corrections. */
-export function typedInPython(ask: Ask, names: Record<string, string>, edits: Edit[] = []): string | null {
-  if (edits.length === 0) return pythonLine(ask, names);
-  const list = ask.files?.['inventory']?.[0] ?? '';
-  const lines = pythonLine(ask, { ...names, [list]: CHECKED });
-  return lines && `# ${t('python.checked', { name: CHECKED })}\n${lines}`;
-}
 
 /** A cell by its name: D7 is row 7, column D. */
 export function parts(cell: string): { column: string; row: number } {

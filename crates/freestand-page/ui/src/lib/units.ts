@@ -1,28 +1,10 @@
-/** Lengths, masses and their texts in SI and US units. The program reads the same texts. */
+/** Numbers as texts, in SI and US units. Only the program reads texts. */
 
 export type Units = 'si' | 'us';
 
 const INCH_M = 0.0254;
-const FOOT_M = 0.3048;
 const POUND_KG = 0.45359237;
 export const POUND_PER_INCH_N_M = 175.12683524647636;
-
-const LENGTHS: Record<string, number> = {
-  m: 1, mm: 0.001, cm: 0.01, in: INCH_M, '"': INCH_M, '″': INCH_M, ft: FOOT_M, "'": FOOT_M, '′': FOOT_M,
-};
-
-/** A text with its decimal commas as points. Three digits behind a comma may also be thousands: the program refuses them. */
-const pointed = (text: string) => text.trim().replace(/(\d),(\d{1,2}|\d{4,})(?!\d)/g, '$1.$2');
-
-/** A length in metres; null for a text that only the program may understand. */
-export function lengthM(text: string): number | null {
-  const plain = pointed(text);
-  const parts = [...plain.matchAll(/(\d+(?:\.\d+)?)\s*(mm|cm|m|in|ft|"|″|'|′)\s*/gy)];
-  const read = parts.map((part) => part[0]).join('').trim();
-  if (parts.length === 0 || parts.length > 2 || read !== plain) return null;
-  const sum = parts.reduce((all, [, number, unit]) => all + Number(number) * LENGTHS[unit!]!, 0);
-  return sum > 0 ? sum : null;
-}
 
 function trimmed(value: number, digits: number): string {
   return value.toFixed(digits).replace(/\.?0+$/, '');
@@ -39,50 +21,18 @@ export function lengthText(metres: number, units: Units): string {
   return feet > 0 ? `${feet}'${rest}"` : `${rest}"`;
 }
 
-/** Above this, a bare number is in millimetres: nothing here is taller in metres. */
-const TALLEST_M = 12;
-
-/** A number without a unit. */
-const bare = (text: string) => (/^\d+(?:\.\d+)?$/.test(text) ? Number(text) : null);
-
-/**
- * A length as it was entered, with its unit, as a list would be read: 1,8 m is 1.8 m, 1800 is 1800 mm, 1.8 is 1.8 m, and
- * in US units a bare number is in inches. What is no length stays as it is: the program says what is wrong with it.
- */
-export function lengthEntered(text: string, units: Units): string {
-  const plain = pointed(text);
-  const number = bare(plain);
-  if (number === null) return plain;
-  return `${plain} ${units === 'us' ? 'in' : number > TALLEST_M || number === 0 ? 'mm' : 'm'}`;
-}
-
-/** Another quantity as it was entered; a bare number is in the unit in which masses and stiffnesses are shown. */
-export function enteredIn(text: string, unit: string): string {
-  const plain = pointed(text);
-  return unit && bare(plain) !== null ? `${plain} ${unit}` : plain;
-}
-
 /** What a field holds. */
-export type Quantity = 'length' | 'mass' | 'stiffness' | 'other';
+export type Quantity = 'length' | 'mass' | 'stiffness' | 'acceleration' | 'other';
 
-/**
- * A text that was typed in one system of units, in the other. Only what is shown changes: what is asked is the text as it was
- * typed, so that changing the units never changes the object.
- */
-export function inUnits(text: string, quantity: Quantity, units: Units): string {
-  if (quantity === 'length') {
-    const metres = lengthM(text);
-    return metres === null ? text : lengthText(metres, units);
+/** A value as one writes it in the other system of units; null for what has the same units in both. */
+export function inUnits(si: number, quantity: Quantity, units: Units): string | null {
+  const four = (value: number, unit: string) => `${Number(value.toPrecision(4))} ${unit}`;
+  switch (quantity) {
+    case 'length': return lengthText(si, units);
+    case 'mass': return units === 'si' ? four(si, 'kg') : four(si / POUND_KG, 'lb');
+    case 'stiffness': return units === 'si' ? four(si / 1000, 'N/mm') : four(si / POUND_PER_INCH_N_M, 'lb/in');
+    default: return null;
   }
-  if (quantity === 'mass') {
-    const kg = massKg(text);
-    return kg === null ? text : units === 'si' ? `${Number(kg.toPrecision(4))} kg` : `${Number((kg / POUND_KG).toPrecision(4))} lb`;
-  }
-  if (quantity === 'stiffness') {
-    const n_m = stiffnessNM(text);
-    return n_m === null ? text : units === 'si' ? `${Number((n_m / 1000).toPrecision(4))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(4))} lb/in`;
-  }
-  return text;
 }
 
 /** A length for people: 1.80 m, 3.6 mm, 5′ 11″, 0.14″. */
@@ -102,23 +52,6 @@ export function lengthShown(metres: number, units: Units): string {
 /** A stiffness for people. */
 export function stiffnessShown(n_m: number, units: Units): string {
   return units === 'si' ? `${Number((n_m / 1000).toPrecision(3))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(3))} lb/in`;
-}
-
-/** A stiffness in N/m; null for a text that only the program may understand. */
-export function stiffnessNM(text: string): number | null {
-  const [, number, unit] = /^(\d+(?:\.\d+)?)\s*(N\/mm|kN\/m|N\/m|lb\/in|kip\/in)$/.exec(pointed(text)) ?? [];
-  if (!number || !unit) return null;
-  const factor = { 'N/mm': 1000, 'kN/m': 1000, 'N/m': 1, 'lb/in': POUND_PER_INCH_N_M, 'kip/in': 1000 * POUND_PER_INCH_N_M }[unit];
-  const value = Number(number) * (factor ?? NaN);
-  return value > 0 ? value : null;
-}
-
-/** A mass in kilograms; null for a text that only the program may understand. */
-export function massKg(text: string): number | null {
-  const [, number, unit] = /^(\d+(?:\.\d+)?)\s*(kg|t|g|lb)$/.exec(pointed(text)) ?? [];
-  if (!number || !unit) return null;
-  const value = Number(number) * ({ kg: 1, t: 1000, g: 0.001, lb: POUND_KG }[unit] ?? NaN);
-  return value > 0 ? value : null;
 }
 
 /** A mass for people. */
