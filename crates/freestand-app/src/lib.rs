@@ -15,6 +15,7 @@ pub mod library;
 pub mod list;
 pub mod motion;
 pub mod object;
+pub mod pair;
 pub mod place;
 pub mod places;
 pub mod recovery;
@@ -27,8 +28,10 @@ pub mod schema;
 pub mod shard;
 pub mod shock;
 pub mod shock_spectrum;
+pub mod simulate;
 pub mod spectrum;
 pub mod static_test;
+pub mod synth;
 pub mod validate;
 pub mod virtual_test;
 

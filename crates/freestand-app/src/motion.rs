@@ -5,18 +5,18 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::block::Block;
 use freestand::synthesis::DAMPING_RATIO;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_study::inspect::{InfoRequest, SpectrumRequest};
-use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
+use freestand_study::recorded::{MotionFiles, ReadMotion};
 use freestand_study::target::usual_periods_s;
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::records::Records;
+use crate::records::{NamedRecords, Records};
 use crate::request::{Question, Request, Unknown, from_one, one_of, one_or_many, reader, request};
 
 /// The schema of the response of `motion info`.
@@ -142,13 +142,16 @@ impl Question for MotionInfo {
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let (files, inputs) = recorded(&mut read, &self.motion, &self.records, files);
-        let block = block(&mut read);
+        let named = recorded(&mut read, &self.motion, &self.records, files);
         let asked = InfoRequest {
-            files,
-            block,
+            files: MotionFiles {
+                paths: named.paths(),
+                ..named.how().clone()
+            },
+            block: block(&mut read),
             keep_motions: false,
         };
+        let inputs = inputs(&named, &self.records, files);
         read.problems.finish(Some(Meant { asked, inputs }))
     }
 }
@@ -157,16 +160,10 @@ impl Question for MotionSpectrum {
     type Meant = Meant<(ReadMotion, SpectrumRequest)>;
 
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
-        let ((files, inputs), request) = self.judged(files)?;
-        let one = read_any(&files)?.pop().ok_or_else(|| {
-            Problem::new(
-                ProblemKind::Computation,
-                "the file was read but contains no motion",
-            )
-        })?;
+        let (named, request) = self.judged(files)?;
         Ok(Meant {
-            asked: (one, request),
-            inputs,
+            asked: (named.one()?, request),
+            inputs: inputs(&named, &self.records, files),
         })
     }
 
@@ -176,18 +173,13 @@ impl Question for MotionSpectrum {
 }
 
 impl MotionSpectrum {
-    fn judged(&self, files: &Files) -> Result<(Recorded, SpectrumRequest), Problems> {
+    fn judged<'f>(
+        &self,
+        files: &'f Files,
+    ) -> Result<(NamedRecords<'f>, SpectrumRequest), Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let records = match &self.motion {
-            Some(Written::List(all)) => all.as_slice(),
-            one => one.as_slice(),
-        };
-        if records.len() > 1 {
-            let message = format!("one record is expected, not {}", records.len());
-            read.note(&["motion"], message, "name one record");
-        }
-        let recorded = recorded(&mut read, records, &self.records, files);
+        let named = one_record(&mut read, self.motion.as_ref(), &self.records, files);
         let damping_ratios = read.grid("damping", Dimension::Ratio);
         let outside = |ratio: &&f64| !(0.0..1.0).contains(*ratio);
         if let Some(wrong) = damping_ratios.iter().flatten().find(outside) {
@@ -197,20 +189,12 @@ impl MotionSpectrum {
                 "give the share of critical damping, such as \"5 %\"",
             );
         }
-        let periods_s = read.grid("periods", Dimension::Time);
-        if let Some(wrong) = periods_s.iter().flatten().find(|period| **period < 0.0) {
-            read.note(
-                &["periods"],
-                format!("`periods`: {wrong} s is below zero"),
-                "give periods of 0 or more, such as \"0.05 s:5 s:100\"",
-            );
-        }
         let request = SpectrumRequest {
             damping_ratios: damping_ratios.unwrap_or_else(|| vec![DAMPING_RATIO]),
-            periods_s: periods_s.unwrap_or_else(usual_periods_s),
+            periods_s: periods(&mut read),
             upsample: from_one(&mut read, "upsample").unwrap_or(1),
         };
-        read.problems.finish(Some((recorded, request)))
+        read.problems.finish(Some((named, request)))
     }
 }
 
@@ -218,10 +202,10 @@ impl Question for MotionConvert {
     type Meant = Meant<(Vec<ReadMotion>, Format)>;
 
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
-        let ((files, inputs), format) = self.judged(files)?;
+        let (named, format) = self.judged(files)?;
         Ok(Meant {
-            asked: (read_any(&files)?, format),
-            inputs,
+            asked: (named.in_any_direction()?, format),
+            inputs: inputs(&named, &self.records, files),
         })
     }
 
@@ -231,47 +215,67 @@ impl Question for MotionConvert {
 }
 
 impl MotionConvert {
-    fn judged(&self, files: &Files) -> Result<(Recorded, Format), Problems> {
+    fn judged<'f>(&self, files: &'f Files) -> Result<(NamedRecords<'f>, Format), Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let recorded = recorded(&mut read, &self.motion, &self.records, files);
+        let named = recorded(&mut read, &self.motion, &self.records, files);
         if !read.has("to") {
             read.missing(&["to"], "`to` is missing", "give a format: csv or at2");
         }
         let format = read.choice("to", FORMATS);
-        read.problems
-            .finish(format.map(|format| (recorded, format)))
+        read.problems.finish(format.map(|format| (named, format)))
     }
 }
 
-/// Records that have not been read, and the files that they need.
-type Recorded = (MotionFiles, Vec<PathBuf>);
-
-fn recorded(
+/// The records of a request, which have not been read; it must name one.
+pub(crate) fn recorded<'f>(
     read: &mut WordReader<'_>,
     motion: &[Written],
     records: &Records,
-    files: &Files,
-) -> Recorded {
+    files: &'f Files,
+) -> NamedRecords<'f> {
     let named = records.named_alone(read, motion, files);
     if motion.is_empty() {
         read.missing(&["motion"], "no record is named", "name a record");
     }
-    let files_of = MotionFiles {
-        paths: named.paths(),
-        ..named.how().clone()
-    };
-    let mut inputs = files_of.paths.clone();
-    inputs.extend(records.inputs(files));
-    (files_of, inputs)
+    named
 }
 
-/// Reads motions in any direction.
-fn read_any(files: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
-    read_all(&MotionFiles {
-        vertical: Upward::Itself("component"),
-        ..files.clone()
-    })
+/// The only record of a request, which has not been read.
+pub(crate) fn one_record<'f>(
+    read: &mut WordReader<'_>,
+    motion: Option<&Written>,
+    records: &Records,
+    files: &'f Files,
+) -> NamedRecords<'f> {
+    let names = match motion {
+        Some(Written::List(all)) => all.as_slice(),
+        Some(one) => std::slice::from_ref(one),
+        None => &[],
+    };
+    if names.len() > 1 {
+        let message = format!("one record is expected, not {}", names.len());
+        read.note(&["motion"], message, "name one record");
+    }
+    recorded(read, names, records, files)
+}
+
+/// The periods of a spectrum.
+pub(crate) fn periods(read: &mut WordReader<'_>) -> Vec<f64> {
+    let periods_s = read.grid("periods", Dimension::Time);
+    if let Some(wrong) = periods_s.iter().flatten().find(|period| **period < 0.0) {
+        read.note(
+            &["periods"],
+            format!("`periods`: {wrong} s is below zero"),
+            "give periods of 0 or more, such as \"0.05 s:5 s:100\"",
+        );
+    }
+    periods_s.unwrap_or_else(usual_periods_s)
+}
+
+/// The files that are read.
+pub(crate) fn inputs(named: &NamedRecords<'_>, records: &Records, files: &Files) -> Vec<PathBuf> {
+    [named.paths(), records.inputs(files)].concat()
 }
 
 /// The block of the rocking measures; it needs both sizes.

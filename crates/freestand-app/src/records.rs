@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::{ArgAction, Args};
 use freestand::motion::Motion;
+use freestand_input::file::as_named;
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_records::notes::Note;
-use freestand_records::processing::parse_target_source;
+use freestand_records::processing::{Processing, parse_target_source};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
 use serde::Deserialize;
 
@@ -299,6 +300,32 @@ impl Records {
         }
     }
 
+    /// The motions of these files, in any direction.
+    ///
+    /// # Errors
+    /// All problems of these options, or else of the files.
+    pub fn read_files(&self, paths: Vec<PathBuf>) -> Result<Vec<ReadMotion>, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        let files = MotionFiles {
+            paths,
+            vertical: Upward::Itself("component"),
+            ..MotionFiles::read(&mut read, as_named)
+        };
+        read_all(&read.problems.finish(Some(files))?)
+    }
+
+    /// What is done to the samples of a motion.
+    ///
+    /// # Errors
+    /// All problems of these options.
+    pub fn processing(&self) -> Result<Processing, Problems> {
+        let words = self.words();
+        let mut read = WordReader::new(&words);
+        let processing = Processing::read(&mut read, as_named);
+        read.problems.finish(Some(processing))
+    }
+
     /// The files that these options name: StationXML, and the target that records are scaled to.
     pub(crate) fn inputs(&self, files: &Files) -> Vec<PathBuf> {
         let target = self.scale_to_spectrum.as_ref().map(Written::text);
@@ -399,6 +426,23 @@ impl NamedRecords<'_> {
         how.read.is_shock = true;
         how.vertical = Upward::Itself("component");
         self.read_as(&how)
+    }
+
+    /// The motions in any direction.
+    pub(crate) fn in_any_direction(&self) -> Result<Vec<ReadMotion>, Problems> {
+        self.read_as(&MotionFiles {
+            vertical: Upward::Itself("component"),
+            ..self.how.clone()
+        })
+    }
+
+    /// The only motion, in any direction.
+    pub(crate) fn one(&self) -> Result<ReadMotion, Problems> {
+        let missing = || {
+            let message = "the file was read but contains no motion";
+            Problem::new(ProblemKind::Computation, message).into()
+        };
+        self.in_any_direction()?.pop().ok_or_else(missing)
     }
 
     /// The horizontal motions, read in this way.

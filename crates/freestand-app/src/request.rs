@@ -15,6 +15,7 @@ use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
+use freestand_study::resolve::MAX_MOTIONS;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
@@ -381,6 +382,12 @@ pub(crate) fn whole(read: &mut WordReader<'_>, key: &'static str, most: u16) -> 
         );
     }
     found
+}
+
+/// The number of motions to make.
+pub(crate) fn motions(read: &mut WordReader<'_>) -> Option<u64> {
+    let most = u16::try_from(MAX_MOTIONS).unwrap_or(u16::MAX);
+    whole(read, "count", most).map(u64::from)
 }
 
 /// A whole number of 1 or more.

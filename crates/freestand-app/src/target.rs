@@ -139,14 +139,12 @@ impl TargetKeys {
         Target::resolve(&self.located(files)?, Path::new(""))
     }
 
-    /// The target, which must cover all periods at which motions are matched.
-    ///
-    /// # Errors
-    /// As [`TargetKeys::resolved`]; a table that ends too early.
-    pub fn matched(&self, files: &Files) -> Result<Target, Problems> {
-        let target = self.resolved(files)?;
-        target.check_matched_band()?;
-        Ok(target)
+    /// As [`TargetKeys::target`]; the target must cover all periods at which motions are matched.
+    pub(crate) fn matched(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Target> {
+        let target = self.target(read, files)?;
+        let covered = target.check_matched_band();
+        let covered = covered.map_err(|problem| problem.of(&["spectrum"]));
+        read.problems.keep(covered.map(|()| target))
     }
 
     /// The values, with the path of the table that they name.

@@ -17,7 +17,6 @@ use serde_json::Value;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
-use crate::reading::path_text;
 
 /// The files of `--out`; without it, nothing is written.
 #[derive(Debug)]
@@ -288,4 +287,9 @@ struct Listed<'a, T> {
     #[serde(flatten)]
     body: &'a T,
     files: Vec<String>,
+}
+
+/// A path as text for outputs.
+pub(crate) fn path_text(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
 }

@@ -4,14 +4,11 @@ mod args;
 mod commands;
 mod failure;
 mod files;
-mod keys;
+mod help;
 mod printer;
-mod processing;
-mod reading;
 mod rows;
 mod session;
 mod stop;
-mod values;
 
 use std::process::ExitCode;
 
@@ -20,8 +17,8 @@ use freestand_input::words::counted;
 
 use commands::Cli;
 use failure::Failure;
+use help::finished;
 use printer::Printer;
-use values::finished;
 
 /// The largest number of threads accepted: more than any machine has cores.
 const MAX_THREADS: usize = 1024;

@@ -86,39 +86,6 @@ impl<'a, 'py> Given<'a, 'py> {
         self.accepted(name, |value| value > 0.0, "a number above 0, in SI units")
     }
 
-    /// A whole number from `least`.
-    pub(crate) fn whole(&mut self, name: &str, least: u64) -> Option<u64> {
-        let value = self.value(name)?;
-        let whole = if value.is_instance_of::<PyBool>() {
-            None
-        } else {
-            value.extract::<u64>().ok()
-        };
-        let whole = whole.filter(|whole| *whole >= least);
-        if whole.is_none() {
-            self.wrong(name, &format!("a whole number, at least {least}"));
-        }
-        whole
-    }
-
-    pub(crate) fn count(&mut self, name: &str) -> Option<usize> {
-        self.whole(name, 1)
-            .and_then(|count| usize::try_from(count).ok())
-    }
-
-    pub(crate) fn flag(&mut self, name: &str) -> bool {
-        self.optional_flag(name).unwrap_or(false)
-    }
-
-    pub(crate) fn optional_flag(&mut self, name: &str) -> Option<bool> {
-        let value = self.value(name)?;
-        let flag = value.extract::<bool>().ok();
-        if flag.is_none() {
-            self.wrong(name, "True or False");
-        }
-        flag
-    }
-
     pub(crate) fn text(&mut self, name: &str) -> Option<String> {
         let value = self.value(name)?;
         let text = value.extract::<String>().ok();
@@ -126,16 +93,6 @@ impl<'a, 'py> Given<'a, 'py> {
             self.wrong(name, "a text");
         }
         text
-    }
-
-    /// Numbers of an array, as the Python layer passes them: bytes of doubles.
-    pub(crate) fn numbers(&mut self, name: &str) -> Option<Vec<f64>> {
-        let value = self.value(name)?;
-        let numbers = value.extract::<&[u8]>().ok().map(doubles);
-        if numbers.is_none() {
-            self.wrong(name, "numbers");
-        }
-        numbers
     }
 
     /// The texts of the dictionary called `name`, by the keys that requests know.

@@ -5,12 +5,13 @@ use std::path::PathBuf;
 
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::{Request, from_entries};
+use freestand_input::written::Written;
 use freestand_study::recorded::ReadMotion;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 use serde_json::{Map, Number, Value};
 
-use crate::arguments::words_of;
+use crate::arguments::{doubles, words_of};
 use crate::errors::raised;
 
 /// Files by the keys that name them: a path, or the text of the file.
@@ -25,6 +26,14 @@ fn entries(values: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
     let entry =
         |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, written(&value)));
     values.iter().map(entry).collect()
+}
+
+/// Gives a key the numbers of an array, if there are any.
+pub(crate) fn fill(list: &mut Option<Written>, numbers: &[u8]) {
+    if !numbers.is_empty() {
+        let all = doubles(numbers).into_iter().map(Written::Number);
+        *list = Some(Written::List(all.collect()));
+    }
 }
 
 /// A request, and what it names. A motion has the key that names it.

@@ -3,24 +3,25 @@
 use std::path::PathBuf;
 
 use freestand::motion::Motion;
-use freestand::synthesis::DAMPING_RATIO;
-use freestand_input::file::{as_named, sha256_hex};
+use freestand_app::Records;
+use freestand_app::motion::{MotionSpectrum, SPECTRUM};
+use freestand_app::request::Question as _;
+use freestand_input::file::sha256_hex;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::word_reader::WordReader;
 use freestand_output::answer::Answer;
 use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::notes::{Note, NoteKind};
-use freestand_records::processing::{Processing, process};
-use freestand_study::inspect::{MotionMeasures, SpectrumRequest, spectrum};
-use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
+use freestand_records::processing::process;
+use freestand_study::inspect::{MotionMeasures, spectrum};
+use freestand_study::recorded::ReadMotion;
 use freestand_study::study::RecordedMotion;
-use freestand_study::target::usual_periods_s;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::arguments::{Given, bytes, dictionary, doubles, told};
+use crate::arguments::{bytes, dictionary, doubles, told};
+use crate::asked::{Named, asked, fill, typed};
 use crate::errors::{raised, raised_all};
 use crate::work::watched;
 
@@ -145,42 +146,24 @@ impl Record {
         dictionary(py, &measures.facts(), |_| false)
     }
 
-    fn spectrum(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {
-        let mut given = Given::new(values);
-        let periods_s = given.numbers("periods_s").unwrap_or_else(usual_periods_s);
-        let damping_ratios = given
-            .numbers("damping_ratio")
-            .unwrap_or_else(|| vec![DAMPING_RATIO]);
-        if let Some(wrong) = damping_ratios
-            .iter()
-            .find(|ratio| !(0.0..1.0).contains(*ratio))
-        {
-            given.push(Problem::value(
-                format!("damping_ratio is {wrong}"),
-                "give a ratio from 0 to below 1",
-            ));
-        }
-        let upsample = given.count("upsample").unwrap_or(1);
-        given.finish()?;
-        let request = SpectrumRequest {
-            damping_ratios,
-            periods_s,
-            upsample,
-        };
-        let report = watched(py, None, |_| spectrum(&self.read, &request))?.map_err(raised)?;
-        told("freestand.motion-spectrum/1", &report, &report.warnings)
+    fn spectrum(
+        &self,
+        py: Python<'_>,
+        periods_s: &[u8],
+        damping_ratios: &[u8],
+        values: &Bound<'_, PyDict>,
+    ) -> PyResult<String> {
+        let motion = [("motion", self.read.clone())];
+        let (mut request, files) = asked::<MotionSpectrum>(values, motion, Named::new())?;
+        fill(&mut request.periods, periods_s);
+        fill(&mut request.damping, damping_ratios);
+        let (read, request) = request.resolve(&files).map_err(raised_all)?.asked;
+        let report = watched(py, None, |_| spectrum(&read, &request))?.map_err(raised)?;
+        told(SPECTRUM, &report, &report.warnings)
     }
 
     fn process(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let mut given = Given::new(values);
-        let words = given.words("words");
-        let mut reader = WordReader::new(&words);
-        let processing = Processing::read(&mut reader, as_named);
-        reader
-            .problems
-            .into_iter()
-            .for_each(|problem| given.push(problem));
-        given.finish()?;
+        let processing = typed::<Records>(values)?.processing().map_err(raised_all)?;
         let component = Component {
             name: self.read.motion.name.clone(),
             station: None,
@@ -238,20 +221,8 @@ pub(crate) fn read_motions(
     paths: Vec<PathBuf>,
     values: &Bound<'_, PyDict>,
 ) -> PyResult<Vec<Record>> {
-    let mut given = Given::new(values);
-    let words = given.words("words");
-    let mut reader = WordReader::new(&words);
-    let files = MotionFiles {
-        paths,
-        vertical: Upward::Itself("component"),
-        ..MotionFiles::read(&mut reader, as_named)
-    };
-    reader
-        .problems
-        .into_iter()
-        .for_each(|problem| given.push(problem));
-    given.finish()?;
-    let read = watched(py, None, |_| read_all(&files))?.map_err(raised_all)?;
+    let records = typed::<Records>(values)?;
+    let read = watched(py, None, |_| records.read_files(paths))?.map_err(raised_all)?;
     Ok(read.into_iter().map(|read| Record { read }).collect())
 }
 

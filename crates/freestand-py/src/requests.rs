@@ -1,10 +1,8 @@
 //! Requests whose answer is the document of a command.
 
-use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use freestand::motion::Motion;
-use freestand::synthesis::SynthesisOptions;
 use freestand_app::code_spectrum::{CodeSpectrum, SCHEMA as CODE_SPECTRUM};
 use freestand_app::drop_test::{DropTests, SCHEMA as DROP};
 use freestand_app::files::Files;
@@ -13,22 +11,20 @@ use freestand_app::request::Question as _;
 use freestand_app::shock::{SCHEMA as SHOCK, Shock};
 use freestand_app::shock_spectrum::{SCHEMA as SHOCK_SPECTRUM, ShockSpectrum};
 use freestand_app::static_test::{SCHEMA as STATIC, StaticTests};
+use freestand_app::synth::{SCHEMA as SYNTH, Synth};
 use freestand_assess::validate::validate as validated;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::written::Written;
+use freestand_input::problem::{Problem, ProblemKind};
 use freestand_records::notes::grouped;
 use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::static_tests;
-use freestand_study::matched::{SynthRequest, synth as made};
+use freestand_study::matched::synth as made;
 use freestand_study::shock::shock as evaluated;
-use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
-use freestand_study::target::Target;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{Given, doubles, told};
-use crate::asked::{Named, asked, typed};
+use crate::arguments::told;
+use crate::asked::{Named, asked, fill, typed};
 use crate::errors::{raised, raised_all};
 use crate::motion::{Record, unread};
 use crate::work::watched;
@@ -79,10 +75,7 @@ pub(crate) fn shock_spectrum(
 ) -> PyResult<String> {
     let motion = record.map(|record| ("motion", record.read.clone()));
     let (mut request, files) = asked::<ShockSpectrum>(values, motion, Named::new())?;
-    if !frequencies_hz.is_empty() {
-        let all = doubles(frequencies_hz).into_iter().map(Written::Number);
-        request.frequencies = Some(Written::List(all.collect()));
-    }
+    fill(&mut request.frequencies, frequencies_hz);
     let meant = request.resolve(&files).map_err(raised_all)?;
     let report = watched(py, None, |stop| {
         let go_on = || {
@@ -102,10 +95,7 @@ pub(crate) fn shock_spectrum(
 #[pyfunction]
 pub(crate) fn code_spectrum(periods_s: &[u8], values: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut request = typed::<CodeSpectrum>(values)?;
-    if !periods_s.is_empty() {
-        let all = doubles(periods_s).into_iter().map(Written::Number);
-        request.periods = Some(Written::List(all.collect()));
-    }
+    fill(&mut request.periods, periods_s);
     let meant = request.resolve(&Files::Disk).map_err(raised_all)?;
     let report = meant.report().map_err(raised_all)?;
     told(CODE_SPECTRUM, &report, &meant.target.warnings)
@@ -118,47 +108,10 @@ pub(crate) fn synth(
     values: &Bound<'_, PyDict>,
     threads: Option<usize>,
 ) -> PyResult<(String, Vec<Record>)> {
-    let mut given = Given::new(values);
-    let words = given.words("words");
-    let target = given.keep(Target::resolve(&words, Path::new("")));
-    let is_peak_matched = given.flag("match_pga");
-    let fine = SynthesisOptions::default();
-    let options = SynthesisOptions {
-        dt_s: given.positive("time_step_s").unwrap_or(fine.dt_s),
-        shaking_s: given.positive("shaking_s").unwrap_or(fine.shaking_s),
-        envelope_s: given.positive("envelope_s").unwrap_or(fine.envelope_s),
-        ..fine
-    };
-    let count = given.whole("count", 1).unwrap_or(DEFAULT_MOTIONS);
-    if count > freestand_study::resolve::MAX_MOTIONS {
-        let hint = format!("give at most {}", freestand_study::resolve::MAX_MOTIONS);
-        given.push(Problem::value(
-            format!("a count of {count} motions is too large"),
-            hint,
-        ));
-    }
-    let seed = given.whole("seed", 0).unwrap_or(DEFAULT_SEED);
-    if let Some(target) = &target {
-        given.keep(target.check_matched_band());
-    }
-    let pga_g = target
-        .as_ref()
-        .filter(|_| is_peak_matched)
-        .map(Target::peak_g);
-    let pga_g = pga_g.and_then(|pga_g| given.keep(pga_g));
-    given.finish()?;
-    let Some(target) = target else {
-        return Err(raised_all(Problems::default()));
-    };
-    let request = SynthRequest {
-        target,
-        count,
-        seed,
-        options,
-        pga_g,
-    };
+    let meant = typed::<Synth>(values)?.resolve(&Files::Disk);
+    let request = meant.map_err(raised_all)?.asked;
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
-    let text = told("freestand.motion-synth/1", &report, &report.warnings())?;
+    let text = told(SYNTH, &report, &report.warnings())?;
     let motions = report
         .motions
         .into_iter()
@@ -178,10 +131,7 @@ pub(crate) fn floor(
 ) -> PyResult<(String, Vec<Vec<Record>>)> {
     let motions = records.iter().map(|record| ("motion", record.read.clone()));
     let (mut asked, files) = asked::<Floor>(values, motions, Named::new())?;
-    if !levels.is_empty() {
-        let all = doubles(levels).into_iter().map(Written::Number);
-        asked.levels = Some(Written::List(all.collect()));
-    }
+    fill(&mut asked.levels, levels);
     let meant = asked.resolve(&files).map_err(raised_all)?;
     let (request, read) = (meant.floors, meant.motions);
     let work = || {

@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use freestand_app::request::Question as _;
 use freestand_app::spectrum::Spectrum;
 use freestand_input::problem::Problem;
-use freestand_input::written::Written;
 use freestand_output::facts::{Facts, Value};
 use freestand_study::at_place::LastGround;
 use freestand_study::spectrum::{
@@ -15,8 +14,7 @@ use freestand_study::spectrum::{
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::arguments::doubles;
-use crate::asked::{Named, asked};
+use crate::asked::{Named, asked, fill};
 use crate::errors::raised_all;
 use crate::motion::Record;
 use crate::work::watched;
@@ -228,17 +226,8 @@ pub(crate) fn spectrum<'py>(
         std::iter::once(one("motion", horizontal)).chain(upward)
     });
     let (mut request, files) = asked::<Spectrum>(request, named, files)?;
-    let [heights, thicknesses] = [heights_m, thicknesses_m].map(doubles);
-    for (list, numbers) in [
-        (&mut request.heights, heights),
-        (&mut request.thicknesses, thicknesses),
-    ] {
-        if !numbers.is_empty() {
-            *list = Some(Written::List(
-                numbers.into_iter().map(Written::Number).collect(),
-            ));
-        }
-    }
+    fill(&mut request.heights, heights_m);
+    fill(&mut request.thicknesses, thicknesses_m);
     let meant = request.resolve(&files).map_err(raised_all)?;
     drop((request, files));
     let request = meant.objects;

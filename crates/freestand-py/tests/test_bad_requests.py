@@ -9,7 +9,8 @@ from freestand import _freestand
 
 # A motion of Python has been read before it is asked; the others ask nothing, or are no function.
 NO_FUNCTION = {
-    "check", "motion info", "motion spectrum", "motion convert", "tolerance list", "tolerance show", "tolerance search",
+    "check", "motion info", "motion spectrum", "motion convert", "motion match", "motion rotate", "motion rotd",
+    "motion simulate", "tolerance list", "tolerance show", "tolerance search",
     "cushion list", "cushion show", "cushion search", "cushion curve", "cushion recovery", "cushion simulate",
     "inventory convert", "inventory template", "place list", "place show", "shard plan", "shard run", "shard merge",
     "validate",
@@ -49,6 +50,8 @@ def test_every_request_has_the_problems_of_the_table() -> None:
                 _freestand.shock_spectrum(None, b"", line["request"])
             elif line["command"] == "floor":
                 _freestand.floor([], b"", line["request"], 1)
+            elif line["command"] == "motion synth":
+                _freestand.synth(line["request"], 1)
             elif line["command"] == "motion code-spectrum":
                 _freestand.code_spectrum(b"", line["request"])
             elif line["command"] == "cushion drop":

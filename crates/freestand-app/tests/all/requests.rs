@@ -15,6 +15,7 @@ use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::recovery::Recovery;
 use freestand_app::request::{Question, from_entries, keys};
@@ -25,8 +26,10 @@ use freestand_app::run::{CheckStudy, Run};
 use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::Shock;
 use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::simulate::Simulate;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::synth::{Match, Synth};
 use freestand_app::validate::Validate;
 use freestand_app::virtual_test::VirtualTests;
 use freestand_input::keys::KeyStyle;
@@ -84,6 +87,19 @@ fn good() -> Vec<Asked> {
         (
             "motion code-spectrum",
             json!({"place": "Melbourne", "site": "De", "parts": true, "building_height": "96 m"}),
+        ),
+        (
+            "motion synth",
+            json!({"place": "Melbourne", "count": "3", "time_step": "10 ms", "match_pga": true}),
+        ),
+        (
+            "motion simulate",
+            json!({"magnitude": "6", "distance": "30 km", "preset": "se-australia", "stress_drop": "50 MPa",
+            "hard_rock": true}),
+        ),
+        (
+            "motion simulate",
+            json!({"city": "Adelaide", "return_period_years": "500", "site": "De", "window": "lam"}),
         ),
         (
             "object",
@@ -150,6 +166,18 @@ fn without_files() -> Vec<Asked> {
         ),
         ("motion spectrum", json!({"damping": "2 %, 5 %"})),
         ("motion convert", json!({"to": "csv"})),
+        (
+            "motion rotate",
+            json!({"to": "30 deg", "azimuths": "0 deg, 90 deg", "format": "at2"}),
+        ),
+        (
+            "motion rotd",
+            json!({"percentiles": "0, 50 %, 100", "damping": "2 %", "periods": "0 s, 1 s"}),
+        ),
+        (
+            "motion match",
+            json!({"place": "Lisbon", "method": "fft", "match_pga": true}),
+        ),
         (
             "inventory check",
             json!({"sheet": "Ward 3", "storeys": "6", "strict": true, "edit": "D7=900 mm"}),
@@ -220,7 +248,7 @@ const fn command<Q: Question>(name: &'static str) -> Command {
     }
 }
 
-const COMMANDS: [Command; 36] = [
+const COMMANDS: [Command; 41] = [
     command::<Fragility>("fragility"),
     command::<Risk>("risk"),
     command::<ShardMerge>("shard merge"),
@@ -236,6 +264,11 @@ const COMMANDS: [Command; 36] = [
     command::<MotionConvert>("motion convert"),
     command::<MotionInfo>("motion info"),
     command::<MotionSpectrum>("motion spectrum"),
+    command::<Match>("motion match"),
+    command::<Rotate>("motion rotate"),
+    command::<Rotd>("motion rotd"),
+    command::<Synth>("motion synth"),
+    command::<Simulate>("motion simulate"),
     command::<Assess>("assess"),
     command::<CheckStudy>("check"),
     command::<Run>("run"),
@@ -324,6 +357,40 @@ fn of_programs() -> Vec<Asked> {
         (
             "motion code-spectrum",
             json!({"spectrum": "/etc/passwd", "building_height_m": 30, "sds": 1, "out": "/tmp/x"}),
+        ),
+        (
+            "motion synth",
+            json!({"time_step_s": 0.02, "shaking_s": 5, "envelope_s": 0.5, "count": 1001, "seed": -1, "match_pga": "yes",
+                "out": "/tmp/x"}),
+        ),
+        (
+            "motion match",
+            json!({"file": ["a", "b"], "spectrum": "/etc/passwd", "method": "phase", "match_pga": "yes", "seed": 1}),
+        ),
+        (
+            "motion rotate",
+            json!({"files": ["a", "b", "/etc/passwd"], "azimuths": [0, 1, 2], "components": "N", "component": 1, "azimuth": "north",
+                "out": "/tmp/x"}),
+        ),
+        (
+            "motion rotd",
+            json!({"percentiles": [50, 150], "damping": 1, "periods_s": [0, -1], "scale_to_g": 0.3, "components": ["1", "2"]}),
+        ),
+        (
+            "motion rotd",
+            json!({"motion": "a", "percentiles": "50, 50 %"}),
+        ),
+        (
+            "motion simulate",
+            json!({"magnitude": 9, "distance_m": 5e6, "time_step_s": 0.02, "low_cut_hz": 3, "return_period_years": 500, "count": 0}),
+        ),
+        (
+            "motion simulate",
+            json!({"preset": "mars", "distance_m": -1, "hard_rock": "yes", "site": "X", "out": "/tmp/x"}),
+        ),
+        (
+            "motion simulate",
+            json!({"place": "Lisbon", "distance_m": 3e4, "return_period": 7}),
         ),
         (
             "floor",

@@ -13,6 +13,7 @@ use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::recovery::Recovery;
 use freestand_app::restrain::Restrain;
@@ -23,8 +24,10 @@ use freestand_app::schema::{of_request, of_response};
 use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::ShockSpectrum;
+use freestand_app::simulate::Simulate;
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
+use freestand_app::synth::{Match, Synth};
 use freestand_app::virtual_test::VirtualTests;
 use freestand_assess::fragility::{FragilityReport, RunsReport};
 use freestand_assess::risk::RiskReport;
@@ -108,6 +111,26 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "motion-convert.request.json",
             of_request::<MotionConvert>("motion convert", &[]),
+        ),
+        (
+            "motion-rotate.request.json",
+            of_request::<Rotate>("motion rotate", &[]),
+        ),
+        (
+            "motion-rotd.request.json",
+            of_request::<Rotd>("motion rotd", &[]),
+        ),
+        (
+            "motion-synth.request.json",
+            of_request::<Synth>("motion synth", &["seed"]),
+        ),
+        (
+            "motion-match.request.json",
+            of_request::<Match>("motion match", &[]),
+        ),
+        (
+            "motion-simulate.request.json",
+            of_request::<Simulate>("motion simulate", &["seed"]),
         ),
         (
             "code-spectrum.request.json",

@@ -8,8 +8,8 @@ use super::{Cli, Done};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::help::finished;
 use crate::printer::Printer;
-use crate::values::finished;
 
 /// Print a script with which your shell completes commands and flags
 #[derive(Debug, Args)]

@@ -22,9 +22,9 @@ use super::spectrum_text::Seen;
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::path_text;
 use crate::files::{Files, refuse_one_for_two};
 use crate::printer::Printer;
-use crate::reading::path_text;
 use crate::rows::{ROWS, Rows};
 
 /// Calculate uplift and shock spectra: a grid of objects under one or more records

@@ -91,6 +91,8 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "no_upsample",
             "invert",
             "parts",
+            "match_pga",
+            "hard_rock",
             "spectra",
             "keep_mean",
             "pairs",

@@ -145,8 +145,8 @@ def synth(
         raise bad("dt_s and time_step_s are the same", "keep dt_s")
     step_s = time_step_s if dt_s is None else dt_s
     values = given(
-        words=target_words(target), count=count, seed=seed, time_step_s=step_s, shaking_s=shaking_s, envelope_s=envelope_s,
-        match_pga=match_pga or None,
+        **(target_words(target) or {}), count=count, seed=seed, time_step_s=step_s, shaking_s=shaking_s,
+        envelope_s=envelope_s, match_pga=flag("match_pga", match_pga),
     )  # fmt: skip
     text, records = _freestand.synth(values, threads_given(threads))
     result = SynthResult(json.loads(text), [Motion._of(record) for record in records])

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _freestand
-from ._convert import Array, Numbers, PathLike, bad, data, doubles, given, number, of_kind, path_text, paths_text, warn, words
+from ._convert import Array, Numbers, PathLike, bad, data, doubles, given, number, of_kind, path_text, paths_text, warn
 from ._results import MotionSpectrumResult
 
 #: The name of a motion that was given none; in a list with others it gets its number.
@@ -142,10 +142,8 @@ class Motion:
         self, periods_s: Numbers | None = None, damping_ratio: Numbers | None = None, *, upsample: int | None = None
     ) -> MotionSpectrumResult:
         """Response spectrum at `periods_s` [s] (by default 0 and 121 from 0.05 s to 5 s), damping 5 %."""
-        values = given(
-            periods_s=data("periods_s", periods_s), damping_ratio=data("damping_ratio", damping_ratio), upsample=upsample
-        )
-        return MotionSpectrumResult._of(self._record.spectrum(values))
+        periods, dampings = data("periods_s", periods_s) or b"", data("damping_ratio", damping_ratio) or b""
+        return MotionSpectrumResult._of(self._record.spectrum(periods, dampings, given(upsample=upsample)))
 
     def process(
         self,
@@ -162,12 +160,12 @@ class Motion:
         scale_to_spectrum: str | None = None,
     ) -> Motion:
         """A processed copy, in this order: baseline, taper, filter, time step, scale; see docs/records.md."""
-        keys = words(
+        values = given(
             baseline=baseline, taper_ratio=taper_ratio, low_cut_hz=low_cut_hz, high_cut_hz=high_cut_hz,
             filter_order=filter_order, resample_s=resample_s, scale=scale, scale_to_g=scale_to_g,
             scale_to_sa=scale_to_sa, scale_to_spectrum=scale_to_spectrum,
         )  # fmt: skip
-        return Motion._of(self._record.process(given(words=keys)), self._is_named)
+        return Motion._of(self._record.process(values), self._is_named)
 
     def scale(self, factor: float) -> Motion:
         """A copy with every sample multiplied by `factor`."""
@@ -261,13 +259,14 @@ def read_motions(
             raise bad(f"no file is called {text}", "check the folder and the pattern")
     else:
         files = paths_text("paths", paths)
-    keys = words(
-        unit=unit, dt_s=dt_s, component=component, scale=scale, station_xml=station_xml, keep_mean=keep_mean,
+    xml = None if station_xml is None else path_text("station_xml", station_xml)
+    values = given(
+        unit=unit, dt_s=dt_s, component=component, scale=scale, station_xml=xml, keep_mean=keep_mean,
         azimuth_deg=azimuth_deg, baseline=baseline, taper_ratio=taper_ratio, low_cut_hz=low_cut_hz,
         high_cut_hz=high_cut_hz, filter_order=filter_order, resample_s=resample_s, scale_to_g=scale_to_g,
         scale_to_sa=scale_to_sa, scale_to_spectrum=scale_to_spectrum,
     )  # fmt: skip
-    motions = [Motion._of(record) for record in _freestand.read_motions(files, given(words=keys))]
+    motions = [Motion._of(record) for record in _freestand.read_motions(files, values)]
     for motion in motions:
         warn([f"{motion.name}: {note}" for note in motion.warnings])
     return motions

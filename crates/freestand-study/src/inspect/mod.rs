@@ -11,7 +11,7 @@ mod spectrum_figure;
 pub use info::{Contents, InfoReport, InfoRequest, MotionInfo, MotionMeasures, info};
 pub(crate) use record_figure::record;
 pub use record_figure::{Words, record_figure};
-pub use rotd::{PercentileSpectrum, RotdReport, RotdRequest, rotd};
+pub use rotd::{PercentileSpectrum, RotdReport, RotdRequest, check_percentiles, rotd};
 pub use spectrum::{DampedSpectrum, SpectrumReport, SpectrumRequest, check_upsampling, spectrum};
 pub use spectrum_figure::response_spectrum_figure;
 

@@ -62,12 +62,7 @@ pub struct PercentileSpectrum {
 /// Not two components, or components with different steps; a scale to a target; an invalid damping,
 /// period or percentile.
 pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Problem> {
-    if let Some(twice) = repeated(&request.percentiles) {
-        return Err(Problem::value(
-            format!("percentile {twice} is requested twice"),
-            "name each percentile once",
-        ));
-    }
+    check_percentiles(&request.percentiles)?;
     let (first, second) = read.components()?;
     let names = read.names((first, second));
     let names = (names.0.as_str(), names.1.as_str());
@@ -117,6 +112,27 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
         processing: [one.steps, two.steps],
         warnings,
     })
+}
+
+/// Refuses what is no percentile, and one that is named twice.
+///
+/// # Errors
+/// The first of them.
+pub fn check_percentiles(percentiles: &[f64]) -> Result<(), Problem> {
+    let is_none = |percentile: &&f64| !(0.0..=100.0).contains(*percentile);
+    if let Some(wrong) = percentiles.iter().find(is_none) {
+        return Err(Problem::value(
+            format!("a percentile must be from 0 to 100, not {wrong}"),
+            "give 50 for the median, 100 for the largest",
+        ));
+    }
+    match repeated(percentiles) {
+        Some(twice) => Err(Problem::value(
+            format!("percentile {twice} is requested twice"),
+            "name each percentile once",
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The first value that occurs a second time.

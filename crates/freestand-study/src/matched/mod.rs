@@ -102,15 +102,11 @@ pub struct SynthRequest {
     pub pga_g: Option<f64>,
 }
 
-/// A record to be matched to a target.
+/// What a record is matched to.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MatchRequest<'a> {
+pub struct MatchRequest {
     /// The target.
     pub target: Target,
-    /// The record.
-    pub record: &'a Motion,
-    /// Name of the matched motion.
-    pub name: String,
     /// How it is matched.
     pub method: MatchMethod,
     /// The peak acceleration that half-cycles are scaled to, if any \[g\].
@@ -156,6 +152,14 @@ pub fn synthetic_name(index: usize) -> String {
     format!("synthetic-{:02}", index + 1)
 }
 
+/// Refuses times that no synthetic motion has.
+///
+/// # Errors
+/// A time step, a length or a window out of range.
+pub fn check_layout(options: &SynthesisOptions) -> Result<(), Problem> {
+    options.check().map_err(source_problem)
+}
+
 /// Makes synthetic motions.
 ///
 /// # Errors
@@ -188,25 +192,27 @@ pub fn synth(request: &SynthRequest) -> Result<FitReport, Problem> {
     })
 }
 
-/// Matches a record.
+/// Matches a record; the motion gets this name.
 ///
 /// # Errors
 /// As [`match_record`]; a peak that is not reached.
-pub fn match_one(request: MatchRequest<'_>) -> Result<FitReport, Problem> {
+pub fn match_one(
+    record: &Motion,
+    name: String,
+    request: &MatchRequest,
+) -> Result<FitReport, Problem> {
     let MatchRequest {
         target,
-        record,
-        name,
         method,
         pga_g,
     } = request;
-    let matched = match_record(record, &target, method)?;
-    let mut one = FittedMotion::new(name, matched, &target, pga_g).map_err(source_problem)?;
+    let matched = match_record(record, target, *method)?;
+    let mut one = FittedMotion::new(name, matched, target, *pga_g).map_err(source_problem)?;
     one.resemblance = Some(Resemblance::between(record, &one.motion));
     Ok(FitReport {
-        target,
+        target: target.clone(),
         seed: None,
-        method,
+        method: *method,
         motions: vec![one],
     })
 }

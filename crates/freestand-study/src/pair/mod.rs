@@ -35,7 +35,7 @@ pub struct ReadPair {
 /// Not one file or two, one file twice, a choice of components that contradicts them, an azimuth
 /// (the direction to turn to is that of a [`RotateRequest`]), and the problems of both files.
 pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Problems> {
-    misfit(request).finish(Some(()))?;
+    request.check()?;
     refuse_same_file(&request.files.paths)?;
     let mut problems = Problems::default();
     let read = |path: &PathBuf| problems.keep(read_motions(path, &request.files.read));
@@ -46,35 +46,45 @@ pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Problems> {
     }))
 }
 
-/// Contradictions of a request.
-fn misfit(request: &PairFiles) -> Problems {
-    let is_one = request.files.paths.len() == 1;
-    let wrong = [
-        (
-            !matches!(request.files.paths.len(), 1 | 2),
-            "give one or two files",
-            "one file with both components, or two files with one each",
-        ),
-        (
-            request.files.processing.azimuth_deg.is_some(),
-            "`azimuth` cannot be combined with a pair, which is read without turning it",
-            "turn the pair with the command motion rotate",
-        ),
-        (
-            request.components.is_some() && !is_one,
-            "`components` chooses two components of one file, but two files are given",
-            "choose one of each file with `component`",
-        ),
-        (
-            request.files.component.is_some() && is_one,
-            "`component` chooses one component of each of two files, but one file is given",
-            "choose two of the file with `components`",
-        ),
-    ];
-    let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
-    found
-        .map(|(_, message, hint)| Problem::value(message, hint))
-        .collect()
+impl PairFiles {
+    /// Refuses what does not go together, before a file is read.
+    ///
+    /// # Errors
+    /// Each contradiction, under its key.
+    pub fn check(&self) -> Result<(), Problems> {
+        let is_one = self.files.paths.len() == 1;
+        let wrong = [
+            (
+                !matches!(self.files.paths.len(), 1 | 2),
+                "motion",
+                "give one or two files",
+                "one file with both components, or two files with one each",
+            ),
+            (
+                self.files.processing.azimuth_deg.is_some(),
+                "azimuth",
+                "`azimuth` cannot be combined with a pair, which is read without turning it",
+                "turn the pair with the command motion rotate",
+            ),
+            (
+                self.components.is_some() && self.files.paths.len() == 2,
+                "components",
+                "`components` chooses two components of one file, but two files are given",
+                "choose one of each file with `component`",
+            ),
+            (
+                self.files.component.is_some() && is_one,
+                "component",
+                "`component` chooses one component of each of two files, but one file is given",
+                "choose two of the file with `components`",
+            ),
+        ];
+        let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
+        found
+            .map(|(_, key, message, hint)| Problem::value(message, hint).of(&[key]))
+            .collect::<Problems>()
+            .finish(Some(()))
+    }
 }
 
 /// Of one file given twice, the same component would be used for both.

@@ -334,7 +334,13 @@ pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problem
         ("return_period_years", years.as_str()),
         ("site", SiteClass::Be.name()),
     ];
+    // Who names a city has named no code.
+    let of_city = |mut problem: Problem| {
+        problem.keys.retain(|key| key != "code");
+        problem
+    };
     Target::resolve(&words.into_iter().collect(), Path::new(""))
+        .map_err(|problems| problems.into_iter().map(of_city).collect())
 }
 
 fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
@@ -485,6 +491,46 @@ impl SimulatedRequest {
     pub(crate) fn any_source(&self) -> PointSource {
         // No parameter but its own depends on the magnitude or the distance.
         changed(self.preset.source(6.0, 30e3), &self.changes)
+    }
+
+    /// Refuses what is out of range, as far as no distance has to be searched for.
+    ///
+    /// # Errors
+    /// Each parameter that is out of range.
+    pub fn check(&self) -> Result<(), Problems> {
+        const USUAL: (f64, f64) = (6.0, 30e3);
+        let (magnitude, distance_m) = match &self.earthquakes {
+            Earthquakes::One {
+                magnitude,
+                distance_m,
+            } => (*magnitude, *distance_m),
+            Earthquakes::Pairs { magnitudes, .. } => {
+                (magnitudes.first().copied().unwrap_or(USUAL.0), USUAL.1)
+            }
+        };
+        let source = |magnitude, distance_m| {
+            changed(self.preset.source(magnitude, distance_m), &self.changes).check()
+        };
+        let options = SimulationOptions::default();
+        let SimulationOptions { dt_s, low_cut_hz } = self.options;
+        let near = source(magnitude, USUAL.1);
+        let magnitude = if near.is_ok() { magnitude } else { USUAL.0 };
+        // Each by itself, so that all that are out of range are told.
+        let mut problems = Problems::default();
+        for found in [
+            near,
+            source(magnitude, distance_m),
+            SimulationOptions { dt_s, ..options }.check(),
+            SimulationOptions {
+                low_cut_hz,
+                ..options
+            }
+            .check(),
+        ] {
+            let found = found.map_err(|error| source_problem(error).into());
+            problems.keep_comparisons(found);
+        }
+        problems.finish(Some(()))
     }
 
     /// The assumptions, one sentence each.

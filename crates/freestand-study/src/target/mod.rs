@@ -326,9 +326,8 @@ impl Target {
         match &self.spectrum {
             CodeSpectrum::Table(table) if table.first_period_s() > 0.0 => {
                 let first_s = table.first_period_s();
-                let message = format!(
-                    "`match_pga`: the table begins at {first_s} s and has no peak acceleration"
-                );
+                let message =
+                    format!("the table begins at {first_s} s and has no peak acceleration");
                 let hint = "add a row with a period of 0 s, the peak acceleration, or leave `match_pga` out";
                 Err(Problem::value(message, hint))
             }

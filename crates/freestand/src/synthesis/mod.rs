@@ -234,6 +234,38 @@ impl Default for SynthesisOptions {
     }
 }
 
+impl SynthesisOptions {
+    /// Checks that all times are within their ranges.
+    ///
+    /// # Errors
+    /// [`SynthesisError::Option`] names the parameter and its range.
+    pub fn check(&self) -> Result<(), SynthesisError> {
+        let Self {
+            dt_s,
+            lead_in_s,
+            shaking_s,
+            tail_s,
+            envelope_s,
+            ..
+        } = *self;
+        Parameter::TimeStep.check(
+            dt_s > 0.0 && dt_s <= 0.01,
+            "positive and at most 0.01 s",
+            dt_s,
+        )?;
+        Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s)?;
+        let is_long = shaking_s >= 2.0 * LONGEST_PERIOD_S;
+        Parameter::Shaking.check(
+            is_long,
+            "at least 10 s, twice the longest period",
+            shaking_s,
+        )?;
+        Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s)?;
+        Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s)?;
+        check_samples((lead_in_s + shaking_s + tail_s) / dt_s)
+    }
+}
+
 /// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and its intensity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {
@@ -308,7 +340,7 @@ fn from_noise(
     mut noise: impl FnMut() -> f64,
     options: &SynthesisOptions,
 ) -> Result<MatchedMotion, SynthesisError> {
-    check_options(options)?;
+    options.check()?;
     let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
     let (start, shaking, tail) = (
         samples(options.lead_in_s),
@@ -533,32 +565,6 @@ impl Resemblance {
             husid_difference_ratio: differences.fold(0.0, f64::max),
         }
     }
-}
-
-fn check_options(options: &SynthesisOptions) -> Result<(), SynthesisError> {
-    let SynthesisOptions {
-        dt_s,
-        lead_in_s,
-        shaking_s,
-        tail_s,
-        envelope_s,
-        ..
-    } = *options;
-    Parameter::TimeStep.check(
-        dt_s > 0.0 && dt_s <= 0.01,
-        "positive and at most 0.01 s",
-        dt_s,
-    )?;
-    Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s)?;
-    let is_long = shaking_s >= 2.0 * LONGEST_PERIOD_S;
-    Parameter::Shaking.check(
-        is_long,
-        "at least 10 s, twice the longest period",
-        shaking_s,
-    )?;
-    Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s)?;
-    Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s)?;
-    check_samples((lead_in_s + shaking_s + tail_s) / dt_s)
 }
 
 fn check_samples(samples: f64) -> Result<(), SynthesisError> {

@@ -40,6 +40,26 @@ impl Default for SimulationOptions {
     }
 }
 
+impl SimulationOptions {
+    /// Checks that both are within their ranges.
+    ///
+    /// # Errors
+    /// [`SynthesisError::Option`] names the parameter and its range.
+    pub fn check(&self) -> Result<(), SynthesisError> {
+        let Self { dt_s, low_cut_hz } = *self;
+        Parameter::TimeStep.check(
+            dt_s > 0.0 && dt_s <= 0.01,
+            "positive and at most 0.01 s",
+            dt_s,
+        )?;
+        Parameter::LowCut.check(
+            (0.01..=0.2).contains(&low_cut_hz),
+            "from 0.01 to 0.2 Hz",
+            low_cut_hz,
+        )
+    }
+}
+
 /// Makes motions of one point source; quantities that they share are calculated once.
 #[derive(Debug, Clone)]
 pub struct Simulator {
@@ -64,17 +84,8 @@ impl Simulator {
         options: &SimulationOptions,
     ) -> Result<Self, SynthesisError> {
         source.check()?;
+        options.check()?;
         let SimulationOptions { dt_s, low_cut_hz } = *options;
-        Parameter::TimeStep.check(
-            dt_s > 0.0 && dt_s <= 0.01,
-            "positive and at most 0.01 s",
-            dt_s,
-        )?;
-        Parameter::LowCut.check(
-            (0.01..=0.2).contains(&low_cut_hz),
-            "from 0.01 to 0.2 Hz",
-            low_cut_hz,
-        )?;
         let pad_s = PAD_RATIO * LOW_CUT_ORDER / low_cut_hz;
         check_samples((2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s)?;
         let shaking = (WINDOW_DURATIONS * source.duration_s() / dt_s).ceil() as usize;

@@ -20,8 +20,8 @@ use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::files::path_text;
 use crate::printer::{Printer, pairs, table};
-use crate::reading::path_text;
 
 /// Read a list of objects and show how it was understood, with all its problems
 #[derive(Debug, Args)]

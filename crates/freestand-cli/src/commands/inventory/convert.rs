@@ -14,8 +14,8 @@ use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::files::path_text;
 use crate::printer::Printer;
-use crate::reading::path_text;
 
 /// Convert an inventory to CSV or XLSX; every cell is kept
 #[derive(Debug, Args)]

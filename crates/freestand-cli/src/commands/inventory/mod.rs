@@ -17,8 +17,8 @@ use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::files::path_text;
 use crate::printer::Printer;
-use crate::reading::path_text;
 
 /// Create, check and convert inventories of objects
 #[derive(Debug, Args)]

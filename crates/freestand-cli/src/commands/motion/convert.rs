@@ -17,8 +17,8 @@ use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::files::path_text;
 use crate::printer::Printer;
-use crate::reading::path_text;
 
 /// Convert records to CSV (m/s², exact) or PEER AT2 (g, 8 digits)
 ///

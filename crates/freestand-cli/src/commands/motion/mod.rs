@@ -3,7 +3,6 @@
 mod code;
 mod convert;
 mod info;
-mod pair;
 pub(crate) mod plot;
 mod rotate;
 mod rotd;
@@ -11,16 +10,12 @@ mod simulate;
 mod spectrum;
 mod synth;
 
-use clap::builder::RangedI64ValueParser;
 use clap::{Args, Subcommand};
-use freestand_study::resolve::MAX_MOTIONS;
-use freestand_study::target::usual_periods_s;
 
 use super::{Done, Tell as _};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
-use crate::values::{Given, Values};
 
 /// Read, measure, convert, rotate, synthesise, match and simulate motions
 #[derive(Debug, Args)]
@@ -56,21 +51,11 @@ pub(crate) fn run(
         MotionCommand::Info(args) => args.request.run(&args.output, global, printer),
         MotionCommand::Spectrum(args) => args.request.run(&args.output, global, printer),
         MotionCommand::Convert(args) => args.request.run(&(), global, printer),
-        MotionCommand::Rotate(args) => rotate::run(args, global, printer),
-        MotionCommand::Rotd(args) => rotd::run(args, global, printer),
-        MotionCommand::Synth(args) => synth::run(args, global, printer),
-        MotionCommand::Match(args) => synth::run_match(args, global, printer),
-        MotionCommand::Simulate(args) => simulate::run(args, global, printer),
+        MotionCommand::Rotate(args) => args.request.run(&(), global, printer),
+        MotionCommand::Rotd(args) => args.request.run(&args.output, global, printer),
+        MotionCommand::Synth(args) => args.request.run(&(), global, printer),
+        MotionCommand::Match(args) => args.request.run(&(), global, printer),
+        MotionCommand::Simulate(args) => args.request.run(&args.output, global, printer),
         MotionCommand::CodeSpectrum(args) => args.request.run(&args.output, global, printer),
     }
-}
-
-/// Accepts the numbers of motions that a command can make at once.
-fn motions() -> RangedI64ValueParser<u64> {
-    RangedI64ValueParser::new().range(1..=MAX_MOTIONS.cast_signed())
-}
-
-/// The periods that the user gave, or T = 0 and the periods at which synthetic motions are matched.
-pub(super) fn periods(given: &Option<Given<Vec<f64>>>, values: &mut Values) -> Vec<f64> {
-    values.read(given).unwrap_or_else(usual_periods_s)
 }

@@ -9,7 +9,7 @@ use freestand_output::folder::write_file;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::reading::path_text;
+use crate::files::path_text;
 
 /// Whether and where to draw.
 #[derive(Debug, Default, Args)]

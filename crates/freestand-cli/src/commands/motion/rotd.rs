@@ -1,19 +1,15 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
-use freestand::synthesis::DAMPING_RATIO;
-use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, parse_grid};
-use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
-use freestand_study::pair::read_pair;
+use freestand_app::motion::Meant;
+use freestand_app::pair::{ROTD, Rotd};
+use freestand_study::inspect::{RotdReport, rotd};
 
-use super::pair::PairArgs;
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
-use crate::values::{Given, Reads, Values};
 
 /// Calculate response spectra over all horizontal directions (RotDnn)
 ///
@@ -23,59 +19,31 @@ use crate::values::{Given, Reads, Values};
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no common factor to a target: these flags are known only to be refused with
-// a hint.
-#[command(
-    mut_arg("scale_to", |arg| arg.hide(true)),
-    mut_arg("scale_to_sa", |arg| arg.hide(true)),
-    mut_arg("scale_to_spectrum", |arg| arg.hide(true))
-)]
 pub(crate) struct RotdArgs {
     #[command(flatten)]
-    pair: PairArgs,
-    /// Percentiles over the directions: 50 is the median, 100 the largest
-    #[arg(long, value_name = "LIST", read = percentiles, default_value = "50, 100")]
-    percentiles: Given<Vec<f64>>,
-    /// Damping ratio [default: 5 %]
-    #[arg(long, non_negative = Dimension::Ratio)]
-    damping: Option<Given>,
-    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-    #[arg(long, grid = Dimension::Time)]
-    periods: Option<Given<Vec<f64>>>,
+    pub(super) request: Rotd,
     #[command(flatten)]
-    tables: TableArgs,
+    pub(super) output: TableArgs,
 }
 
-const SCHEMA: &str = "freestand.motion-rotd/1";
+impl Tell for Rotd {
+    type Output = TableArgs;
 
-pub(crate) fn run(
-    args: &RotdArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let mut values = Values::default();
-    let damping = values.read(&args.damping);
-    let periods_s = super::periods(&args.periods, &mut values);
-    let percentiles = values.read(&args.percentiles).unwrap_or_default();
-    let pair = args.pair.request(&mut values);
-    values.finish()?;
-    let read = read_pair(&pair)?;
-    let report = rotd(
-        &read,
-        &RotdRequest {
-            damping_ratio: damping.unwrap_or(DAMPING_RATIO),
-            periods_s,
-            percentiles,
-        },
-    )?;
-    let files = Files::with_tables(global, &args.pair.inputs(), &args.tables, SCHEMA, None)?;
-    files.table("rotd", || report.table())?;
-    files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
-    Ok(Done::OK)
-}
-
-fn percentiles(text: &str) -> Result<Vec<f64>, Problem> {
-    parse_grid(&text.replace('%', ""), Dimension::Ratio)
+    fn tell(
+        Meant {
+            asked: (read, request),
+            inputs,
+        }: Self::Meant,
+        tables: &TableArgs,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let report = rotd(&read, &request)?;
+        let files = Files::with_tables(global, &inputs, tables, ROTD, None)?;
+        files.table("rotd", || report.table())?;
+        files.print(printer, ROTD, &report, &report.warnings, || text(&report))?;
+        Ok(Done::OK)
+    }
 }
 
 fn text(report: &RotdReport) -> String {

@@ -2,28 +2,19 @@
 //! return period.
 
 use clap::Args;
-use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
-use freestand_input::keys;
-use freestand_input::problem::Problem;
+use freestand_app::simulate::{Meant, SCHEMA, Simulate};
 use freestand_output::answer::Answer;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
-use freestand_study::simulated::{
-    DEFAULT_SITE, Earthquake, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput,
-    city_rock, read_source, simulate,
-};
-use freestand_study::study::DEFAULT_MOTIONS;
-use freestand_study::target::{DEFAULT_YEARS, Target};
+use freestand_study::simulated::{Earthquake, SimulatedReport, simulate};
 
-use super::motions;
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
-use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Column, Printer, cells, headings, significant, table};
 
 /// Simulate ground motions with a stochastic point source
@@ -38,191 +29,40 @@ Examples:
   freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 \\
     --out motions")]
 pub(crate) struct SimulateArgs {
-    /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
-    #[arg(long, value_name = "M", required_unless_present = "city")]
-    magnitude: Option<String>,
-    /// Distance from the source to the site
-    #[arg(long, value_name = "LENGTH", required_unless_present = "city")]
-    distance: Option<String>,
-    /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
-    /// (AS 1170.4)
-    #[arg(
-        long,
-        visible_alias = "place",
-        value_name = "NAME",
-        conflicts_with = "distance"
-    )]
-    city: Option<String>,
-    /// Return period in years; needs --city [default: 500]
-    #[arg(long, value_name = "YEARS")]
-    return_period: Option<u32>,
-    /// Site class of AS 1170.4; for other classes than Be, amplitudes are multiplied by the ratio
-    /// of the code spectra
-    #[arg(long, value_name = "CLASS", default_value = DEFAULT_SITE.name())]
-    site: String,
-    /// Number of motions of each earthquake
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
-    count: u64,
     #[command(flatten)]
-    tables: TableArgs,
+    pub(super) request: Simulate,
     #[command(flatten)]
-    source: Keys<SourceKeys>,
+    pub(super) output: TableArgs,
 }
 
-#[derive(Debug, Clone)]
-struct SourceKeys;
+impl Tell for Simulate {
+    type Output = TableArgs;
 
-impl KeySet for SourceKeys {
-    const KEYS: &'static [(&'static str, &'static [Key])] = &[
-        (
-            "The source and the crust",
-            &[
-                key(
-                    "preset",
-                    "NAME",
-                    "Set of parameters: victoria (or melbourne), intraplate, se-australia [default: victoria]",
-                ),
-                key(
-                    "stress_drop",
-                    "PRESSURE",
-                    "Stress drop, such as \"200 bar\" or \"23 MPa\" [default: the preset's]",
-                ),
-                key(
-                    "kappa",
-                    "TIME",
-                    "κ0, the attenuation near the surface [default: the preset's]",
-                ),
-                key(
-                    "source_spectrum",
-                    "SHAPE",
-                    "Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) \
-                     [default: the preset's]",
-                ),
-                key(
-                    "path_duration",
-                    "NAME",
-                    "Duration along the path: boore (0.05 s per km), atkinson-boore (1995) [default: the preset's]",
-                ),
-                key(
-                    "window",
-                    "NAME",
-                    "Window of the shaking: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) \
-                     [default: the preset's]",
-                ),
-                switch("hard_rock", "No amplification by the crust"),
-            ],
-        ),
-        (
-            "The motion",
-            &[
-                key("time_step", "TIME", "Time step [default: 0.005 s]"),
-                key(
-                    "low_cut",
-                    "FREQUENCY",
-                    "Corner frequency of the acausal high-pass filter [default: 0.05 Hz]",
-                ),
-            ],
-        ),
-    ];
-}
-
-const SCHEMA: &str = "freestand.motion-simulate/1";
-
-pub(crate) fn run(
-    args: &SimulateArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    // `requires` of clap is silent here: --city itself excludes --distance.
-    if args.return_period.is_some() && args.city.is_none() {
-        return Err(Failure::usage(
-            "--return-period needs --city: it selects the spectrum of a code",
-            "give --city, or leave --return-period out",
-        ));
-    }
-    let years = args.return_period.unwrap_or(DEFAULT_YEARS);
-    let rock = args
-        .city
-        .as_deref()
-        .map(|city| city_rock(city, years))
-        .transpose()?;
-    let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
-    let files = Files::with_tables(global, &[], &args.tables, SCHEMA, Some(global.seed()))?;
-    let mut report = simulate(&request)?;
-    for earthquake in &mut report.earthquakes {
-        for one in &mut earthquake.motions {
-            one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
+    fn tell(
+        Meant {
+            request,
+            mut warnings,
+        }: Meant,
+        tables: &TableArgs,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::with_tables(global, &[], tables, SCHEMA, Some(request.seed))?;
+        let mut report = simulate(&request)?;
+        for earthquake in &mut report.earthquakes {
+            for one in &mut earthquake.motions {
+                one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
+            }
         }
-    }
-    if files.wanted() {
-        files.table("fourier_amplitude", || report.fourier_table())?;
-        draw(&report, &files)?;
-    }
-    let rock_warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
-    let warnings = [
-        rock_warnings,
-        report.warnings.clone(),
-        request.assumptions(),
-    ]
-    .concat();
-    files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
-    Ok(Done::OK)
-}
-
-/// `kpz_g` is that of the city, if one is named.
-fn request(
-    args: &SimulateArgs,
-    global: &GlobalArgs,
-    kpz_g: Option<f64>,
-) -> Result<SimulatedRequest, Failure> {
-    let SourceInput {
-        preset,
-        changes,
-        magnitude,
-        distance_m,
-        options,
-    } = read_source(&words(args))?;
-    let site = SiteClass::parse(&args.site).map_err(|error| {
-        Problem::value(
-            format!("--site: {error}"),
-            "give Ae, Be, Ce, De or Ee, as in AS 1170.4",
-        )
-    })?;
-    let earthquakes = match (kpz_g, magnitude, distance_m) {
-        (Some(kpz_g), magnitude, _) => Earthquakes::Pairs {
-            kpz_g,
-            magnitudes: magnitude.into_iter().collect(),
-        },
-        (None, Some(magnitude), Some(distance_m)) => Earthquakes::One {
-            magnitude,
-            distance_m,
-        },
-        (None, ..) => {
-            let hint = "give --magnitude and --distance, or --city";
-            return Err(Failure::usage(
-                "the earthquake is incomplete: a magnitude and a distance are needed",
-                hint,
-            ));
+        if files.wanted() {
+            files.table("fourier_amplitude", || report.fourier_table())?;
+            draw(&report, &files)?;
         }
-    };
-    Ok(SimulatedRequest {
-        preset,
-        changes,
-        earthquakes,
-        site,
-        count: args.count,
-        seed: global.seed(),
-        options,
-    })
-}
-
-/// The flags as the keys of `point_source` in a study.
-fn words(args: &SimulateArgs) -> keys::Words {
-    let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
-    let own = own
-        .into_iter()
-        .filter_map(|(key, text)| Some((key, text.as_deref()?)));
-    args.source.words.entries().chain(own).collect()
+        warnings.extend(report.warnings.iter().cloned());
+        warnings.extend(request.assumptions());
+        files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
+        Ok(Done::OK)
+    }
 }
 
 /// Draws the spectra with the code spectrum, if there is one, and the first motion of each

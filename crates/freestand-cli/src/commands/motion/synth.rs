@@ -1,30 +1,18 @@
 //! `freestand motion synth` and `match`: motions that fit a target.
 
-use std::path::PathBuf;
-
 use clap::Args;
-use freestand::synthesis::SynthesisOptions;
-use freestand_app::TargetKeys;
-use freestand_app::files::Files as Sources;
-use freestand_input::quantity::Dimension;
+use freestand_app::motion::Meant;
+use freestand_app::synth::{Match, SCHEMA, Synth};
 use freestand_output::answer::Answer;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
-use freestand_study::matched::{
-    FitReport, FittedMotion, MatchMethod, MatchRequest, SynthRequest, match_one, synth,
-};
-use freestand_study::recorded::name_of;
-use freestand_study::study::DEFAULT_MOTIONS;
-use freestand_study::target::Target;
+use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
 
-use super::motions;
 use crate::args::GlobalArgs;
-use crate::commands::Done;
+use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, cells, headings, table};
-use crate::reading::ReadArgs;
-use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Make synthetic motions that fit a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
@@ -36,53 +24,8 @@ Examples:
   freestand motion synth --spectrum uhs.csv --beyond hold --out motions")]
 pub(crate) struct SynthArgs {
     #[command(flatten)]
-    target: TargetKeys,
-    /// Number of motions
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
-    count: u64,
-    #[command(flatten)]
-    layout: LayoutArgs,
-    #[command(flatten)]
-    peak: PeakArgs,
+    pub(super) request: Synth,
 }
-
-/// The motion in time.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "The motion")]
-struct LayoutArgs {
-    /// Time step, at most 0.01 s [default: 0.005 s]
-    #[arg(long, positive = Dimension::Time)]
-    time_step: Option<Given>,
-    /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
-    #[arg(long, positive = Dimension::Time)]
-    shaking: Option<Given>,
-    /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
-    #[arg(long, positive = Dimension::Time)]
-    envelope: Option<Given>,
-}
-
-#[derive(Debug, Args)]
-#[command(next_help_heading = "The motion")]
-struct PeakArgs {
-    /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
-    /// short periods gets worse
-    #[arg(long)]
-    match_pga: bool,
-}
-
-/// How the spectrum of a record is matched to the target.
-const METHODS: Choices<MatchMethod> = &[
-    (
-        MatchMethod::Wavelet,
-        "wavelet",
-        "Scale wavelets; keeps more of the record",
-    ),
-    (
-        MatchMethod::Fft,
-        "fft",
-        "Scale the Fourier amplitudes at each period by the misfit at that period",
-    ),
-];
 
 /// Match a record to a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
@@ -91,86 +34,43 @@ Examples:
   freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched
   freestand motion match record.AT2 --site De --method fft --match-pga --json")]
 pub(crate) struct MatchArgs {
-    /// Record
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
-    /// Method
-    #[arg(long, value_parser = choice(METHODS), default_value = MatchMethod::default().name())]
-    method: MatchMethod,
     #[command(flatten)]
-    peak: PeakArgs,
-    #[command(flatten)]
-    target: TargetKeys,
-    #[command(flatten)]
-    read: ReadArgs,
+    pub(super) request: Match,
 }
 
-impl PeakArgs {
-    /// The peak acceleration of the target, if `--match-pga` is given.
-    fn pga_g(&self, target: &Target) -> Result<Option<f64>, Failure> {
-        Ok(self.match_pga.then(|| target.peak_g()).transpose()?)
+impl Tell for Synth {
+    type Output = ();
+
+    fn tell(
+        Meant { asked, inputs }: Self::Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::begin(global, &inputs)?;
+        finish(synth(&asked)?, files, &[], printer)
     }
 }
 
-pub(crate) fn run(
-    args: &SynthArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let target = args.target.matched(&Sources::Disk)?;
-    let pga_g = args.peak.pga_g(&target)?;
-    let files = Files::begin(global, &args.target.inputs(&Sources::Disk))?;
-    let options = options(&args.layout)?;
-    let report = synth(&SynthRequest {
-        target,
-        count: args.count,
-        seed: global.seed(),
-        options,
-        pga_g,
-    })?;
-    finish(report, files, &[], printer)
-}
+impl Tell for Match {
+    type Output = ();
 
-fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
-    let mut values = Values::default();
-    let fine = SynthesisOptions::default();
-    let dt_s = values.read(&args.time_step);
-    let shaking_s = values.read(&args.shaking);
-    let envelope_s = values.read(&args.envelope);
-    values.finish()?;
-    Ok(SynthesisOptions {
-        dt_s: dt_s.unwrap_or(fine.dt_s),
-        shaking_s: shaking_s.unwrap_or(fine.shaking_s),
-        envelope_s: envelope_s.unwrap_or(fine.envelope_s),
-        ..fine
-    })
-}
-
-pub(crate) fn run_match(
-    args: &MatchArgs,
-    global: &GlobalArgs,
-    printer: &Printer,
-) -> Result<Done, Failure> {
-    let target = args.target.matched(&Sources::Disk)?;
-    let pga_g = args.peak.pga_g(&target)?;
-    let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
-    let files = Files::begin(
-        global,
-        &args
-            .read
-            .inputs(std::iter::once(&args.file).chain(&args.target.inputs(&Sources::Disk))),
-    )?;
-    let name = format!("{}-matched", name_of(&args.file));
-    let request = MatchRequest {
-        target,
-        record: &read.motion.motion,
-        name,
-        method: args.method,
-        pga_g,
-    };
-    let report = match_one(request).map_err(|problem| problem.in_file(&args.file))?;
-    let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
-    finish(report, files, &notes, printer)
+    fn tell(
+        Meant {
+            asked: (read, request),
+            inputs,
+        }: Self::Meant,
+        (): &(),
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        let files = Files::begin(global, &inputs)?;
+        let one = &read.motion;
+        let report = match_one(&one.motion, format!("{}-matched", one.name), &request)
+            .map_err(|problem| problem.in_file(&one.path))?;
+        let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
+        finish(report, files, &notes, printer)
+    }
 }
 
 /// Writes the motions, draws them with their target, and the first one by itself.
@@ -180,7 +80,6 @@ fn finish(
     notes: &[String],
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    const SCHEMA: &str = "freestand.motion-synth/1";
     for one in &mut report.motions {
         one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
     }

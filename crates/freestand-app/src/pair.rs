@@ -1,0 +1,226 @@
+//! `motion rotate` and `motion rotd`: two horizontal components.
+
+use clap::Args;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_records::processing::azimuth_deg;
+use freestand_study::inspect::{RotdRequest, check_percentiles};
+use freestand_study::pair::{PairFiles, ReadPair, RotateRequest, read_pair};
+use freestand_study::recorded::{MotionFiles, Second};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::motion::{FORMATS, Format, Meant, inputs, periods, recorded};
+use crate::records::{Records, components};
+use crate::request::{Question, Request, Unknown, one_of, one_or_many, reader, request};
+
+/// The schema of the response of `motion rotate`.
+pub const ROTATE: &str = "freestand.motion-rotate/1";
+/// The schema of the response of `motion rotd`.
+pub const ROTD: &str = "freestand.motion-rotd/1";
+
+/// Two horizontal components, from one file or from two.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+// A pair is never rotated while it is read: the flag is known only to be refused with a hint.
+#[command(
+    mut_arg("azimuth", |arg| arg.hide(true)),
+    mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
+)]
+pub struct PairKeys {
+    /// A record with two horizontal components, or two records with one each
+    #[arg(value_name = "FILE")]
+    #[serde(deserialize_with = "one_or_many")]
+    pub motion: Vec<Written>,
+    /// The two components to read from one file with several: names or numbers, such as "1, 2"
+    #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
+    pub components: Option<Written>,
+    /// How the records are read.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub records: Records,
+}
+
+request!(PairKeys { motion, components; records });
+
+/// The component of a pair in another direction.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Rotate {
+    /// The pair.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub pair: PairKeys,
+    /// Azimuth of the new component, clockwise from north
+    #[arg(long, value_name = "ANGLE")]
+    pub to: Option<Written>,
+    /// Azimuths of the two components [default: those stated in the files]
+    #[arg(long, value_name = "ANGLE, ANGLE")]
+    pub azimuths: Option<Written>,
+    /// Format to write [default: csv]
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+    pub format: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Rotate { to, azimuths, format; pair, unknown });
+
+/// The response spectra of a pair over all directions.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+// Two components have no common factor to a target: these flags are known only to be refused with
+// a hint.
+#[command(
+    mut_arg("scale_to", |arg| arg.hide(true)),
+    mut_arg("scale_to_sa", |arg| arg.hide(true)),
+    mut_arg("scale_to_spectrum", |arg| arg.hide(true))
+)]
+pub struct Rotd {
+    /// The pair.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub pair: PairKeys,
+    /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
+    #[arg(long, value_name = "LIST")]
+    pub percentiles: Option<Written>,
+    /// Damping ratio [default: 5 %]
+    #[arg(long, value_name = "RATIO")]
+    pub damping: Option<Written>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+    #[arg(long, value_name = "GRID")]
+    pub periods: Option<Written>,
+
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Rotd { percentiles, damping, periods; pair, unknown });
+
+impl PairKeys {
+    /// The files of the pair, which have not been read, and all files that are read.
+    fn files(&self, read: &mut WordReader<'_>, files: &Files) -> Meant<PairFiles> {
+        let named = recorded(read, &self.motion, &self.records, files);
+        read.exclusive("component", "components");
+        let both = read.text("components").map(components);
+        let both = both.and_then(|both| read.keep("components", both));
+        let asked = PairFiles {
+            files: MotionFiles {
+                paths: named.paths(),
+                ..named.how().clone()
+            },
+            components: match both {
+                Some(Second::SameFile(called)) => called,
+                _ => None,
+            },
+        };
+        read.problems.keep_comparisons(asked.check());
+        let inputs = inputs(&named, &self.records, files);
+        Meant { asked, inputs }
+    }
+}
+
+impl Question for Rotate {
+    type Meant = Meant<(ReadPair, RotateRequest, Format)>;
+
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
+        let (pair, request, format) = self.judged(files)?;
+        Ok(Meant {
+            asked: (read_pair(&pair.asked)?, request, format),
+            inputs: pair.inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.judged(files).map(drop)
+    }
+}
+
+impl Rotate {
+    fn judged(&self, files: &Files) -> Result<(Meant<PairFiles>, RotateRequest, Format), Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let pair = self.pair.files(&mut read, files);
+        if !read.has("to") {
+            let hint = "give the azimuth of the new component, such as `to = \"30 deg\"`";
+            read.missing(&["to"], "`to` is missing", hint);
+        }
+        let to = read.quantity("to", Dimension::Angle);
+        let hint = "write \"0 deg, 90 deg\", clockwise from north";
+        let azimuths = read.two("azimuths", Dimension::Angle, hint);
+        let format = read.choice("format", FORMATS).unwrap_or(Format::Csv);
+        let asked = to.map(|to| RotateRequest {
+            azimuth_deg: azimuth_deg(to),
+            azimuths_deg: azimuths.map(|(one, two)| (azimuth_deg(one), azimuth_deg(two))),
+        });
+        read.problems
+            .finish(asked.map(|asked| (pair, asked, format)))
+    }
+}
+
+impl Question for Rotd {
+    type Meant = Meant<(ReadPair, RotdRequest)>;
+
+    fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
+        let (pair, request) = self.judged(files)?;
+        Ok(Meant {
+            asked: (read_pair(&pair.asked)?, request),
+            inputs: pair.inputs,
+        })
+    }
+
+    fn check(&self, files: &Files) -> Result<(), Problems> {
+        self.judged(files).map(drop)
+    }
+}
+
+impl Rotd {
+    fn judged(&self, files: &Files) -> Result<(Meant<PairFiles>, RotdRequest), Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let pair = self.pair.files(&mut read, files);
+        for key in ["scale_to", "scale_to_sa", "scale_to_spectrum"] {
+            if read.has(key) {
+                let message = format!("`{key}` would give each of two components its own factor");
+                read.note(&[key], message, "give the factor itself with `scale`");
+            }
+        }
+        let damping_ratio = read.accepted(
+            "damping",
+            Dimension::Ratio,
+            |ratio| (0.0..1.0).contains(&ratio),
+            ["from 0 to below 1", "from 0 to below 1"],
+        );
+        let request = RotdRequest {
+            damping_ratio: damping_ratio.unwrap_or(DAMPING_RATIO),
+            periods_s: periods(&mut read),
+            percentiles: percentiles(&mut read),
+        };
+        read.problems.finish(Some((pair, request)))
+    }
+}
+
+/// Percentiles over the directions: 50 and 50 % are the same.
+fn percentiles(read: &mut WordReader<'_>) -> Vec<f64> {
+    let found = match read.text("percentiles") {
+        Some(text) if text.contains('%') => {
+            let plain = parse_grid(&text.replace('%', ""), Dimension::Ratio);
+            read.keep("percentiles", plain)
+        }
+        _ => read.grid("percentiles", Dimension::Ratio),
+    };
+    let found = found.unwrap_or_else(|| vec![50.0, 100.0]);
+    read.keep("percentiles", check_percentiles(&found));
+    found
+}

@@ -1,0 +1,211 @@
+//! `motion simulate`: motions of stochastic point sources.
+
+use clap::{ArgAction, Args};
+use freestand::code_spectrum::SiteClass;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::word_reader::WordReader;
+use freestand_input::written::Written;
+use freestand_study::simulated::{
+    DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, city_rock, read_source,
+};
+use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
+use freestand_study::target::{DEFAULT_YEARS, Target};
+use serde::Deserialize;
+
+use crate::files::Files;
+use crate::request::{Question, Request, Switch, Unknown, motions, reader, request, seed};
+
+/// The schema of the response.
+pub const SCHEMA: &str = "freestand.motion-simulate/1";
+
+/// Motions of earthquakes: of one magnitude at one distance, or of those that agree with the code spectrum of a city.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Simulate {
+    /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
+    #[arg(long, value_name = "M")]
+    pub magnitude: Option<Written>,
+    /// Distance from the source to the site
+    #[arg(long, value_name = "LENGTH")]
+    pub distance: Option<Written>,
+    /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
+    /// (AS 1170.4)
+    #[arg(long, visible_alias = "place", value_name = "NAME")]
+    pub city: Option<Written>,
+    /// Return period in years; needs --city [default: 500]
+    #[arg(long = "return-period", value_name = "YEARS")]
+    pub return_period_years: Option<Written>,
+    /// Site class of AS 1170.4; for other classes than Be, amplitudes are multiplied by the ratio
+    /// of the code spectra [default: Be]
+    #[arg(long, value_name = "CLASS")]
+    pub site: Option<Written>,
+    /// Number of motions of each earthquake [default: 10]
+    #[arg(long, value_name = "N")]
+    pub count: Option<Written>,
+    /// The source.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub source: Source,
+
+    /// Seed of the random numbers.
+    #[arg(skip)]
+    pub seed: Option<Written>,
+    /// Keys that are not known.
+    #[arg(skip)]
+    #[serde(flatten)]
+    pub unknown: Unknown,
+}
+
+request!(Simulate { magnitude, distance, city, return_period_years, site, count, seed; source, unknown });
+
+/// A source and the crust around it.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Source {
+    /// Set of parameters: victoria (or melbourne), intraplate, se-australia [default: victoria]
+    #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
+    pub preset: Option<Written>,
+    /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
+    #[arg(
+        long,
+        value_name = "PRESSURE",
+        help_heading = "The source and the crust"
+    )]
+    pub stress_drop: Option<Written>,
+    /// κ0, the attenuation near the surface [default: the preset's]
+    #[arg(long, value_name = "TIME", help_heading = "The source and the crust")]
+    pub kappa: Option<Written>,
+    /// Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) [default: the
+    /// preset's]
+    #[arg(long, value_name = "SHAPE", help_heading = "The source and the crust")]
+    pub source_spectrum: Option<Written>,
+    /// Duration along the path: boore (0.05 s per km), atkinson-boore (1995) [default: the preset's]
+    #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
+    pub path_duration: Option<Written>,
+    /// Window of the shaking: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) [default: the preset's]
+    #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
+    pub window: Option<Written>,
+    /// No amplification by the crust
+    #[arg(long, action = ArgAction::SetTrue, help_heading = "The source and the crust")]
+    pub hard_rock: Switch,
+    /// Time step [default: 0.005 s]
+    #[arg(long, value_name = "TIME", help_heading = "The motion")]
+    pub time_step: Option<Written>,
+    /// Corner frequency of the acausal high-pass filter [default: 0.05 Hz]
+    #[arg(long, value_name = "FREQUENCY", help_heading = "The motion")]
+    pub low_cut: Option<Written>,
+}
+
+request!(Source {
+    preset,
+    stress_drop,
+    kappa,
+    source_spectrum,
+    path_duration,
+    window,
+    hard_rock,
+    time_step,
+    low_cut
+});
+
+/// What is asked, in SI.
+#[derive(Debug)]
+pub struct Meant {
+    /// The earthquakes.
+    pub request: SimulatedRequest,
+    /// What is doubtful about the spectrum of the city.
+    pub warnings: Vec<String>,
+}
+
+impl Question for Simulate {
+    type Meant = Meant;
+
+    fn resolve(&self, _: &Files) -> Result<Meant, Problems> {
+        let words = self.words();
+        let mut read = reader::<Self>(&words, &self.unknown);
+        let rock = rock(&mut read);
+        let source = read.problems.keep(read_source(&words));
+        let kpz_g = rock.as_ref().and_then(Target::kpz_g);
+        let earthquakes = earthquakes(&mut read, source.as_ref(), kpz_g);
+        let site = read.read("site", site).unwrap_or(DEFAULT_SITE);
+        let count = motions(&mut read).unwrap_or(DEFAULT_MOTIONS);
+        let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
+        let request = source.zip(earthquakes).map(|(source, earthquakes)| {
+            let SourceInput {
+                preset,
+                changes,
+                options,
+                ..
+            } = source;
+            SimulatedRequest {
+                preset,
+                changes,
+                earthquakes,
+                site,
+                count,
+                seed,
+                options,
+            }
+        });
+        if let Some(request) = &request {
+            read.problems.keep_comparisons(request.check());
+        }
+        let request = read.problems.finish(request)?;
+        let warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
+        Ok(Meant { request, warnings })
+    }
+
+    fn set_seed(&mut self, seed: Option<Written>) {
+        self.seed = seed;
+    }
+}
+
+/// The rock spectrum of the city, if one is named.
+fn rock(read: &mut WordReader<'_>) -> Option<Target> {
+    let city = read.one("city");
+    let years = read.whole("return_period_years").unwrap_or(DEFAULT_YEARS);
+    if read.has("return_period_years") && !read.has("city") {
+        let message = "`return_period_years` needs `city`: it selects the spectrum of a code";
+        read.note(
+            &["return_period_years"],
+            message,
+            "give `city`, or leave `return_period_years` out",
+        );
+    }
+    read.problems.keep(city_rock(city?, years))
+}
+
+/// Which earthquakes; `kpz_g` is that of the city.
+fn earthquakes(
+    read: &mut WordReader<'_>,
+    source: Option<&SourceInput>,
+    kpz_g: Option<f64>,
+) -> Option<Earthquakes> {
+    if read.has("city") {
+        read.exclusive("city", "distance");
+        return Some(Earthquakes::Pairs {
+            kpz_g: kpz_g?,
+            magnitudes: source?.magnitude.into_iter().collect(),
+        });
+    }
+    for key in ["magnitude", "distance"] {
+        if !read.has(key) {
+            read.missing(
+                &[key],
+                format!("`{key}` is missing"),
+                "give `magnitude` and `distance`, or `city`",
+            );
+        }
+    }
+    Some(Earthquakes::One {
+        magnitude: source?.magnitude?,
+        distance_m: source?.distance_m?,
+    })
+}
+
+fn site(text: &str) -> Result<SiteClass, Problem> {
+    let hint = "give Ae, Be, Ce, De or Ee, as in AS 1170.4";
+    SiteClass::parse(text).map_err(|error| Problem::value(error.to_string(), hint))
+}
