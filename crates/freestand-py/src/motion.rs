@@ -9,7 +9,7 @@ use freestand_app::request::Question as _;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_output::answer::Answer;
+use freestand_output::answer::Answer as _;
 use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::notes::{Note, NoteKind};

@@ -5,7 +5,7 @@ use clap::Args;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_app::simulate::{Meant, SCHEMA, Simulate};
-use freestand_output::answer::Answer;
+use freestand_output::answer::Answer as _;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};

@@ -3,7 +3,7 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
-use freestand_output::answer::Answer;
+use freestand_output::answer::Answer as _;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
