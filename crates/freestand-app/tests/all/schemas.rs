@@ -4,37 +4,54 @@ use std::path::PathBuf;
 
 use freestand_app::assess::Assess;
 use freestand_app::check_list::CheckList;
-use freestand_app::code_spectrum::CodeSpectrum;
-use freestand_app::cushion_curve::CushionCurve;
-use freestand_app::drop_test::DropTests;
-use freestand_app::floor::Floor;
+use freestand_app::code_spectrum::{self, CodeSpectrum};
+use freestand_app::cushion_curve::{self, CushionCurve};
+use freestand_app::drop_test::{self, DropTests};
+use freestand_app::floor::{self, Floor};
 use freestand_app::fragility::{self, Fragility};
 use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
 use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
-use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
+use freestand_app::motion::{self, MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::{self, Object};
 use freestand_app::pair::{Rotate, Rotd};
 use freestand_app::places::{PlaceList, PlaceShow};
-use freestand_app::recovery::Recovery;
+use freestand_app::recovery::{self, Recovery};
 use freestand_app::restrain::{self, Restrain};
 use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
-use freestand_app::run::{CheckStudy, Run};
+use freestand_app::run::{self, CheckStudy, Run};
 use freestand_app::schema::{of_request, of_response};
 use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::{self, Shock};
-use freestand_app::shock_spectrum::ShockSpectrum;
-use freestand_app::simulate::Simulate;
+use freestand_app::shock_spectrum::{self, ShockSpectrum};
+use freestand_app::simulate::{self, Simulate};
 use freestand_app::spectrum::Spectrum;
-use freestand_app::static_test::StaticTests;
-use freestand_app::synth::{Match, Synth};
-use freestand_app::virtual_test::VirtualTests;
+use freestand_app::static_test::{self, StaticTests};
+use freestand_app::synth::{self, Match, Synth};
+use freestand_app::virtual_test::{self, VirtualTests};
 use freestand_assess::fragility::{FragilityReport, RunsReport};
 use freestand_assess::one_object::ObjectReport;
 use freestand_assess::restrain::{RestrainListReport, RestrainReport};
 use freestand_assess::risk::RiskReport;
 use freestand_output::answer::Answer;
+use freestand_study::check::Check;
+use freestand_study::floor::FloorReport;
+use freestand_study::inspect::InfoReport;
+use freestand_study::laboratory::cushion_curve::CurveReport;
+use freestand_study::laboratory::drop_test::DropsReport;
+use freestand_study::laboratory::static_curve::StaticsReport;
+use freestand_study::laboratory::virtual_laboratory::{RecoveryReport, SimulatedTests};
+use freestand_study::matched::FitReport;
 use freestand_study::shock::ShockAnswer;
+use freestand_study::shock_spectrum::ShockSpectrumReport;
+use freestand_study::simulated::SimulatedReport;
+use freestand_study::target::CodeSpectrumReport;
+use serde_json::Value;
+
+/// The schema of a response of one kind.
+fn of_answer<A: Answer>(command: &str, schema: &str) -> Value {
+    of_response(command, schema, &[A::properties()])
+}
 
 #[test]
 fn the_schemas_are_those_of_the_structs() {
@@ -69,7 +86,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "risk.response.json",
-            of_response("risk", risk::SCHEMA, &[RiskReport::properties()]),
+            of_answer::<RiskReport>("risk", risk::SCHEMA),
         ),
         ("risk.request.json", of_request::<Risk>("risk", &["seed"])),
         (
@@ -91,35 +108,63 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "shock.response.json",
-            of_response("shock", shock::SCHEMA, &[ShockAnswer::properties()]),
+            of_answer::<ShockAnswer>("shock", shock::SCHEMA),
         ),
         (
             "shock-spectrum.request.json",
             of_request::<ShockSpectrum>("shock-spectrum", &[]),
         ),
         (
+            "shock-spectrum.response.json",
+            of_answer::<ShockSpectrumReport>("shock-spectrum", shock_spectrum::SCHEMA),
+        ),
+        (
             "cushion-drop.request.json",
             of_request::<DropTests>("cushion drop", &["seed"]),
+        ),
+        (
+            "cushion-drop.response.json",
+            of_answer::<DropsReport>("cushion drop", drop_test::SCHEMA),
         ),
         (
             "cushion-curve.request.json",
             of_request::<CushionCurve>("cushion curve", &[]),
         ),
         (
+            "cushion-curve.response.json",
+            of_answer::<CurveReport>("cushion curve", cushion_curve::SCHEMA),
+        ),
+        (
             "cushion-recovery.request.json",
             of_request::<Recovery>("cushion recovery", &["seed"]),
+        ),
+        (
+            "cushion-recovery.response.json",
+            of_answer::<RecoveryReport>("cushion recovery", recovery::SCHEMA),
         ),
         (
             "cushion-simulate.request.json",
             of_request::<VirtualTests>("cushion simulate", &["seed"]),
         ),
         (
+            "cushion-simulate.response.json",
+            of_answer::<SimulatedTests>("cushion simulate", virtual_test::SCHEMA),
+        ),
+        (
             "cushion-static.request.json",
             of_request::<StaticTests>("cushion static", &[]),
         ),
         (
+            "cushion-static.response.json",
+            of_answer::<StaticsReport>("cushion static", static_test::SCHEMA),
+        ),
+        (
             "motion-info.request.json",
             of_request::<MotionInfo>("motion info", &[]),
+        ),
+        (
+            "motion-info.response.json",
+            of_answer::<InfoReport>("motion info", motion::INFO),
         ),
         (
             "motion-spectrum.request.json",
@@ -142,18 +187,38 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<Synth>("motion synth", &["seed"]),
         ),
         (
+            "motion-synth.response.json",
+            of_answer::<FitReport>("motion synth", synth::SCHEMA),
+        ),
+        (
             "motion-match.request.json",
             of_request::<Match>("motion match", &[]),
+        ),
+        (
+            "motion-match.response.json",
+            of_answer::<FitReport>("motion match", synth::SCHEMA),
         ),
         (
             "motion-simulate.request.json",
             of_request::<Simulate>("motion simulate", &["seed"]),
         ),
         (
+            "motion-simulate.response.json",
+            of_answer::<SimulatedReport<'_>>("motion simulate", simulate::SCHEMA),
+        ),
+        (
             "code-spectrum.request.json",
             of_request::<CodeSpectrum>("motion code-spectrum", &[]),
         ),
+        (
+            "code-spectrum.response.json",
+            of_answer::<CodeSpectrumReport>("motion code-spectrum", code_spectrum::SCHEMA),
+        ),
         ("floor.request.json", of_request::<Floor>("floor", &[])),
+        (
+            "floor.response.json",
+            of_answer::<FloorReport>("floor", floor::SCHEMA),
+        ),
         (
             "object.request.json",
             of_request::<Object>("object", &["seed"]),
@@ -166,6 +231,10 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "check.request.json",
             of_request::<CheckStudy>("check", &["seed"]),
+        ),
+        (
+            "check.response.json",
+            of_answer::<Check<'_>>("check", run::CHECK_SCHEMA),
         ),
         (
             "inventory-check.request.json",
