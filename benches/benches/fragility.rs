@@ -42,7 +42,7 @@ fn request(
     thickness_m: f64,
     replicates: u32,
     motions: &[FloorMotion],
-) -> RunsRequest<'static> {
+) -> RunsRequest {
     let object = GivenObject {
         block: Block::uniform(height_m, thickness_m).unwrap(),
         restitution: Restitution::Housner,
