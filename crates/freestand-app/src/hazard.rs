@@ -108,8 +108,9 @@ impl HazardOfCode {
         let hazard_factor = read.positive("hazard_factor", Dimension::Ratio);
         let fault_distance_m = read.non_negative("fault_distance", Dimension::Length);
         if !read.has("hazard_code") {
+            let is_another = read.has("hazard") || read.has("hazard_power");
             for key in ["site", "hazard_factor", "fault_distance"] {
-                if read.has(key) {
+                if read.has(key) && is_another {
                     unused(read, key, "a hazard that does not come from a code");
                 }
             }

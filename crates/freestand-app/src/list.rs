@@ -99,6 +99,15 @@ impl ListMeant {
 }
 
 impl ListKeys {
+    /// The mapping file and the libraries.
+    pub(crate) fn inputs(&self, files: &Files) -> Vec<PathBuf> {
+        let libraries = [&self.libraries.library, &self.libraries.cushion_library];
+        let libraries = libraries.map(|name| files.path_of(name.as_ref()));
+        let mut inputs = self.cells.inputs(files);
+        inputs.extend(libraries.into_iter().flatten());
+        inputs
+    }
+
     /// What is asked of a study and its list.
     pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
         let hazard = self.hazard.words();

@@ -120,12 +120,18 @@ impl PairKeys {
                 paths: named.paths(),
                 ..named.how().clone()
             },
-            components: match both {
+            components: match both.clone() {
                 Some(Second::SameFile(called)) => called,
                 _ => None,
             },
         };
         read.problems.keep_comparisons(asked.check());
+        if named.count() == 2 && both == Some(Second::SameFile(None)) {
+            let message =
+                "`components` chooses two components of one file, but two files are given";
+            let hint = "choose one of each file with `component`";
+            read.note(&["components"], message, hint);
+        }
         let inputs = inputs(&named, &self.records, files);
         Meant { asked, inputs }
     }

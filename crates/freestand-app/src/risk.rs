@@ -163,6 +163,7 @@ impl Question for Risk {
             inputs: named
                 .into_iter()
                 .filter_map(|name| files.path_of(name.as_ref()))
+                .chain(self.cells.inputs(files))
                 .collect(),
         })
     }
@@ -207,11 +208,27 @@ fn check_together(read: &mut WordReader<'_>) {
         .iter()
         .any(|key| read.has(key))
     {
+        let of_code = ["site", "hazard_factor", "fault_distance"];
+        let key = match of_code.iter().any(|key| read.has(key)) {
+            true => "hazard_code",
+            false => "hazard",
+        };
         read.missing(
-            &["hazard"],
+            &[key],
             "there is no hazard curve, which says how often motions reach an intensity",
             "give one of `hazard`, `hazard_power` and `hazard_code`",
         );
+    }
+    for key in ["horizon_years", "discount"] {
+        if read.has("options") && !read.has(key) {
+            let message = format!("options pay off over years, but `{key}` is not given");
+            let hint = "give `horizon_years = \"40 yr\"` and `discount = \"3 %\"`";
+            read.missing(&[key], message, hint);
+        }
+    }
+    if read.has("budget") && !read.has("options") {
+        let hint = "give the options with `options = \"options.csv\"`";
+        read.missing(&["options"], "a budget needs options to spend it on", hint);
     }
     let idle = [
         (

@@ -69,14 +69,14 @@ fn given<R: Request>(request: &R) -> Vec<Given> {
         let key = arg.get_id().as_str();
         let unit = lookup(unit_of_argument(key));
         // A person writes the unit of a number.
-        let with_unit = |unit: &Unit, numbers: &[f64]| {
-            let texts = numbers.iter();
-            let texts = texts.map(|si| format!("{} {}", digits(unit.from_si(*si)), unit.symbol));
-            vec![texts.collect::<Vec<_>>().join(", ")]
-        };
-        let texts = match (unit, words.numbers(key)) {
-            (Some(unit), numbers @ [_, ..]) => with_unit(unit, numbers),
-            _ => words.all(key).map(str::to_owned).collect(),
+        let text = |(text, numbers): (&str, &[f64])| match unit.filter(|_| !numbers.is_empty()) {
+            Some(unit) => {
+                let texts = numbers.iter();
+                let texts =
+                    texts.map(|si| format!("{} {}", digits(unit.from_si(*si)), unit.symbol));
+                texts.collect::<Vec<_>>().join(", ")
+            }
+            None => text.to_owned(),
         };
         Given {
             key: key.to_owned(),
@@ -92,7 +92,7 @@ fn given<R: Request>(request: &R) -> Vec<Given> {
             is_together: arg
                 .get_num_args()
                 .is_some_and(|count| count.max_values() > 1),
-            texts,
+            texts: words.all_with_numbers(key).map(text).collect(),
         }
     };
     let mut given: Vec<Given> = args.into_iter().map(of).collect();
@@ -362,6 +362,10 @@ impl Given {
 
     /// A number in the unit of the argument.
     fn number(&self, text: &str) -> Option<String> {
+        // A seed may have more digits than a double.
+        if self.unit.is_none() && text.chars().all(|letter| letter.is_ascii_digit()) {
+            return Some(text.to_owned());
+        }
         let dimension = self.unit.map_or(Dimension::Ratio, |unit| unit.dimension);
         let si = parse(text, dimension).ok()?;
         Some(digits(self.unit.map_or(si, |unit| unit.from_si(si))))

@@ -388,6 +388,12 @@ impl Words {
         first.map_or(&[], |word| &word.numbers)
     }
 
+    /// All values of a key, each with the numbers in SI that a program gave in place of its text.
+    pub fn all_with_numbers(&self, key: &str) -> impl Iterator<Item = (&str, &[f64])> {
+        let of_key = self.entries.iter().filter(move |word| word.key == key);
+        of_key.map(|word| (word.text.as_str(), word.numbers.as_slice()))
+    }
+
     /// Keys and values, in the order of writing.
     pub fn entries(&self) -> impl Iterator<Item = (&'static str, &str)> {
         self.entries

@@ -136,7 +136,7 @@ described! {
     bool = {"type": "boolean"},
     &'static str = {"type": "string"},
     String = {"type": "string"},
-    [f64; 2] = {"type": "array", "items": {"type": "number"}},
+    [f64; 2] = {"type": "array", "items": {"type": ["number", "null"]}},
 }
 
 impl<A: Answer> Described for Vec<A> {

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export};
+use freestand_assess::export::{
+    ExportFormat, ExportRequest, FORMATS, check_export, check_realizations,
+};
 use freestand_assess::fragility::HazardSource;
 use freestand_assess::inventory::CellsRequest;
 use freestand_input::problem::Problems;
@@ -12,25 +14,48 @@ use freestand_input::word_reader::WordReader;
 use crate::request::from_one;
 
 /// The folders that are asked for, without the quantities and costs of objects.
+pub(super) struct Exports {
+    pub(super) requests: Vec<ExportRequest>,
+    /// Whether all names of formats are known, so that it is known what nobody reads.
+    are_known: bool,
+}
+
+impl Exports {
+    /// Whether no program is named that takes a hazard.
+    pub(super) fn lack_hazard(&self) -> bool {
+        self.are_known && !self.take_hazard()
+    }
+
+    /// Whether a program is named that takes a hazard.
+    pub(super) fn take_hazard(&self) -> bool {
+        let mut requests = self.requests.iter();
+        requests.any(|one| one.format == ExportFormat::OpenQuake)
+    }
+}
+
+/// What is asked for.
 pub(super) fn judged(
     read: &mut WordReader<'_>,
     hazard: Option<&HazardSource>,
     site_deg: Option<(f64, f64)>,
-) -> Vec<ExportRequest> {
+) -> Exports {
     let formats = read.choices("format", FORMATS);
+    let named = read.words.all("format").flat_map(|text| text.split(','));
+    let are_known = named.count() == formats.len();
     let demand = read.one("demand").map(str::to_owned);
-    let realizations = from_one(read, "realizations");
+    let realizations =
+        from_one(read, "realizations").map(|many| u32::try_from(many).unwrap_or(u32::MAX));
+    read.problems.keep(check_realizations(realizations));
     let beta = read.positive("beta", Dimension::Ratio);
     let is_discrete = read.flag("discrete");
-    // A wrong name has been told, and may be that of a program.
-    if !formats.is_empty() || !read.has("format") {
+    if are_known {
         refuse_idle(read, &formats);
     }
     let request = |format: ExportFormat| ExportRequest {
         format,
         list: CellsRequest::default(),
         demand: demand.clone(),
-        realizations: realizations.map(|many| u32::try_from(many).unwrap_or(u32::MAX)),
+        realizations,
         beta,
         is_discrete,
         site_deg,
@@ -39,7 +64,10 @@ pub(super) fn judged(
             .cloned()
             .filter(|_| format == ExportFormat::OpenQuake),
     };
-    formats.into_iter().map(request).collect()
+    Exports {
+        requests: formats.into_iter().map(request).collect(),
+        are_known,
+    }
 }
 
 /// What no program reads.

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use clap::{Arg, ArgAction, Args};
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
-use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS};
+use freestand_assess::export::{ExportRequest, FORMATS};
 use freestand_assess::fragility::{
     At, FIT_METHODS, FitMethod, FragilityRequest, GivenObject, HazardSource, METHODS, Measure,
     Method, RunObjects, RunsRequest, ShockLimits, check_replicates,
@@ -33,6 +33,7 @@ use crate::request::{
     Question, Request as _, Switch, Unknown, one_of, one_or_many, path, reader, request, seed,
 };
 
+use exports::Exports;
 use runs::{Chosen, RunMotions};
 
 pub use freestand_assess::fragility::FRAGILITY_SCHEMA as SCHEMA;
@@ -335,7 +336,7 @@ struct Fitting {
     seed: Option<u64>,
     hazard: Option<HazardSource>,
     site_deg: Option<(f64, f64)>,
-    exports: Vec<ExportRequest>,
+    exports: Exports,
 }
 
 impl Fitting {
@@ -367,11 +368,10 @@ impl Fitting {
 
     /// The request of runs of these objects.
     fn of_runs(&self, chosen: Chosen, objects: RunObjects, inputs: Vec<InputFile>) -> RunsRequest {
-        let takes_hazard = |one: &ExportRequest| one.format == ExportFormat::OpenQuake;
         let is_for_stripes = chosen.method == Method::Stripes;
         // Stripes take it, or else a program; if nothing does, the runs say so.
         let hazard = self.hazard.clone();
-        let hazard = hazard.filter(|_| is_for_stripes || !self.exports.iter().any(takes_hazard));
+        let hazard = hazard.filter(|_| is_for_stripes || !self.exports.take_hazard());
         RunsRequest {
             objects,
             measures: chosen.measures,
@@ -407,13 +407,17 @@ impl Fragility {
             let hint = "give `format`, or leave out `inventory`";
             read.note(&["inventory", "format"], message, hint);
         }
-        if read.has("hazard") && fitting.exports.iter().all(is_not_openquake) {
-            let hint = "add `format = \"openquake\"`, or leave out `hazard`";
-            read.note(&["hazard"], "only OpenQuake takes a hazard curve", hint);
+        for key in ["hazard", "hazard_power"] {
+            if read.has(key) && fitting.exports.lack_hazard() {
+                let message =
+                    format!("only OpenQuake takes a hazard curve, so `{key}` has no effect");
+                let hint = format!("add `format = \"openquake\"`, or leave out `{key}`");
+                read.note(&[key], message, hint);
+            }
         }
         for key in read.unread() {
-            let message = format!("`outcomes` contains the runs, so `{key}` has no effect");
-            read.note(&[key], message, format!("leave out `outcomes`, or `{key}`"));
+            let (message, hint) = unread_beside_outcomes(key);
+            read.note(&[key], message, hint);
         }
         let outcomes = read.problems.finish(outcomes)?;
         Ok(Meant {
@@ -428,8 +432,9 @@ impl Fragility {
             inputs: [Some(outcomes), costs.clone(), self.curve.input(files)]
                 .into_iter()
                 .flatten()
+                .chain(self.list.cells.inputs(files))
                 .collect(),
-            exports: exports::with_costs(fitting.exports, costs, &cells)?,
+            exports: exports::with_costs(fitting.exports.requests, costs, &cells)?,
         })
     }
 
@@ -461,7 +466,7 @@ impl Fragility {
                 resume: false,
             })),
             inputs,
-            exports: exports::with_costs(fitting.exports, None, &CellsRequest::default())?,
+            exports: exports::with_costs(fitting.exports.requests, None, &CellsRequest::default())?,
         })
     }
 
@@ -479,8 +484,11 @@ impl Fragility {
         }
         let chosen = read.problems.finish(chosen)?;
         let costs = files.path_of(self.list.inventory.as_ref());
-        let exports =
-            exports::with_costs(fitting.exports.clone(), costs.clone(), &list.request.cells)?;
+        let exports = exports::with_costs(
+            fitting.exports.requests.clone(),
+            costs.clone(),
+            &list.request.cells,
+        )?;
         let listed = runs::listed(&list, worlds, options.as_deref())?;
         let named = [files.path_of(self.list.study.as_ref()), costs, options];
         let named = named.into_iter().chain([self.curve.input(files)]);
@@ -491,14 +499,31 @@ impl Fragility {
                 notes: Vec::new(),
                 resume,
             })),
-            inputs: named.flatten().collect(),
+            inputs: named.flatten().chain(self.list.inputs(files)).collect(),
             exports,
         })
     }
 }
 
-fn is_not_openquake(one: &ExportRequest) -> bool {
-    one.format != ExportFormat::OpenQuake
+/// What is said of a key that nothing reads beside a table of outcomes.
+fn unread_beside_outcomes(key: &str) -> (String, String) {
+    match key {
+        "sheet" | "columns" | "edit" => (
+            format!(
+                "`{key}` has no effect: it says how a list is read, and there is no `inventory`"
+            ),
+            "leave it out".to_owned(),
+        ),
+        // In the command line it has no flag that a message could name.
+        "study" => (
+            "`outcomes` contains the runs, so the study has no effect".to_owned(),
+            "leave out `outcomes`, or the study".to_owned(),
+        ),
+        _ => (
+            format!("`outcomes` contains the runs, so `{key}` has no effect"),
+            format!("leave out `outcomes`, or `{key}`"),
+        ),
+    }
 }
 
 /// The tolerance and the ceiling for a fit of the shocks of a table.

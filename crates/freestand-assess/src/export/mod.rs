@@ -84,17 +84,26 @@ type Files = Vec<(String, Vec<u8>)>;
 /// The most realizations of pelicun.
 const MAX_REALIZATIONS: u32 = 1_000_000;
 
+/// Refuses more realizations than pelicun has rows for.
+///
+/// # Errors
+/// More than a million.
+pub fn check_realizations(realizations: Option<u32>) -> Result<(), Problem> {
+    let Some(many) = realizations.filter(|many| *many > MAX_REALIZATIONS) else {
+        return Ok(());
+    };
+    let message =
+        format!("{many} realizations are too many: each is a row of the demands of pelicun");
+    let hint = format!("give at most {MAX_REALIZATIONS}");
+    Err(Problem::value(message, hint).of(&["realizations"]))
+}
+
 /// What can be checked of a request before there is a fit: its inventory.
 ///
 /// # Errors
 /// An inventory that cannot be read as one of quantities and costs.
 pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
-    if let Some(many) = request.realizations.filter(|many| *many > MAX_REALIZATIONS) {
-        let message =
-            format!("{many} realizations are too many: each is a row of the demands of pelicun");
-        let hint = format!("give at most {MAX_REALIZATIONS}");
-        return Err(Problem::value(message, hint).of(&["realizations"]).into());
-    }
+    check_realizations(request.realizations)?;
     if request.format != ExportFormat::Csv {
         request
             .inventory

@@ -335,17 +335,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             currency.as_deref(),
             progress,
         )?),
-        None => {
-            if request.budget.is_some() {
-                let hint = "give the options with `options = \"options.csv\"`";
-                return Err(
-                    Problem::value("a budget needs options to spend it on", hint)
-                        .of(&["budget"])
-                        .into(),
-                );
-            }
-            None
-        }
+        None => None,
     };
     warnings.extend(measures.iter().flat_map(Measures::warnings));
     let portfolio = match (&fitted, &costs) {

@@ -163,7 +163,7 @@ pub(crate) fn measures(
             "options pay off over years, but the horizon or the discount rate is not given";
         let hint = "give `horizon_years = \"40 yr\"` and `discount = \"3 %\"`";
         return Err(Problem::value(message, hint)
-            .of(&["horizon", "discount"])
+            .of(&["horizon_years", "discount"])
             .into());
     };
     let Some(currency) = currency else {

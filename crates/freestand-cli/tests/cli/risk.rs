@@ -283,9 +283,7 @@ fn money_is_the_users() {
     assert!((1..curve.len()).all(|i| point(i, "loss") > point(i - 1, "loss")));
     assert!((1..curve.len()).all(|i| point(i, "annual_rate") < point(i - 1, "annual_rate")));
 
-    assert!(
-        refused(folder.path(), &money).contains("the horizon or the discount rate is not given")
-    );
+    assert!(refused(folder.path(), &money).contains("--horizon is not given"));
     let hundred = [&whole[..], &[]]
         .concat()
         .iter()
