@@ -1203,7 +1203,11 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
 
     let whole = refused(
         folder.path(),
-        &[&base[..], &["--discount", "3", "--options", "o.csv"]].concat(),
+        &[
+            &base[..],
+            &["--discount", "3", "--horizon", "5 yr", "--options", "o.csv"],
+        ]
+        .concat(),
     );
     assert!(
         whole.contains("a discount rate of 3 is 300 % a year"),
