@@ -107,8 +107,8 @@ impl HazardOfCode {
         let site = read.one("site").map(str::to_owned);
         let hazard_factor = read.positive("hazard_factor", Dimension::Ratio);
         let fault_distance_m = read.non_negative("fault_distance", Dimension::Length);
+        let is_another = read.has("hazard") || read.has("hazard_power");
         if !read.has("hazard_code") {
-            let is_another = read.has("hazard") || read.has("hazard_power");
             for key in ["site", "hazard_factor", "fault_distance"] {
                 if read.has(key) && is_another {
                     unused(read, key, "a hazard that does not come from a code");
@@ -117,7 +117,7 @@ impl HazardOfCode {
             return None;
         }
         for (key, example) in [("site", "De"), ("hazard_factor", "0.12")] {
-            if !read.has(key) {
+            if !read.has(key) && !is_another {
                 let hint = format!("give `{key}`, such as {example}");
                 read.missing(&[key], format!("the hazard needs `{key}`"), hint);
             }
