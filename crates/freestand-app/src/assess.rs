@@ -138,7 +138,7 @@ impl Question for Assess {
                 part_rows: None,
             },
             fail_on: read.choices("fail_on", VERDICTS),
-            pages: read.whole("pages").map(|pages| pages as usize),
+            pages: read.whole_within("pages", 0..),
             with_cards: read.flag("cards"),
             title: TitleBlock {
                 date: text(&mut read, "date"),

@@ -52,10 +52,8 @@ request!(GeneralBlock {
 /// Height and thickness of an object \[m\]; `None` if one is missing or wrong.
 pub(crate) fn sizes(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
     for key in ["height", "thickness"] {
-        if !read.has(key) {
-            let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
-            read.missing(&[key], format!("`{key}` is missing"), hint);
-        }
+        let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
+        read.require(key, format!("`{key}` is missing"), hint);
     }
     let height = read.positive("height", Dimension::Length);
     let thickness = read.positive("thickness", Dimension::Length);

@@ -19,7 +19,7 @@ use serde::Deserialize;
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
 use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request, whole,
+    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
 };
 use crate::study::{self, MAX_STOREYS};
 
@@ -185,7 +185,7 @@ impl Question for CheckList {
         let cells = self.how.cells(&mut read, files);
         let units = read.choice("units", &UnitSystem::ALL);
         let study = study::source(&mut read, files);
-        let storeys = whole(&mut read, "storeys", MAX_STOREYS);
+        let storeys = read.whole_within("storeys", 1..=MAX_STOREYS);
         let (is_strict, wants_cells) = (read.flag("strict"), read.flag("cells"));
         let libraries = self.libraries.paths(&mut read, files);
         let file = file(&mut read, files);
@@ -213,9 +213,7 @@ impl Question for CheckList {
 }
 
 fn file(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
-    if !read.has("file") {
-        let hint = "name a file, such as objects.csv";
-        read.missing(&["file"], "no list is named", hint);
-    }
+    let hint = "name a file, such as objects.csv";
+    read.require("file", "no list is named", hint);
     path_without_flag(read, "file", files)
 }

@@ -67,10 +67,8 @@ impl Question for CushionCurve {
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        if !read.has("file") {
-            let hint = "name a table of tests, such as foam.csv";
-            read.missing(&["file"], "no file is named", hint);
-        }
+        let hint = "name a table of tests, such as foam.csv";
+        read.require("file", "no file is named", hint);
         let file = path_without_flag(&mut read, "file", files);
         let design = CurveRequest {
             drop_height_m: read.positive("drop_height", Dimension::Length),

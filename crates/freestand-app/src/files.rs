@@ -45,7 +45,7 @@ impl Files {
     pub fn find(&self, name: &str) -> Result<Content, Problem> {
         match self {
             _ if name.trim().is_empty() => {
-                let hint = "name a file, or leave it out";
+                let hint = "name a file";
                 Err(Problem::value("no file is named", hint))
             }
             Self::Disk => Ok(Content::At(PathBuf::from(name))),

@@ -17,7 +17,7 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, Unknown, from_one, one_or_many, reader, request};
+use crate::request::{Question, Request, Switch, Unknown, one_or_many, reader, request};
 use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 
@@ -262,7 +262,7 @@ impl Floor {
                 levels_ratio: levels
                     .unwrap_or_else(|| every_floor(&building.along, building.storeys)),
                 tail_s: read.non_negative("tail", Dimension::Time).unwrap_or(0.0),
-                upsample: from_one(&mut read, "upsample").unwrap_or(1),
+                upsample: read.whole_within("upsample", 1..).unwrap_or(1),
                 spectra: spectra(&mut read),
                 vertical_amplification_ratio: self.amplification(&mut read),
                 building,

@@ -97,13 +97,9 @@ impl Question for InventoryConvert {
     fn resolve(&self, files: &Files) -> Result<Conversion, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        if !read.has("file") {
-            let hint = "name a file, such as objects.csv";
-            read.missing(&["file"], "no list is named", hint);
-        }
-        if !read.has("to") {
-            read.missing(&["to"], "`to` is missing", "give a format: csv or xlsx");
-        }
+        let hint = "name a file, such as objects.csv";
+        read.require("file", "no list is named", hint);
+        read.require("to", "`to` is missing", "give a format: csv or xlsx");
         let file = path_without_flag(&mut read, "file", files);
         let to = read.choice("to", FORMATS);
         let sheet = read.one("sheet").map(str::to_owned);

@@ -152,9 +152,7 @@ impl<L: Library> Question for Show<L> {
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        if !read.has("id") {
-            read.missing(&["id"], "no entry is named", "give the id of an entry");
-        }
+        read.require("id", "no entry is named", "give the id of an entry");
         let id = read.one("id");
         let library = path(&mut read, "library", files);
         let wanted = id.map(|id| Wanted::WithId(id.to_owned()));

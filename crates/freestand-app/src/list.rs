@@ -15,7 +15,7 @@ use serde::Deserialize;
 use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
-use crate::request::{Request as _, Switch, path, request, whole};
+use crate::request::{Request as _, Switch, path, request};
 use crate::study::{self, MAX_STOREYS};
 
 /// The study of an assessment, its inventory, and how that is read.
@@ -112,7 +112,7 @@ impl ListKeys {
     pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
         let hazard = self.hazard.words();
         read.pass(&place::KEYS);
-        let storeys = whole(read, "storeys", MAX_STOREYS);
+        let storeys = read.whole_within("storeys", 1..=MAX_STOREYS);
         ListMeant {
             source: study::source_without_flag(read, files),
             overrides: Overrides {

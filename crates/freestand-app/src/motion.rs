@@ -17,7 +17,7 @@ use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Unknown, from_one, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, Unknown, one_of, one_or_many, reader, request};
 
 /// The schema of the response of `motion info`.
 pub const INFO: &str = "freestand.motion-info/1";
@@ -192,7 +192,7 @@ impl MotionSpectrum {
         let request = SpectrumRequest {
             damping_ratios: damping_ratios.unwrap_or_else(|| vec![DAMPING_RATIO]),
             periods_s: periods(&mut read),
-            upsample: from_one(&mut read, "upsample").unwrap_or(1),
+            upsample: read.whole_within("upsample", 1..).unwrap_or(1),
         };
         read.problems.finish(Some((named, request)))
     }
@@ -219,9 +219,7 @@ impl MotionConvert {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let named = recorded(&mut read, &self.motion, &self.records, files);
-        if !read.has("to") {
-            read.missing(&["to"], "`to` is missing", "give a format: csv or at2");
-        }
+        read.require("to", "`to` is missing", "give a format: csv or at2");
         let format = read.choice("to", FORMATS);
         read.problems.finish(format.map(|format| (named, format)))
     }

@@ -20,8 +20,7 @@ use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
 use crate::request::{
-    Question, Request as _, Unknown, from_one, one_of, one_or_many, reader, request, seed,
-    typed_units, whole,
+    Question, Request as _, Unknown, one_of, one_or_many, reader, request, seed, typed_units,
 };
 use crate::study::{self, MAX_STOREYS};
 
@@ -270,7 +269,7 @@ impl Object {
         let object = described(&mut read);
         let earthquake = self.earthquake(&mut read, files);
         let floor = floor(&mut read);
-        let worlds = from_one(&mut read, "worlds");
+        let worlds = read.whole_within("worlds", 1..);
         let seed = seed(&mut read);
         let units = read.choice("units", &UnitSystem::ALL);
         let request = object
@@ -279,7 +278,7 @@ impl Object {
                 object,
                 earthquake,
                 floor,
-                worlds: worlds.map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX)),
+                worlds,
                 seed,
                 units: units.unwrap_or_else(|| typed_units(&words)),
             });
@@ -425,7 +424,7 @@ fn floor(read: &mut WordReader<'_>) -> one_object::Floor {
             (None, Some(ratio)) => FloorPlace::Share(ratio),
             (None, None) => FloorPlace::Ground,
         },
-        storeys: whole(read, "storeys", MAX_STOREYS),
+        storeys: read.whole_within("storeys", 1..=MAX_STOREYS),
         storey_height_m: read.positive("storey_height", Dimension::Length),
     }
 }
@@ -454,13 +453,11 @@ fn tolerance(read: &mut WordReader<'_>) -> Option<Withstood> {
         _ => read.read("tolerance", withstood),
     };
     if read.has("tolerance_duration") {
-        if !read.has("tolerance") {
-            read.missing(
-                &["tolerance"],
-                "`tolerance_duration` needs `tolerance`",
-                "add the peak of the half-sine, or leave the duration out",
-            );
-        }
+        read.require(
+            "tolerance",
+            "`tolerance_duration` needs `tolerance`",
+            "add the peak of the half-sine, or leave the duration out",
+        );
         if withstood.is_some_and(|withstood| withstood.duration_s.is_some()) {
             read.note(
                 &["tolerance_duration"],

@@ -158,10 +158,8 @@ impl Rotate {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let pair = self.pair.files(&mut read, files);
-        if !read.has("to") {
-            let hint = "give the azimuth of the new component, such as `to = \"30 deg\"`";
-            read.missing(&["to"], "`to` is missing", hint);
-        }
+        let hint = "give the azimuth of the new component, such as `to = \"30 deg\"`";
+        read.require("to", "`to` is missing", hint);
         let to = read.quantity("to", Dimension::Angle);
         let hint = "write \"0 deg, 90 deg\", clockwise from north";
         let azimuths = read.two("azimuths", Dimension::Angle, hint);

@@ -13,7 +13,7 @@ use freestand_study::study::DEFAULT_SEED;
 use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, reader, request, seed, whole};
+use crate::request::{Question, Request as _, Unknown, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-recovery/1";
@@ -57,7 +57,7 @@ impl Question for Recovery {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let usual = RecoveryRequest::worked_example()?;
-        let drops = whole(&mut read, "drops", 10_000).map(usize::from);
+        let drops = read.whole_within("drops", 1..=10_000);
         let samples = within(
             &mut read,
             "samples_per_contact",

@@ -368,39 +368,10 @@ pub(crate) fn paths(
         .collect()
 }
 
-/// A whole number from 1.
-pub(crate) fn whole(read: &mut WordReader<'_>, key: &'static str, most: u16) -> Option<u16> {
-    let count = read.whole(key)?;
-    let found = u16::try_from(count)
-        .ok()
-        .filter(|count| (1..=most).contains(count));
-    if found.is_none() {
-        read.note(
-            &[key],
-            format!("`{key}` must be 1 to {most}, not {count}"),
-            "give another number",
-        );
-    }
-    found
-}
-
 /// The number of motions to make.
 pub(crate) fn motions(read: &mut WordReader<'_>) -> Option<u64> {
-    let most = u16::try_from(MAX_MOTIONS).unwrap_or(u16::MAX);
-    whole(read, "count", most).map(u64::from)
-}
-
-/// A whole number of 1 or more.
-pub(crate) fn from_one(read: &mut WordReader<'_>, key: &'static str) -> Option<usize> {
-    let count = read.whole(key)?;
-    if count == 0 {
-        read.note(
-            &[key],
-            format!("`{key}` must be 1 or more, not 0"),
-            "give 1 or more",
-        );
-    }
-    usize::try_from(count).ok()
+    let most = u32::try_from(MAX_MOTIONS).unwrap_or(u32::MAX);
+    read.whole_within("count", 1..=most).map(u64::from)
 }
 
 /// The seed of random numbers.

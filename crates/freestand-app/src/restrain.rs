@@ -25,7 +25,7 @@ use crate::files::Files;
 use crate::place;
 use crate::request::{
     Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
-    typed_units, whole,
+    typed_units,
 };
 use crate::study::{self, MAX_STOREYS};
 use crate::target::TargetKeys;
@@ -291,10 +291,8 @@ impl Restrain {
                 );
             }
         }
-        if !read.has("mass") {
-            let hint = "give the mass of the object, such as `mass = \"140 kg\"`";
-            read.missing(&["mass"], "`mass` is missing", hint);
-        }
+        let hint = "give the mass of the object, such as `mass = \"140 kg\"`";
+        read.require("mass", "`mass` is missing", hint);
         let mass_kg = read.positive("mass", Dimension::Mass);
         let size = sizes(read);
         let common = common(read);
@@ -405,7 +403,9 @@ fn common(read: &mut WordReader<'_>) -> Common {
         floor: RestrainFloor {
             name: read.one("floor").map(str::to_owned),
             level_ratio: read.non_negative("level_ratio", Dimension::Ratio),
-            storeys: whole(read, "storeys", MAX_STOREYS).map(usize::from),
+            storeys: read
+                .whole_within("storeys", 1..=MAX_STOREYS)
+                .map(usize::from),
             storey_height_m: read.positive("storey_height", Dimension::Length),
         },
         factors: RestrainFactors {
@@ -417,7 +417,8 @@ fn common(read: &mut WordReader<'_>) -> Common {
             building_ductility_ratio: read.positive("building_ductility", Dimension::Ratio),
         },
         anchor_inset_m: read.non_negative("anchor_inset", Dimension::Length),
-        anchors_per_edge: whole(read, "anchors_per_edge", MAX_ANCHORS)
+        anchors_per_edge: read
+            .whole_within("anchors_per_edge", 1..=MAX_ANCHORS)
             .map_or(DEFAULT_ANCHORS_PER_EDGE.get(), usize::from),
         units: read.choice("units", &UnitSystem::ALL),
     }

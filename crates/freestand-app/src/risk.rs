@@ -253,11 +253,8 @@ fn check_together(read: &mut WordReader<'_>) {
         ),
     ];
     for (is_idle, keys, why) in idle {
-        for key in keys {
-            if is_idle && read.has(key) {
-                let message = format!("`{key}` has no effect: {why}");
-                read.note(&[key], message, "leave it out");
-            }
+        if is_idle {
+            read.idle(keys, why);
         }
     }
 }

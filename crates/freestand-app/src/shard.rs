@@ -68,16 +68,14 @@ impl Question for ShardPlan {
         let mut read = reader::<Self>(&words, &self.unknown);
         let seed = seed(&mut read);
         let list = self.list.judged(&mut read, files, seed);
-        let shards = number(
-            &mut read,
-            "shards",
-            "say with `shards` how many there are: some minutes of work for each, about 200 objects or more",
-        );
+        let hint = "say with `shards` how many there are: some minutes of work for each, about 200 objects or more";
+        read.require("shards", "`shards` is missing", hint);
+        let shards = read.whole_within("shards", 0..);
         if let Some(shards) = shards {
             read.problems.keep(check_shards(shards));
         }
         let outcomes = read.flag("outcomes");
-        let pages = read.whole("pages").map(|pages| pages as usize);
+        let pages = read.whole_within("pages", 0..);
         let meant = shards.map(|shards| PlanMeant {
             list,
             shards,
@@ -129,11 +127,9 @@ impl Question for ShardRun {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let dir = folder(&mut read, files);
-        let shard = number(
-            &mut read,
-            "shard",
-            "say with `shard` which one, counted from 0",
-        );
+        let hint = "say with `shard` which one, counted from 0";
+        read.require("shard", "`shard` is missing", hint);
+        let shard = read.whole_within("shard", 0..);
         let meant = dir.zip(shard).map(|(dir, shard)| RunMeant { dir, shard });
         read.problems.finish(meant)
     }
@@ -170,17 +166,7 @@ impl Question for ShardMerge {
 
 /// The folder of a plan.
 fn folder(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
-    if !read.has("dir") {
-        let hint = "name the folder that freestand shard plan wrote";
-        read.missing(&["dir"], "no folder is named", hint);
-    }
+    let hint = "name the folder that freestand shard plan wrote";
+    read.require("dir", "no folder is named", hint);
     path_without_flag(read, "dir", files)
-}
-
-/// A number that must be given.
-fn number(read: &mut WordReader<'_>, key: &'static str, hint: &str) -> Option<usize> {
-    if !read.has(key) {
-        read.missing(&[key], format!("`{key}` is missing"), hint);
-    }
-    read.whole(key).map(|number| number as usize)
 }

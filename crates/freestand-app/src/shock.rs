@@ -142,13 +142,11 @@ impl Question for Shock {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let size = sizes(&mut read);
-        if !read.has("mass") {
-            read.missing(
-                &["mass"],
-                "`mass` is missing",
-                "give the mass of the object, such as `mass = \"140 kg\"`",
-            );
-        }
+        read.require(
+            "mass",
+            "`mass` is missing",
+            "give the mass of the object, such as `mass = \"140 kg\"`",
+        );
         let mass = read.positive("mass", Dimension::Mass);
         let block = block(&mut read, size, mass);
         let cushion = self.pad.described(&mut read, files);

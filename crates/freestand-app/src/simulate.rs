@@ -191,13 +191,11 @@ fn earthquakes(
         });
     }
     for key in ["magnitude", "distance"] {
-        if !read.has(key) {
-            read.missing(
-                &[key],
-                format!("`{key}` is missing"),
-                "give `magnitude` and `distance`, or `city`",
-            );
-        }
+        read.require(
+            key,
+            format!("`{key}` is missing"),
+            "give `magnitude` and `distance`, or `city`",
+        );
     }
     Some(Earthquakes::One {
         magnitude: source?.magnitude?,

@@ -24,9 +24,7 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{
-    Question, Request, Switch, Unknown, one_or_many, reader, request, seed, whole,
-};
+use crate::request::{Question, Request, Switch, Unknown, one_or_many, reader, request, seed};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -296,8 +294,8 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         let hint = "name records of the floor with `motion`, or a place with `place`";
         read.missing(&["motion"], "no motion is named", hint);
     }
-    let count = whole(read, "count", 1000);
-    let storeys = whole(read, "storeys", 500);
+    let count = read.whole_within("count", 1..=1000);
+    let storeys = read.whole_within("storeys", 1..=500);
     let level_ratio = read.quantity("level_ratio", Dimension::Ratio);
     let storey_height_m = read.positive("storey_height", Dimension::Length);
     for key in ["count", "storeys", "level_ratio", "storey_height"] {
@@ -330,10 +328,8 @@ fn objects(
     files: &Files,
 ) -> Option<SpectrumRequest> {
     for key in ["heights", "thicknesses"] {
-        if !read.has(key) {
-            let hint = format!("give them, such as `{key} = \"1.5 m, 2 m\"`");
-            read.missing(&[key], format!("`{key}` is missing"), hint);
-        }
+        let hint = format!("give them, such as `{key} = \"1.5 m, 2 m\"`");
+        read.require(key, format!("`{key}` is missing"), hint);
     }
     let heights = read.grid("heights", Dimension::Length);
     let thicknesses = read.grid("thicknesses", Dimension::Length);

@@ -16,7 +16,7 @@ use serde::Deserialize;
 
 use crate::CushionUnder;
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, Unknown, reader, request, seed, whole};
+use crate::request::{Question, Request as _, Switch, Unknown, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-simulate/1";
@@ -149,27 +149,15 @@ impl Question for VirtualTests {
         let mass_kg = read.positive("mass", Dimension::Mass);
         let noise = read.non_negative("noise", Dimension::Ratio);
         let edge = self.edge(&mut read, mass_kg, files);
-        let count = whole(&mut read, "count", 1000).unwrap_or(1);
+        let count = read.whole_within("count", 1..=1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
         let (edge, plan) = if read.flag("static") {
-            let why = "a static test drops nothing";
-            refuse(
-                &mut read,
-                &OF_DROPS,
-                why,
-                "leave this out, or leave `static` out",
-            );
+            read.idle(&OF_DROPS, "a `static` test drops nothing");
             let options = presses(&mut read, noise, seed);
             let edge = read.problems.finish(edge)?;
             (edge, Plan::Static(options))
         } else {
-            let why = "only a static test reads this";
-            refuse(
-                &mut read,
-                &OF_STATIC,
-                why,
-                "add `static`, or leave this out",
-            );
+            read.idle(&OF_STATIC, "only a `static` test reads it");
             let options = drops(&mut read, mass_kg, noise, seed);
             let (edge, options) = read.problems.finish(edge.zip(options))?;
             let options = options(&edge.cushion);
@@ -211,18 +199,6 @@ impl VirtualTests {
     }
 }
 
-/// Notes a problem with keys that nothing reads.
-fn refuse(read: &mut WordReader<'_>, idle: &[&'static str], why: &str, hint: &str) {
-    let given = idle.iter().copied().filter(|key| read.has(key));
-    let keys: Vec<&'static str> = given.collect();
-    let named: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
-    let have = if keys.len() == 1 { "has" } else { "have" };
-    if !keys.is_empty() {
-        let message = format!("{} {have} no effect: {why}", named.join(", "));
-        read.note(&keys, message, hint);
-    }
-}
-
 fn presses(read: &mut WordReader<'_>, noise: Option<f64>, seed: u64) -> VirtualStaticOptions {
     let usual = VirtualStaticOptions::default();
     let load = read.positive("load", Dimension::Force);
@@ -247,10 +223,8 @@ fn drops(
     seed: u64,
 ) -> Option<impl FnOnce(&Cushion) -> VirtualDropOptions + use<>> {
     for key in ["mass", "height"] {
-        if !read.has(key) {
-            let hint = "give `mass` and `height`, or `static`";
-            read.missing(&[key], format!("a drop needs `{key}`"), hint);
-        }
+        let hint = "give `mass` and `height`, or `static`";
+        read.require(key, format!("a drop needs `{key}`"), hint);
     }
     let height_m = height(read);
     let gravity = read.non_negative("gravity", Dimension::Acceleration);
@@ -259,7 +233,7 @@ fn drops(
     let zero_shift = read.quantity("zero_shift", Dimension::Ratio);
     let filter_corner_hz = read.positive("filter_corner", Dimension::Frequency);
     let pre_trigger = read.non_negative("pre_trigger", Dimension::Time);
-    let bounces = bounces(read);
+    let bounces = read.whole_within("bounces", 0..=MOST_BOUNCES);
     let (mass_kg, height_m) = mass_kg.zip(height_m)?;
     Some(move |cushion: &Cushion| {
         let usual = VirtualDropOptions::from_height(cushion, mass_kg, height_m);
@@ -286,13 +260,4 @@ fn height(read: &mut WordReader<'_>) -> Option<f64> {
         read.note(&["height"], message, hint);
     }
     Some(height_m)
-}
-
-fn bounces(read: &mut WordReader<'_>) -> Option<u32> {
-    let bounces = read.whole("bounces")?;
-    if bounces > MOST_BOUNCES {
-        let message = format!("`bounces` must be 0 to {MOST_BOUNCES}, not {bounces}");
-        read.note(&["bounces"], message, "give another number");
-    }
-    Some(bounces)
 }

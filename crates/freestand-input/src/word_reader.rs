@@ -1,6 +1,10 @@
 //! Reads [`Words`] key by key: returns each value, or adds a problem under its key if the value is
 //! wrong.
 
+use std::fmt::Display;
+use std::ops::{Bound, RangeBounds};
+use std::str::FromStr;
+
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Dimension, parse, parse_grid, shorten};
@@ -71,6 +75,18 @@ impl<'w> WordReader<'w> {
                 .hint(hint)
                 .of(keys),
         );
+    }
+
+    /// Adds a problem if a key was not written.
+    pub fn require(
+        &mut self,
+        key: &'static str,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        if !self.has(key) {
+            self.missing(&[key], message, hint);
+        }
     }
 
     /// The value of a result; a problem is added under the key.
@@ -219,8 +235,16 @@ impl<'w> WordReader<'w> {
         Some(numbers.to_vec())
     }
 
-    /// A whole number; one that is too large for `u32` becomes its largest value.
+    /// A whole number.
     pub fn whole(&mut self, key: &'static str) -> Option<u32> {
+        self.whole_within(key, 0..)
+    }
+
+    /// A whole number within limits.
+    pub fn whole_within<T>(&mut self, key: &'static str, limits: impl RangeBounds<T>) -> Option<T>
+    where
+        T: FromStr + PartialOrd + Display,
+    {
         let text = self.one(key)?.trim();
         if text.is_empty() || !text.chars().all(|c| c.is_ascii_digit()) {
             let message = format!("`{key}` must be a whole number, not \"{}\"", shorten(text));
@@ -231,7 +255,30 @@ impl<'w> WordReader<'w> {
             );
             return None;
         }
-        Some(text.parse().unwrap_or(u32::MAX))
+        // Digits alone: what cannot be read is too large.
+        let number: Option<T> = text.parse().ok();
+        let is_read = number.is_some();
+        let within = number.filter(|number| limits.contains(number));
+        if within.is_none() {
+            let must_be = match (limits.start_bound(), limits.end_bound()) {
+                (Bound::Included(least), Bound::Included(most)) => format!("{least} to {most}"),
+                (Bound::Included(least), _) if is_read => format!("{least} or more"),
+                _ => "a smaller number".to_owned(),
+            };
+            let message = format!("`{key}` must be {must_be}, not {}", shorten(text));
+            self.note(&[key], message, "give another number");
+        }
+        within
+    }
+
+    /// Adds a problem for each of these keys that was written: `why` says, as a clause, why it has no effect.
+    pub fn idle(&mut self, keys: &[&'static str], why: &str) {
+        for &key in keys {
+            if self.has(key) {
+                let message = format!("`{key}` has no effect: {why}");
+                self.note(&[key], message, "leave it out");
+            }
+        }
     }
 
     /// One of these values, by its name.

@@ -11,8 +11,6 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 
-use crate::request::from_one;
-
 /// The folders that are asked for, without the quantities and costs of objects.
 pub(super) struct Exports {
     pub(super) requests: Vec<ExportRequest>,
@@ -43,8 +41,7 @@ pub(super) fn judged(
     let named = read.words.all("format").flat_map(|text| text.split(','));
     let are_known = named.count() == formats.len();
     let demand = read.one("demand").map(str::to_owned);
-    let realizations =
-        from_one(read, "realizations").map(|many| u32::try_from(many).unwrap_or(u32::MAX));
+    let realizations = read.whole_within("realizations", 1..);
     read.problems.keep(check_realizations(realizations));
     let beta = read.positive("beta", Dimension::Ratio);
     let is_discrete = read.flag("discrete");
@@ -93,12 +90,8 @@ fn refuse_idle(read: &mut WordReader<'_>, formats: &[ExportFormat]) {
         ),
     ];
     for (key, is_read, why) in idle {
-        if read.has(key) && !is_read {
-            read.note(
-                &[key],
-                format!("`{key}` has no effect: {why}"),
-                "leave it out",
-            );
+        if !is_read {
+            read.idle(&[key], why);
         }
     }
 }

@@ -475,7 +475,7 @@ impl Fragility {
         let fitting = Fitting::judged(&mut read, files);
         let chosen = Chosen::judged(&mut read, Measure::Pgv);
         let list = self.list.judged(&mut read, files, fitting.seed);
-        let worlds = runs::worlds(&mut read);
+        let worlds = read.whole_within("worlds", 2..=10_000);
         let options = path(&mut read, "options", files);
         let resume = read.flag("resume");
         for key in read.unread() {

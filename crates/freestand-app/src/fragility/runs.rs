@@ -61,17 +61,6 @@ impl Chosen {
     }
 }
 
-/// The number of worlds.
-pub(super) fn worlds(read: &mut WordReader<'_>) -> Option<u32> {
-    const MOST: u32 = 10_000;
-    let worlds = read.whole("worlds")?;
-    if !(2..=MOST).contains(&worlds) {
-        let message = format!("`worlds` must be 2 to {MOST}, not {worlds}");
-        read.note(&["worlds"], message, "give another number");
-    }
-    Some(worlds)
-}
-
 impl OneObject {
     /// The object without its motions.
     pub(super) fn judged(

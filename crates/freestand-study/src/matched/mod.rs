@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::simulated::source_problem;
 use crate::target::Target;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::{number, significant};
 use freestand_output::answer_of;
 use freestand_output::figure::{Figure, FigureError};
@@ -156,8 +156,9 @@ pub fn synthetic_name(index: usize) -> String {
 ///
 /// # Errors
 /// A time step, a length or a window out of range.
-pub fn check_layout(options: &SynthesisOptions) -> Result<(), Problem> {
-    options.check().map_err(source_problem)
+pub fn check_layout(options: &SynthesisOptions) -> Result<(), Problems> {
+    let problems: Problems = options.faults().into_iter().map(source_problem).collect();
+    problems.finish(Some(()))
 }
 
 /// Makes synthetic motions.

@@ -291,8 +291,11 @@ pub(crate) fn source_problem(error: SynthesisError) -> Problem {
         Parameter::StressDrop => ("stress_drop", Dimension::Pressure),
         Parameter::Kappa => ("kappa", Dimension::Time),
         Parameter::Samples => {
-            return Problem::value(error.to_string(), "give a longer `time_step`")
-                .of(&["time_step"]);
+            return Problem::value(
+                error.to_string(),
+                "give a longer `time_step`, or less shaking",
+            )
+            .of(&["time_step"]);
         }
         Parameter::Other(_) => return Problem::value(error.to_string(), HINT),
     };
@@ -508,28 +511,9 @@ impl SimulatedRequest {
                 (magnitudes.first().copied().unwrap_or(USUAL.0), USUAL.1)
             }
         };
-        let source = |magnitude, distance_m| {
-            changed(self.preset.source(magnitude, distance_m), &self.changes).check()
-        };
-        let options = SimulationOptions::default();
-        let SimulationOptions { dt_s, low_cut_hz } = self.options;
-        let near = source(magnitude, USUAL.1);
-        let magnitude = if near.is_ok() { magnitude } else { USUAL.0 };
-        // Each by itself, so that all that are out of range are told.
-        let mut problems = Problems::default();
-        for found in [
-            near,
-            source(magnitude, distance_m),
-            SimulationOptions { dt_s, ..options }.check(),
-            SimulationOptions {
-                low_cut_hz,
-                ..options
-            }
-            .check(),
-        ] {
-            let found = found.map_err(|error| source_problem(error).into());
-            problems.keep_comparisons(found);
-        }
+        let source = changed(self.preset.source(magnitude, distance_m), &self.changes);
+        let faults = source.faults().into_iter().chain(self.options.faults());
+        let problems: Problems = faults.map(source_problem).collect();
         problems.finish(Some(()))
     }
 

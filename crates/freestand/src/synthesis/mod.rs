@@ -235,11 +235,8 @@ impl Default for SynthesisOptions {
 }
 
 impl SynthesisOptions {
-    /// Checks that all times are within their ranges.
-    ///
-    /// # Errors
-    /// [`SynthesisError::Option`] names the parameter and its range.
-    pub fn check(&self) -> Result<(), SynthesisError> {
+    /// Every time that is out of its range, with the range.
+    pub fn faults(&self) -> Vec<SynthesisError> {
         let Self {
             dt_s,
             lead_in_s,
@@ -248,21 +245,21 @@ impl SynthesisOptions {
             envelope_s,
             ..
         } = *self;
-        Parameter::TimeStep.check(
-            dt_s > 0.0 && dt_s <= 0.01,
-            "positive and at most 0.01 s",
-            dt_s,
-        )?;
-        Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s)?;
         let is_long = shaking_s >= 2.0 * LONGEST_PERIOD_S;
-        Parameter::Shaking.check(
-            is_long,
-            "at least 10 s, twice the longest period",
-            shaking_s,
-        )?;
-        Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s)?;
-        Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s)?;
-        check_samples((lead_in_s + shaking_s + tail_s) / dt_s)
+        let twice = "at least 10 s, twice the longest period";
+        let checks = [
+            check_step(dt_s),
+            Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s),
+            Parameter::Shaking.check(is_long, twice, shaking_s),
+            Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s),
+            Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s),
+        ];
+        let mut faults: Vec<SynthesisError> = checks.into_iter().filter_map(Result::err).collect();
+        if faults.is_empty() {
+            let samples = (lead_in_s + shaking_s + tail_s) / dt_s;
+            faults.extend(check_samples(samples).err());
+        }
+        faults
     }
 }
 
@@ -340,7 +337,7 @@ fn from_noise(
     mut noise: impl FnMut() -> f64,
     options: &SynthesisOptions,
 ) -> Result<MatchedMotion, SynthesisError> {
-    options.check()?;
+    first(options.faults())?;
     let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
     let (start, shaking, tail) = (
         samples(options.lead_in_s),
@@ -565,6 +562,16 @@ impl Resemblance {
             husid_difference_ratio: differences.fold(0.0, f64::max),
         }
     }
+}
+
+fn check_step(dt_s: f64) -> Result<(), SynthesisError> {
+    let is_short = dt_s > 0.0 && dt_s <= 0.01;
+    Parameter::TimeStep.check(is_short, "positive and at most 0.01 s", dt_s)
+}
+
+/// The first fault, if there is one.
+fn first(faults: Vec<SynthesisError>) -> Result<(), SynthesisError> {
+    faults.into_iter().next().map_or(Ok(()), Err)
 }
 
 fn check_samples(samples: f64) -> Result<(), SynthesisError> {

@@ -380,46 +380,44 @@ impl PointSource {
         self.unamplified_m_s(frequency_hz) * self.amplification_ratio(frequency_hz)
     }
 
-    /// Checks that all parameters are within their ranges.
-    ///
-    /// # Errors
-    /// [`SynthesisError::Option`] names the parameter and its range.
-    pub fn check(&self) -> Result<(), SynthesisError> {
+    /// Every parameter that is out of its range, with the range.
+    pub fn faults(&self) -> Vec<SynthesisError> {
         let positive =
             |parameter: Parameter, value: f64| parameter.check(value > 0.0, "positive", value);
-        Parameter::Magnitude.check(
-            (3.0..=8.5).contains(&self.magnitude),
-            "from 3 to 8.5",
-            self.magnitude,
-        )?;
-        let distance_km = self.distance_m / 1000.0;
-        let is_near = (1.0..=1000.0).contains(&distance_km);
-        Parameter::Distance.check(is_near, "from 1 km to 1000 km", self.distance_m)?;
-        positive(Parameter::StressDrop, self.stress_drop_pa)?;
-        positive(Parameter::Other("density_kg_m3"), self.density_kg_m3)?;
-        positive(
-            Parameter::Other("shear_velocity_m_s"),
-            self.shear_velocity_m_s,
-        )?;
+        let is_known = (3.0..=8.5).contains(&self.magnitude);
+        let is_near = (1.0..=1000.0).contains(&(self.distance_m / 1000.0));
+        let mut checks = vec![
+            Parameter::Magnitude.check(is_known, "from 3 to 8.5", self.magnitude),
+            Parameter::Distance.check(is_near, "from 1 km to 1000 km", self.distance_m),
+            positive(Parameter::StressDrop, self.stress_drop_pa),
+            positive(Parameter::Other("density_kg_m3"), self.density_kg_m3),
+            positive(
+                Parameter::Other("shear_velocity_m_s"),
+                self.shear_velocity_m_s,
+            ),
+        ];
+        // They follow from the values above.
         if let Corners::Two {
             upper_hz,
             upper_share_ratio,
             ..
         } = self.corners()
+            && checks.iter().all(Result::is_ok)
         {
             let fine = upper_hz > 0.0 && upper_share_ratio < 1.0;
             let requirement =
                 "one for which two corners exist (4 or more, with a large enough stress drop)";
-            Parameter::Magnitude.check(fine, requirement, self.magnitude)?;
+            checks.push(Parameter::Magnitude.check(fine, requirement, self.magnitude));
         }
         match self.quality {
             Quality::Power {
                 at_1_hz_ratio,
                 exponent_ratio,
             } => {
-                positive(Parameter::Other("at_1_hz_ratio"), at_1_hz_ratio)?;
+                checks.push(positive(Parameter::Other("at_1_hz_ratio"), at_1_hz_ratio));
                 let fine = (0.0..=1.0).contains(&exponent_ratio);
-                Parameter::Other("exponent_ratio").check(fine, "from 0 to 1", exponent_ratio)?;
+                let exponent = Parameter::Other("exponent_ratio");
+                checks.push(exponent.check(fine, "from 0 to 1", exponent_ratio));
             }
             Quality::LogCubic {
                 lowest_hz,
@@ -427,22 +425,20 @@ impl PointSource {
                 ..
             } => {
                 let fine = lowest_hz > 0.0 && lowest_hz < highest_hz;
-                Parameter::Other("lowest_hz").check(
-                    fine,
-                    "positive and below highest_hz",
-                    lowest_hz,
-                )?;
+                let lowest = Parameter::Other("lowest_hz");
+                checks.push(lowest.check(fine, "positive and below highest_hz", lowest_hz));
             }
         }
-        match self.high_cut {
+        checks.push(match self.high_cut {
             HighCut::Kappa { kappa_s } => {
-                Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)?
+                Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)
             }
             HighCut::MaximumFrequency { frequency_hz } => {
-                positive(Parameter::Other("frequency_hz"), frequency_hz)?
+                positive(Parameter::Other("frequency_hz"), frequency_hz)
             }
-        }
-        self.check_spreading()
+        });
+        checks.push(self.check_spreading());
+        checks.into_iter().filter_map(Result::err).collect()
     }
 
     fn check_spreading(&self) -> Result<(), SynthesisError> {
@@ -467,6 +463,7 @@ impl PointSource {
 
 #[cfg(test)]
 mod tests {
+    use super::super::first;
     use super::*;
 
     fn reference() -> PointSource {
@@ -586,12 +583,12 @@ mod tests {
 
     #[test]
     fn parameters_out_of_range_are_named() {
-        let name = |source: PointSource| match source.check() {
+        let name = |source: PointSource| match first(source.faults()) {
             Err(SynthesisError::Option { parameter, .. }) => parameter.name(),
             other => panic!("{other:?}"),
         };
         for preset in Preset::ALL {
-            assert_eq!(preset.source(6.0, 30e3).check(), Ok(()));
+            assert_eq!(preset.source(6.0, 30e3).faults(), []);
         }
         assert_eq!(name(Preset::Victoria.source(9.0, 30e3)), "magnitude");
         assert_eq!(

@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::noise::noise;
 use super::point_source::PointSource;
 use super::transform::Transform;
-use super::{Parameter, SynthesisError, check_samples};
+use super::{Parameter, SynthesisError, check_samples, check_step, first};
 use crate::motion::Motion;
 
 /// Length of the window in multiples of T_d; at its end it has fallen to 7e-5 (Lam, maximum 0.385)
@@ -41,22 +41,15 @@ impl Default for SimulationOptions {
 }
 
 impl SimulationOptions {
-    /// Checks that both are within their ranges.
-    ///
-    /// # Errors
-    /// [`SynthesisError::Option`] names the parameter and its range.
-    pub fn check(&self) -> Result<(), SynthesisError> {
+    /// Each of the two that is out of its range, with the range.
+    pub fn faults(&self) -> Vec<SynthesisError> {
         let Self { dt_s, low_cut_hz } = *self;
-        Parameter::TimeStep.check(
-            dt_s > 0.0 && dt_s <= 0.01,
-            "positive and at most 0.01 s",
-            dt_s,
-        )?;
-        Parameter::LowCut.check(
-            (0.01..=0.2).contains(&low_cut_hz),
-            "from 0.01 to 0.2 Hz",
-            low_cut_hz,
-        )
+        let is_cut = (0.01..=0.2).contains(&low_cut_hz);
+        let checks = [
+            check_step(dt_s),
+            Parameter::LowCut.check(is_cut, "from 0.01 to 0.2 Hz", low_cut_hz),
+        ];
+        checks.into_iter().filter_map(Result::err).collect()
     }
 }
 
@@ -83,8 +76,8 @@ impl Simulator {
         site_ratio: impl Fn(f64) -> f64,
         options: &SimulationOptions,
     ) -> Result<Self, SynthesisError> {
-        source.check()?;
-        options.check()?;
+        first(source.faults())?;
+        first(options.faults())?;
         let SimulationOptions { dt_s, low_cut_hz } = *options;
         let pad_s = PAD_RATIO * LOW_CUT_ORDER / low_cut_hz;
         check_samples((2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s)?;
