@@ -64,7 +64,7 @@ pub(crate) fn sizes(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
 pub(crate) fn point(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
     let hint =
         "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"";
-    read.two("at", Dimension::Length, hint)
+    read.two("at_point", Dimension::Length, hint)
 }
 
 /// Gravity, as small as on a minor planet and as large as where anything stands: 9.81 g is a slip.

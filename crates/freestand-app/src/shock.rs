@@ -80,8 +80,8 @@ pub struct Shock {
     #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
     pub obstacle_height: Option<Written>,
     /// Point whose shock is wanted: "x, z", from the pivot and above the base
-    #[arg(long, value_name = "X, Z", help_heading = "The landing")]
-    pub at: Option<Written>,
+    #[arg(long = "at", value_name = "X, Z", help_heading = "The landing")]
+    pub at_point: Option<Written>,
     /// Coefficient of friction, used for the warning about sliding [default: 0.5]
     #[arg(long, value_name = "RATIO", help_heading = "The landing")]
     pub friction: Option<Written>,
@@ -120,7 +120,7 @@ pub struct Shock {
 
 request!(Shock {
     height, thickness, mass, contact_stiffness, drop_acceleration, cg_rise, uplift, rotation, angular_velocity, scenario,
-    model, gap, obstacle_height, at, friction, gravity, tolerance, tolerance_duration, tolerance_velocity_change,
+    model, gap, obstacle_height, at_point, friction, gravity, tolerance, tolerance_duration, tolerance_velocity_change,
     damage_boundary, tolerance_edge_lift, component_frequency, component_capacity;
     block, pad, unknown
 });

@@ -82,7 +82,7 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("gravity_m_s2", "gravity", " m/s2"),
     ("gap_m", "gap", " m"),
     ("obstacle_height_m", "obstacle_height", " m"),
-    ("at_m", "at", " m"),
+    ("at_m", "at_point", " m"),
     ("drop_acceleration_g", "drop_acceleration", " g"),
     ("tolerance_g", "tolerance", " g"),
     ("tolerance_duration_s", "tolerance_duration", " s"),
@@ -131,6 +131,9 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("accepted_rate", "accepted", " /yr"),
     ("site_deg", "site_coordinates", ""),
 ];
+
+/// Ends of keys that a flag does not have.
+const UNSTATED: [&str; 2] = ["_years", "_point"];
 
 /// Keys whose arguments have the same name, and bare values.
 const SAME: &[&str] = &[
@@ -208,12 +211,17 @@ pub fn unit_of_argument(key: &str) -> &'static str {
 }
 
 impl KeyStyle {
-    /// A key in this style. A flag does not state a unit: `return_period_years` is
-    /// `--return-period`.
+    /// A key in this style. A flag does not state what its value is: `return_period_years` is
+    /// `--return-period`, `at_point` is `--at`.
     pub fn name(self, key: &str) -> String {
         match self {
             Self::File => key.to_owned(),
-            Self::Flag => format!("--{}", key.trim_end_matches("_years").replace('_', "-")),
+            Self::Flag => {
+                let stated = UNSTATED
+                    .iter()
+                    .fold(key, |key, end| key.trim_end_matches(end));
+                format!("--{}", stated.replace('_', "-"))
+            }
             Self::Argument => ARGUMENTS
                 .iter()
                 .find(|(_, known, _)| *known == key)

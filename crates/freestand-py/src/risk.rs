@@ -9,7 +9,7 @@ use freestand_app::request::Question as _;
 use freestand_app::risk::{Risk, SCHEMA as RISK};
 use freestand_assess::fragility::fragility_watched as fitted;
 use freestand_assess::risk::risk as calculated;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::Problem;
 use freestand_study::run::Step;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -28,17 +28,6 @@ fn until(stop: &AtomicBool) -> impl Fn(Step) -> ControlFlow<()> + Sync {
             ControlFlow::Continue(())
         }
     }
-}
-
-/// The exception of all problems. `at` is a place here, and a point (`at_m`) in other functions.
-fn raised_here(problems: Problems) -> PyErr {
-    let named = |text: &str| text.replace("`at`", "at");
-    let plain = |problem: Problem| Problem {
-        message: named(&problem.message),
-        hint: problem.hint.as_deref().map(named),
-        ..problem
-    };
-    raised_all(problems.into_iter().map(plain).collect::<Problems>())
 }
 
 /// The probabilities of a lognormal fragility at these intensities.
@@ -66,13 +55,12 @@ pub(crate) fn fragility(
     threads: Option<usize>,
 ) -> PyResult<(String, String)> {
     let (request, files) = asked::<Fragility>(request, [], files)?;
-    let meant = request.resolve(&files).map_err(raised_here)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
     let Fitted::Outcomes(request) = meant.fitted else {
         let hint = "give a path or a table";
         return Err(raised(Problem::value("there are no outcomes", hint)));
     };
-    let report =
-        watched(py, threads, |stop| fitted(request, &until(stop)))?.map_err(raised_here)?;
+    let report = watched(py, threads, |stop| fitted(request, &until(stop)))?.map_err(raised_all)?;
     let seen = report.empirical_table().map_err(raised)?.to_string();
     let document = told(FRAGILITY, &report, &report.warnings)?;
     Ok((document, seen))
@@ -87,8 +75,8 @@ pub(crate) fn risk(
     threads: Option<usize>,
 ) -> PyResult<String> {
     let (request, files) = asked::<Risk>(request, [], files)?;
-    let meant = request.resolve(&files).map_err(raised_here)?;
+    let meant = request.resolve(&files).map_err(raised_all)?;
     let report =
-        watched(py, threads, |stop| calculated(&meant.risk, &until(stop)))?.map_err(raised_here)?;
+        watched(py, threads, |stop| calculated(&meant.risk, &until(stop)))?.map_err(raised_all)?;
     told(RISK, &report, &report.warnings)
 }

@@ -165,8 +165,8 @@ pub struct Base {
     #[arg(long, value_name = "LENGTH", help_heading = "The base")]
     pub cg_rise: Option<Written>,
     /// Point whose acceleration is wanted: "x, z", from the left edge and above the base
-    #[arg(long, value_name = "X, Z", help_heading = "The base")]
-    pub at: Option<Written>,
+    #[arg(long = "at", value_name = "X, Z", help_heading = "The base")]
+    pub at_point: Option<Written>,
 }
 
 request!(Base {
@@ -176,7 +176,7 @@ request!(Base {
     no_slip,
     contacts,
     cg_rise,
-    at
+    at_point
 });
 
 /// An object in three dimensions.

@@ -142,7 +142,7 @@ const OF_CUSHIONS: [&str; 6] = [
     "no_slip",
     "contacts",
     "cg_rise",
-    "at",
+    "at_point",
 ];
 const OF_SLIDING: [&str; 8] = [
     "sliding",

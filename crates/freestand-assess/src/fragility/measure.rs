@@ -162,7 +162,11 @@ impl Measure {
                     place.name(),
                     given.name()
                 );
-                Err(Problem::value(message, "leave out `at`").of(&["at"]))
+                Err(Problem::value(
+                    message,
+                    format!("leave out `at`, or write `at = \"{}\"`", place.name()),
+                )
+                .of(&["at"]))
             }
             (place, given) => Ok(place.or(given).unwrap_or(At::Ground)),
         }

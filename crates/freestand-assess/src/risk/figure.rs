@@ -165,7 +165,7 @@ fn frontier(plan: &Chosen, currency: &str) -> Panel {
     let points = || {
         plan.frontier
             .iter()
-            .map(|&(budget, _, value)| (budget, value))
+            .map(|within| (within.budget, within.net_present_value))
     };
     let (budgets, budget_word) = scale(plan.budget);
     let (values, value_word) = scale(points().map(|point| point.1).fold(0.0, f64::max));

@@ -109,8 +109,8 @@ pub(super) struct Chosen {
     pub(super) chosen: Vec<Worth>,
     /// For each object that people need and the budget does not reach, the option that avoids most falls.
     pub(super) unfunded: Vec<Worth>,
-    /// Budget, cost and net present value of the best plan within it.
-    pub(super) frontier: Vec<(f64, f64, f64)>,
+    /// The best plans within parts of the budget.
+    pub(super) frontier: Vec<Within>,
 }
 
 answer_of!(Chosen as chosen {
@@ -128,7 +128,7 @@ answer_of!(Chosen as chosen {
     bound: f64 = chosen.plan.bound;
     optimal: bool = chosen.plan.is_optimal;
     /// The best plans within smaller and larger budgets.
-    frontier: Vec<Within> = chosen.frontier.iter().map(Within::from).collect();
+    frontier: Vec<Within> = chosen.frontier.clone();
 });
 
 answer! {
@@ -137,16 +137,6 @@ answer! {
         budget: f64,
         cost: f64,
         net_present_value: f64,
-    }
-}
-
-impl From<&(f64, f64, f64)> for Within {
-    fn from(&(budget, cost, net_present_value): &(f64, f64, f64)) -> Self {
-        Self {
-            budget,
-            cost,
-            net_present_value,
-        }
     }
 }
 
@@ -440,7 +430,11 @@ fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) ->
             &mut within(PLAN_TIME / FRONTIER, progress),
         )
         .plan;
-        (part, plan.cost, plan.value)
+        Within {
+            budget: part,
+            cost: plan.cost,
+            net_present_value: plan.value,
+        }
     });
     let frontier = frontier.collect();
     Chosen {

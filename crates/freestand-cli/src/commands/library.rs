@@ -40,44 +40,18 @@ pub(crate) trait Printed: Library<Entry: Serialize> {
     const LAYOUT: Layout<Self::Entry>;
 }
 
-impl<L: Printed> Tell for List<L> {
-    type Output = ();
+macro_rules! printed {
+    ($($question:ident),+) => {$(
+        impl<L: Printed> Tell for $question<L> {
+            type Output = ();
 
-    fn tell(
-        meant: Meant,
-        (): &(),
-        global: &GlobalArgs,
-        printer: &Printer,
-    ) -> Result<Done, Failure> {
-        print::<L>(&meant, global, printer)
-    }
+            fn tell(meant: Meant, (): &(), global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+                print::<L>(&meant, global, printer)
+            }
+        }
+    )+};
 }
-
-impl<L: Printed> Tell for Show<L> {
-    type Output = ();
-
-    fn tell(
-        meant: Meant,
-        (): &(),
-        global: &GlobalArgs,
-        printer: &Printer,
-    ) -> Result<Done, Failure> {
-        print::<L>(&meant, global, printer)
-    }
-}
-
-impl<L: Printed> Tell for Search<L> {
-    type Output = ();
-
-    fn tell(
-        meant: Meant,
-        (): &(),
-        global: &GlobalArgs,
-        printer: &Printer,
-    ) -> Result<Done, Failure> {
-        print::<L>(&meant, global, printer)
-    }
-}
+printed!(List, Show, Search);
 
 /// Prints entries of the built-in library with the user's own.
 fn print<L: Printed>(

@@ -169,10 +169,10 @@ fn flags_without_effect_are_refused() {
         ),
         (
             "cushion simulate --static --stiffness 1100N/mm --bounces 2 --gravity 1g",
-            "--bounces, --gravity",
+            "--bounces --gravity",
         ),
     ];
-    for (line, flag) in cases {
+    for (line, flags) in cases {
         let words = line
             .split_whitespace()
             .map(|word| if word == "RECORD" { RECORD } else { word });
@@ -183,10 +183,9 @@ fn flags_without_effect_are_refused() {
             .unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{line}\n{told}");
-        assert!(
-            told.starts_with(&format!("error: {flag} ")),
-            "{line}\n{told}"
-        );
+        let errors = told.lines().filter_map(|line| line.strip_prefix("error: "));
+        let named: Vec<&str> = errors.filter_map(|error| error.split(' ').next()).collect();
+        assert_eq!(named.join(" "), flags, "{line}\n{told}");
     }
 }
 

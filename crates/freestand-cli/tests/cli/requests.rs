@@ -77,7 +77,8 @@ fn typed(requests: impl Iterator<Item = Value>) {
             continue;
         }
         let arguments = request.iter().map(|(key, value)| {
-            let flag = key.trim_end_matches("_years").replace('_', "-");
+            let flag = key.trim_end_matches("_years").trim_end_matches("_point");
+            let flag = flag.replace('_', "-");
             match value {
                 Value::Bool(true) => format!("--{flag}"),
                 value => format!("--{flag}={}", value.as_str().unwrap()),
@@ -158,7 +159,7 @@ fn what_the_page_asks_has_the_problems_of_the_table() {
             let key = key.as_str().unwrap().replace('_', "-");
             assert_eq!(
                 one["key"].as_str().unwrap(),
-                key.trim_end_matches("-years"),
+                key.trim_end_matches("-years").trim_end_matches("-point"),
                 "{line}"
             );
         }

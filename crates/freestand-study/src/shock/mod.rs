@@ -661,7 +661,7 @@ fn report(
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
-        warnings.push("the point `at` lies outside the object".to_owned());
+        warnings.push("the point `at_point` lies outside the object".to_owned());
     }
     // Only a spring has a largest stiffness: that of another law would not be the one stated.
     let rise_on_a_spring_m = fall

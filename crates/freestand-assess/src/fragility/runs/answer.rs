@@ -9,7 +9,7 @@ use super::super::answer::OfObject;
 use super::super::hazard::MeasuredHazard;
 use super::super::{FragilityReport, ObjectFragility};
 use super::levels::Added;
-use super::report::{OfStudy, RunsReport};
+use super::report::{LeftOut, OfStudy, RunsReport};
 use super::shaking::FloorShaking;
 use super::{METHODS, Quality};
 
@@ -87,7 +87,7 @@ answer_of!(RunsReport as runs {
     /// The study as TOML.
     study: Option<String> = runs.of_study(|study| study.toml.clone());
     motions: Vec<&FloorShaking> = runs.floors.iter().flatten().collect();
-    left_out: Vec<LeftOut<'_>> = runs.left_out.iter().map(LeftOut).collect();
+    left_out: Vec<LeftOut> = runs.left_out.clone();
     objects: Vec<OfObject<'_>> = runs.reports.iter().flat_map(OfObject::all).collect();
     im_ranking: Vec<Ranked<'_>> = runs.ranking();
 });
@@ -97,15 +97,6 @@ answer_of!(FloorShaking as motion {
     /// PGV over PGA of the floor.
     floor_velocity_over_acceleration_s: f64 = motion.at_floor.velocity_over_acceleration_s();
     floor_mean_period_s: Option<f64> = motion.at_floor.mean_period_s;
-});
-
-/// An object that was not run.
-#[derive(Clone, Copy)]
-struct LeftOut<'r>(&'r (String, String));
-
-answer_of!(LeftOut<'_> as one {
-    id: String = one.0.0.clone();
-    why: String = one.0.1.clone();
 });
 
 /// The measures of an object and a limit state.

@@ -41,7 +41,7 @@ use crate::verdict::Nominal;
 use changed::changed_item;
 use follow::{Followed, GoOn};
 use levels::Added;
-use report::OfStudy;
+use report::{LeftOut, OfStudy};
 use request::{DOUBTFUL_SCALE, MAX_MEASURES};
 use shaking::{FloorShaking, RatioFactors};
 
@@ -522,8 +522,7 @@ fn check_ground(
 struct Prepared {
     objects: Vec<ObjectRuns>,
     floors: Vec<Vec<FloorShaking>>,
-    /// Ids, and why.
-    left_out: Vec<(String, String)>,
+    left_out: Vec<LeftOut>,
 }
 
 fn prepare(
@@ -610,7 +609,8 @@ fn prepare(
                 let nominal = match Nominal::new(&item, &study.assessment) {
                     Ok(nominal) => nominal,
                     Err(why) => {
-                        left_out.push((item.id.clone(), why));
+                        let id = item.id.clone();
+                        left_out.push(LeftOut { id, why });
                         continue;
                     }
                 };
@@ -627,7 +627,7 @@ fn prepare(
             if objects.is_empty() {
                 let why = left_out.first().map_or_else(
                     || "the list is empty".to_owned(),
-                    |(id, why)| format!("{} for example: {why}", shorten(id)),
+                    |LeftOut { id, why }| format!("{} for example: {why}", shorten(id)),
                 );
                 let message = format!("no object of the list can be run ({why})");
                 let hint =

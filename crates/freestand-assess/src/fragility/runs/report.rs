@@ -5,6 +5,8 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, name_of, significant, some};
+use freestand_output::answer;
+use freestand_output::answer::Answer;
 use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
@@ -35,12 +37,21 @@ pub struct RunsReport {
     pub(super) fit: FitMethod,
     pub(super) objects: Vec<ObjectRuns>,
     pub(super) floors: Vec<Vec<FloorShaking>>,
-    pub(super) left_out: Vec<(String, String)>,
+    pub(super) left_out: Vec<LeftOut>,
     pub(super) inputs: Vec<InputFile>,
     /// Seed of the bootstrap.
     pub(super) seed: u64,
     /// Whose building and hazard this is; `None`: the motions were given.
     pub(super) study: Option<OfStudy>,
+}
+
+answer! {
+    /// An object that was not run.
+    pub struct LeftOut {
+        id: String,
+        /// The reason.
+        why: String,
+    }
 }
 
 /// What a document says about the study of its runs, and about their list.
@@ -85,7 +96,7 @@ impl RunsReport {
             let named: Vec<String> = self
                 .left_out
                 .iter()
-                .map(|(id, why)| format!("{} ({why})", shorten(id)))
+                .map(|LeftOut { id, why }| format!("{} ({why})", shorten(id)))
                 .collect();
             let named = some(&named, NAMED_LEFT_OUT);
             let objects = counted(self.left_out.len(), "object");
@@ -181,17 +192,10 @@ impl RunsReport {
     /// # Errors
     /// None in practice: see [`of_rows`].
     pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
-        let row = |(id, why): &'_ (String, String)| {
-            Facts::default()
-                .key("id", id.clone())
-                .key("why", why.clone())
-        };
-        let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
-        if rows.is_empty() {
-            Ok(None)
-        } else {
-            of_rows(rows).map(Some)
+        if self.left_out.is_empty() {
+            return Ok(None);
         }
+        of_rows(self.left_out.iter().map(Answer::facts)).map(Some)
     }
 
     /// The sentence that says whose building this is, where no study was given.
