@@ -1,75 +1,62 @@
 //! `assess`: which objects of a list must be restrained.
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::job::Job;
 use freestand_assess::result::Decision;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::study::{Study, TitleBlock};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, one_or_many, reader, request, seed,
-};
+use crate::request::{Question, Request as _, Switch, one_of, one_or_many, reader, request, seed};
 
 /// The schema of the response.
 pub use freestand_assess::job::SCHEMA;
 
-/// A list in the building of a study.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Assess {
-    /// The study and the list.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub list: ListKeys,
-    /// Continue an earlier run in the same folder
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub resume: Switch,
-    /// Tables to write besides objects.csv, assessment.xlsx and report.html [default: csv]
-    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = one_of(TABLES))]
-    #[serde(deserialize_with = "one_or_many")]
-    pub format: Vec<Written>,
-    /// Also write outcomes.csv: what happened to every object in every world, by each model
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub outcomes: Switch,
-    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-    #[arg(long, value_name = "N")]
-    pub pages: Option<Written>,
-    /// Print the card of every object too, where the report is printed
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
-    pub cards: Switch,
-    /// Date on the report [default: a line to fill in]
-    #[arg(long, value_name = "DATE", help_heading = "The report")]
-    pub date: Option<Written>,
-    /// Who prepared the report [default: a line to fill in]
-    #[arg(long, value_name = "NAME", help_heading = "The report")]
-    pub preparer: Option<Written>,
-    /// Revision of the report [default: a line to fill in]
-    #[arg(long, value_name = "TEXT", help_heading = "The report")]
-    pub revision: Option<Written>,
-    /// End with status 1 if an object gets this verdict; give it once for each verdict
-    #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
-    #[serde(deserialize_with = "one_or_many")]
-    pub fail_on: Vec<Written>,
+request! { question
+    /// A list in the building of a study.
+    pub struct Assess {
+        /// The study and the list.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub list: ListKeys,
+        /// Continue an earlier run in the same folder
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub resume: Switch,
+        /// Tables to write besides objects.csv, assessment.xlsx and report.html [default: csv]
+        #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = one_of(TABLES))]
+        #[serde(deserialize_with = "one_or_many")]
+        pub format: Vec<Written>,
+        /// Also write outcomes.csv: what happened to every object in every world, by each model
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub outcomes: Switch,
+        /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+        #[arg(long, value_name = "N")]
+        pub pages: Option<Written>,
+        /// Print the card of every object too, where the report is printed
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
+        pub cards: Switch,
+        /// Date on the report [default: a line to fill in]
+        #[arg(long, value_name = "DATE", help_heading = "The report")]
+        pub date: Option<Written>,
+        /// Who prepared the report [default: a line to fill in]
+        #[arg(long, value_name = "NAME", help_heading = "The report")]
+        pub preparer: Option<Written>,
+        /// Revision of the report [default: a line to fill in]
+        #[arg(long, value_name = "TEXT", help_heading = "The report")]
+        pub revision: Option<Written>,
+        /// End with status 1 if an object gets this verdict; give it once for each verdict
+        #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
+        #[serde(deserialize_with = "one_or_many")]
+        pub fail_on: Vec<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Assess {
-    resume, format, outcomes, pages, cards, date, preparer, revision, fail_on, seed;
-    list, unknown
-});
 
 /// Tables, and whether each is one in Parquet.
 const TABLES: &[(bool, &str, &str)] = &[

@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use clap::Args;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
@@ -14,40 +13,31 @@ use freestand_input::written::Written;
 use freestand_study::restitution::checked;
 use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::shape::Shape;
-use serde::Deserialize;
 
 use crate::request::{one_of, request};
 
-/// What is known of an object besides its height and its thickness.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct GeneralBlock {
-    /// Distance between the two edges, if the feet are set in [default: the thickness]
-    #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-    pub base_width: Option<Written>,
-    /// Height of the centre of gravity [default: half of the height]
-    #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-    pub cg_height: Option<Written>,
-    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the
-    /// landing edge) [default: 0]
-    #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-    pub cg_offset: Option<Written>,
-    /// Moment of inertia about the left edge, such as "120 kg m2"; needs the mass [default: uniform]
-    #[arg(
-        long,
-        value_name = "MOMENT-OF-INERTIA",
-        help_heading = "The general block"
-    )]
-    pub inertia: Option<Written>,
+request! {
+    /// What is known of an object besides its height and its thickness.
+    pub struct GeneralBlock {
+        /// Distance between the two edges, if the feet are set in [default: the thickness]
+        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
+        pub base_width: Option<Written>,
+        /// Height of the centre of gravity [default: half of the height]
+        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
+        pub cg_height: Option<Written>,
+        /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the
+        /// landing edge) [default: 0]
+        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
+        pub cg_offset: Option<Written>,
+        /// Moment of inertia about the left edge, such as "120 kg m2"; needs the mass [default: uniform]
+        #[arg(
+            long,
+            value_name = "MOMENT-OF-INERTIA",
+            help_heading = "The general block"
+        )]
+        pub inertia: Option<Written>,
+    }
 }
-
-request!(GeneralBlock {
-    base_width,
-    cg_height,
-    cg_offset,
-    inertia
-});
 
 /// Height and thickness of an object \[m\]; `None` if one is missing or wrong.
 pub(crate) fn sizes(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
@@ -113,32 +103,24 @@ pub(crate) fn block(
     }))
 }
 
-/// How the rocking of an object is calculated.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Rocking {
-    /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
-    /// [default: Housner's]
-    #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
-    pub restitution: Option<Written>,
-    /// Factor that multiplies Housner's restitution
-    #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
-    pub restitution_factor: Option<Written>,
-    /// Equation of motion [default: rigid]
-    #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The rocking")]
-    pub model: Option<Written>,
-    /// Accuracy of the solver [default: standard]
-    #[arg(long, value_name = "ACCURACY", value_parser = one_of(ACCURACIES), help_heading = "The rocking")]
-    pub accuracy: Option<Written>,
+request! {
+    /// How the rocking of an object is calculated.
+    pub struct Rocking {
+        /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
+        /// [default: Housner's]
+        #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
+        pub restitution: Option<Written>,
+        /// Factor that multiplies Housner's restitution
+        #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
+        pub restitution_factor: Option<Written>,
+        /// Equation of motion [default: rigid]
+        #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The rocking")]
+        pub model: Option<Written>,
+        /// Accuracy of the solver [default: standard]
+        #[arg(long, value_name = "ACCURACY", value_parser = one_of(ACCURACIES), help_heading = "The rocking")]
+        pub accuracy: Option<Written>,
+    }
 }
-
-request!(Rocking {
-    restitution,
-    restitution_factor,
-    model,
-    accuracy
-});
 
 pub(crate) fn accuracy(read: &mut WordReader<'_>) -> Accuracy {
     read.choice("accuracy", ACCURACIES).unwrap_or_default()

@@ -2,39 +2,31 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::inventory::{CellsRequest, Edit};
 use freestand_input::problem::Problem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{one_or_many, path, request};
 
-/// How the cells of a list are read.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct CellKeys {
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    pub sheet: Option<Written>,
-    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
-    #[arg(long, value_name = "FILE.toml")]
-    pub columns: Option<Written>,
-    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
-    /// of a size, also with the text that the cell has, confirms that size
-    #[arg(long, alias = "edits", value_name = "CELL=TEXT", action = ArgAction::Append)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub edit: Vec<Written>,
+request! {
+    /// How the cells of a list are read.
+    pub struct CellKeys {
+        /// Sheet of the workbook [default: the first with headings of an inventory]
+        #[arg(long, value_name = "NAME")]
+        pub sheet: Option<Written>,
+        /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
+        #[arg(long, value_name = "FILE.toml")]
+        pub columns: Option<Written>,
+        /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
+        /// of a size, also with the text that the cell has, confirms that size
+        #[arg(long, alias = "edits", value_name = "CELL=TEXT", action = ArgAction::Append)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub edit: Vec<Written>,
+    }
 }
-
-request!(CellKeys {
-    sheet,
-    columns,
-    edit
-});
 
 impl CellKeys {
     /// What is asked of the cells.
@@ -54,23 +46,17 @@ impl CellKeys {
     }
 }
 
-/// The user's own libraries.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Libraries {
-    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub library: Option<Written>,
-    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub cushion_library: Option<Written>,
+request! {
+    /// The user's own libraries.
+    pub struct Libraries {
+        /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
+        #[arg(long, value_name = "FILE.csv")]
+        pub library: Option<Written>,
+        /// Your own cushion library (CSV); its entries replace built-in entries with the same id
+        #[arg(long, value_name = "FILE.csv")]
+        pub cushion_library: Option<Written>,
+    }
 }
-
-request!(Libraries {
-    library,
-    cushion_library
-});
 
 impl Libraries {
     /// The files of tolerances and of cushions.

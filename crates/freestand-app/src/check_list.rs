@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::inventory::{
     CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, inspect_headings,
     inspect_inventory, marked_copy,
@@ -14,64 +14,50 @@ use freestand_input::quantity::UnitSystem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::resolve::{Overrides, StudySource};
-use serde::Deserialize;
 
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
-use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
-};
+use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
 use crate::study::{self, MAX_STOREYS};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.inventory/1";
 
-/// A list, and how it is read.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct CheckList {
-    /// List of objects (CSV, TSV or XLSX)
-    #[arg(value_name = "FILE")]
-    pub file: Option<Written>,
-    /// How its cells are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub how: CellKeys,
-    /// Study file (TOML) whose building has the floors
-    #[arg(long, value_name = "FILE.toml")]
-    pub study: Option<Written>,
-    /// Number of storeys of the building, to place floors by their numbers
-    #[arg(long, value_name = "N")]
-    pub storeys: Option<Written>,
-    /// Units of the text; the JSON document is in SI [default: those of most columns]
-    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-    pub units: Option<Written>,
-    /// Count every doubt as an error
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub strict: Switch,
-    /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
-    /// which too few headings are known
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub headings: Switch,
-    /// Also list the text of every cell (with --json)
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub cells: Switch,
-    /// The user's own libraries.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub libraries: LibraryKeys,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// A list, and how it is read.
+    pub struct CheckList {
+        /// List of objects (CSV, TSV or XLSX)
+        #[arg(value_name = "FILE")]
+        pub file: Option<Written>,
+        /// How its cells are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub how: CellKeys,
+        /// Study file (TOML) whose building has the floors
+        #[arg(long, value_name = "FILE.toml")]
+        pub study: Option<Written>,
+        /// Number of storeys of the building, to place floors by their numbers
+        #[arg(long, value_name = "N")]
+        pub storeys: Option<Written>,
+        /// Units of the text; the JSON document is in SI [default: those of most columns]
+        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+        pub units: Option<Written>,
+        /// Count every doubt as an error
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub strict: Switch,
+        /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
+        /// which too few headings are known
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub headings: Switch,
+        /// Also list the text of every cell (with --json)
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub cells: Switch,
+        /// The user's own libraries.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub libraries: LibraryKeys,
+    }
 }
-
-request!(CheckList {
-    file, study, storeys, units, strict, headings, cells;
-    how, libraries, unknown
-});
 
 /// What is asked.
 #[derive(Debug, Clone)]

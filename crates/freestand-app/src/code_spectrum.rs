@@ -2,49 +2,40 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::written::Written;
 use freestand_study::target::{CodeSpectrumReport, Target, code_spectrum};
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request, Switch, Unknown, reader, request};
+use crate::request::{Question, Request, Switch, reader, request};
 use crate::target::TargetKeys;
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.code-spectrum/1";
 
-/// The spectrum of a code.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct CodeSpectrum {
-    /// The target.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub target: TargetKeys,
-    /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
-    #[arg(long, value_name = "GRID")]
-    pub periods: Option<Written>,
-    /// Add the acceleration that the code prescribes for a rigid part on each floor
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Parts and components")]
-    pub parts: Switch,
-    /// Height of the building; needed by AS 1170.4 and NZS 1170.5
-    #[arg(long, value_name = "LENGTH", help_heading = "Parts and components")]
-    pub building_height: Option<Written>,
-    /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
-    #[arg(long, value_name = "TIME", help_heading = "Parts and components")]
-    pub building_period: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The spectrum of a code.
+    pub struct CodeSpectrum {
+        /// The target.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub target: TargetKeys,
+        /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
+        #[arg(long, value_name = "GRID")]
+        pub periods: Option<Written>,
+        /// Add the acceleration that the code prescribes for a rigid part on each floor
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Parts and components")]
+        pub parts: Switch,
+        /// Height of the building; needed by AS 1170.4 and NZS 1170.5
+        #[arg(long, value_name = "LENGTH", help_heading = "Parts and components")]
+        pub building_height: Option<Written>,
+        /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
+        #[arg(long, value_name = "TIME", help_heading = "Parts and components")]
+        pub building_period: Option<Written>,
+    }
 }
-
-request!(CodeSpectrum { periods, parts, building_height, building_period; target, unknown });
 
 /// What is asked, in SI.
 #[derive(Debug)]

@@ -2,71 +2,55 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::cushion::{self, EdgeCushion, pad_words, read_cushion_file, with_file};
-use serde::Deserialize;
 
 use crate::files::{Content, Files};
 use crate::request::{Request, one_or_many, request};
 
-/// The cushion under one edge of an object.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct CushionUnder {
-    /// Stiffness of the whole cushion under one edge; for a power law, such as "2e7 N/m^1.5"
-    #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-    pub stiffness: Option<Written>,
-    /// Stiffness (and law) of one pad; needs --pads-per-edge
-    #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-    pub pad_stiffness: Option<Written>,
-    /// One pad, from a file written by freestand cushion drop; needs --pads-per-edge
-    #[arg(long, value_name = "FILE.toml", help_heading = "The cushion")]
-    pub cushion: Option<Written>,
-    /// Number of pads under one edge
-    #[arg(long, value_name = "N", help_heading = "The cushion")]
-    pub pads_per_edge: Option<Written>,
-    /// A layer in series with the cushion: legs, floor covering (repeatable)
-    #[arg(long, value_name = "STIFFNESS", action = ArgAction::Append, help_heading = "The cushion")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub series_stiffness: Vec<Written>,
-    /// Thickness of the pad, used in warnings only [default: 20 mm]
-    #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
-    pub pad_thickness: Option<Written>,
-    /// Contact law: linear, power (hertz), kelvin-voigt, hunt-crossley, tangent [default: linear]
-    #[arg(long, value_name = "LAW", help_heading = "The cushion")]
-    pub law: Option<Written>,
-    /// Exponent of a power or hunt-crossley law [default: 1.5]
-    #[arg(long, value_name = "N", help_heading = "The cushion")]
-    pub exponent: Option<Written>,
-    /// Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as "300 N s/m"
-    #[arg(long, value_name = "DAMPING", help_heading = "The cushion")]
-    pub damping: Option<Written>,
-    /// Dissipation of hunt-crossley, such as "0.3 s/m"
-    #[arg(long, value_name = "DISSIPATION", help_heading = "The cushion")]
-    pub dissipation: Option<Written>,
-    /// Compression at which a tangent law bottoms
-    #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
-    pub bottoming: Option<Written>,
+request! {
+    /// The cushion under one edge of an object.
+    pub struct CushionUnder {
+        /// Stiffness of the whole cushion under one edge; for a power law, such as "2e7 N/m^1.5"
+        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
+        pub stiffness: Option<Written>,
+        /// Stiffness (and law) of one pad; needs --pads-per-edge
+        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
+        pub pad_stiffness: Option<Written>,
+        /// One pad, from a file written by freestand cushion drop; needs --pads-per-edge
+        #[arg(long, value_name = "FILE.toml", help_heading = "The cushion")]
+        pub cushion: Option<Written>,
+        /// Number of pads under one edge
+        #[arg(long, value_name = "N", help_heading = "The cushion")]
+        pub pads_per_edge: Option<Written>,
+        /// A layer in series with the cushion: legs, floor covering (repeatable)
+        #[arg(long, value_name = "STIFFNESS", action = ArgAction::Append, help_heading = "The cushion")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub series_stiffness: Vec<Written>,
+        /// Thickness of the pad, used in warnings only [default: 20 mm]
+        #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
+        pub pad_thickness: Option<Written>,
+        /// Contact law: linear, power (hertz), kelvin-voigt, hunt-crossley, tangent [default: linear]
+        #[arg(long, value_name = "LAW", help_heading = "The cushion")]
+        pub law: Option<Written>,
+        /// Exponent of a power or hunt-crossley law [default: 1.5]
+        #[arg(long, value_name = "N", help_heading = "The cushion")]
+        pub exponent: Option<Written>,
+        /// Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as "300 N s/m"
+        #[arg(long, value_name = "DAMPING", help_heading = "The cushion")]
+        pub damping: Option<Written>,
+        /// Dissipation of hunt-crossley, such as "0.3 s/m"
+        #[arg(long, value_name = "DISSIPATION", help_heading = "The cushion")]
+        pub dissipation: Option<Written>,
+        /// Compression at which a tangent law bottoms
+        #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
+        pub bottoming: Option<Written>,
+    }
 }
-
-request!(CushionUnder {
-    stiffness,
-    pad_stiffness,
-    cushion,
-    pads_per_edge,
-    series_stiffness,
-    pad_thickness,
-    law,
-    exponent,
-    damping,
-    dissipation,
-    bottoming
-});
 
 impl CushionUnder {
     /// The cushion under one edge of an object of `mass_kg`; `None` if nothing describes it, or something is wrong.

@@ -2,55 +2,45 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::laboratory::cushion_curve::CurveRequest;
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, path_without_flag, reader, request};
+use crate::request::{Question, Request as _, path_without_flag, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-curve/1";
 
-/// Drops on a packaging cushion, and a design.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct CushionCurve {
-    /// Table of tests with a header such as `static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]`
-    #[arg(value_name = "FILE")]
-    pub file: Option<Written>,
-    /// Drop height of the design, and of tests in a file without that column
-    #[arg(long, value_name = "LENGTH")]
-    pub drop_height: Option<Written>,
-    /// Thickness of the design, and of tests in a file without that column
-    #[arg(long, value_name = "LENGTH")]
-    pub thickness: Option<Written>,
-    /// Static stress of the design
-    #[arg(long, value_name = "PRESSURE")]
-    pub static_stress: Option<Written>,
-    /// Mass on the cushion; needs --area
-    #[arg(long, value_name = "MASS")]
-    pub mass: Option<Written>,
-    /// Area of the cushion; needs --mass
-    #[arg(long, value_name = "AREA")]
-    pub area: Option<Written>,
-    /// Peak acceleration that must not be exceeded
-    #[arg(long, value_name = "ACCELERATION")]
-    pub limit: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// Drops on a packaging cushion, and a design.
+    pub struct CushionCurve {
+        /// Table of tests with a header such as `static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]`
+        #[arg(value_name = "FILE")]
+        pub file: Option<Written>,
+        /// Drop height of the design, and of tests in a file without that column
+        #[arg(long, value_name = "LENGTH")]
+        pub drop_height: Option<Written>,
+        /// Thickness of the design, and of tests in a file without that column
+        #[arg(long, value_name = "LENGTH")]
+        pub thickness: Option<Written>,
+        /// Static stress of the design
+        #[arg(long, value_name = "PRESSURE")]
+        pub static_stress: Option<Written>,
+        /// Mass on the cushion; needs --area
+        #[arg(long, value_name = "MASS")]
+        pub mass: Option<Written>,
+        /// Area of the cushion; needs --mass
+        #[arg(long, value_name = "AREA")]
+        pub area: Option<Written>,
+        /// Peak acceleration that must not be exceeded
+        #[arg(long, value_name = "ACCELERATION")]
+        pub limit: Option<Written>,
+    }
 }
-
-request!(CushionCurve { file, drop_height, thickness, static_stress, mass, area, limit; unknown });
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq)]

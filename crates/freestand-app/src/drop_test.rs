@@ -1,6 +1,6 @@
 //! `cushion drop`: drop tests of a pad.
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::G0_M_S2;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -12,92 +12,79 @@ use freestand_study::laboratory::drop_test::{DropRequest, LAWS};
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::study::DEFAULT_SEED;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{
-    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, reader, request,
-    seed,
+    Question, Request, Switch, one_of, one_of_names, one_or_many, paths, reader, request, seed,
 };
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-drop/1";
 
-/// Drop tests of a pad: the acceleration of a mass that falls onto it.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct DropTests {
-    /// Files with drops on one pad
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub files: Vec<Written>,
-    /// Mass of the impactor
-    #[arg(long, value_name = "MASS")]
-    pub mass: Option<Written>,
-    /// Drop height
-    #[arg(long, value_name = "LENGTH")]
-    pub height: Option<Written>,
-    /// Velocity at the first touch [default: from the drop height, or from the pulse itself]
-    #[arg(long, value_name = "VELOCITY")]
-    pub impact_velocity: Option<Written>,
-    /// Standard deviation of the impact velocity, as a share of it [default: 1 %]
-    #[arg(long, value_name = "RATIO")]
-    pub velocity_error: Option<Written>,
-    /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION")]
-    pub gravity: Option<Written>,
-    /// Corner frequency of the low-pass filter before the A/D converter, after which the laws are fitted
-    #[arg(long, value_name = "FREQUENCY")]
-    pub corner: Option<Written>,
-    /// Fit only this law [default: the simplest one that no other clearly improves on]
-    #[arg(long, value_name = "LAW", value_parser = one_of(LAWS))]
-    pub law: Option<Written>,
-    /// Thickness of the pad, used in warnings only
-    #[arg(long, value_name = "LENGTH")]
-    pub pad_thickness: Option<Written>,
-    /// Shape of the impactor; replaces what the files state
-    #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
-    pub impactor: Option<Written>,
-    /// Radius of a spherical impactor
-    #[arg(long, value_name = "LENGTH")]
-    pub sphere_radius: Option<Written>,
-    /// Boundary of the pad; replaces what the files state
-    #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
-    pub boundary: Option<Written>,
-    /// Change the sign of all samples, for a sensor that is mounted upside down
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub invert: Switch,
-    /// Unit of acceleration of a file that does not state it
-    #[arg(long, value_name = "UNIT")]
-    pub unit: Option<Written>,
-    /// Sensitivity of the accelerometer of a column in volts, such as "10 mV/g"
-    #[arg(long, value_name = "SENSITIVITY")]
-    pub sensitivity: Option<Written>,
-    /// Time step of a file without a column of times
-    #[arg(long, value_name = "TIME")]
-    pub dt: Option<Written>,
-    /// Step to which unevenly spaced samples are interpolated on straight lines [default: they are refused]
-    #[arg(long, value_name = "TIME")]
-    pub resample: Option<Written>,
-    /// Column of accelerations, by name or by number (from 1)
-    #[arg(long, value_name = "NAME")]
-    pub component: Option<Written>,
+request! { question
+    /// Drop tests of a pad: the acceleration of a mass that falls onto it.
+    pub struct DropTests {
+        /// Files with drops on one pad
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub files: Vec<Written>,
+        /// Mass of the impactor
+        #[arg(long, value_name = "MASS")]
+        pub mass: Option<Written>,
+        /// Drop height
+        #[arg(long, value_name = "LENGTH")]
+        pub height: Option<Written>,
+        /// Velocity at the first touch [default: from the drop height, or from the pulse itself]
+        #[arg(long, value_name = "VELOCITY")]
+        pub impact_velocity: Option<Written>,
+        /// Standard deviation of the impact velocity, as a share of it [default: 1 %]
+        #[arg(long, value_name = "RATIO")]
+        pub velocity_error: Option<Written>,
+        /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
+        #[arg(long, value_name = "ACCELERATION")]
+        pub gravity: Option<Written>,
+        /// Corner frequency of the low-pass filter before the A/D converter, after which the laws are fitted
+        #[arg(long, value_name = "FREQUENCY")]
+        pub corner: Option<Written>,
+        /// Fit only this law [default: the simplest one that no other clearly improves on]
+        #[arg(long, value_name = "LAW", value_parser = one_of(LAWS))]
+        pub law: Option<Written>,
+        /// Thickness of the pad, used in warnings only
+        #[arg(long, value_name = "LENGTH")]
+        pub pad_thickness: Option<Written>,
+        /// Shape of the impactor; replaces what the files state
+        #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
+        pub impactor: Option<Written>,
+        /// Radius of a spherical impactor
+        #[arg(long, value_name = "LENGTH")]
+        pub sphere_radius: Option<Written>,
+        /// Boundary of the pad; replaces what the files state
+        #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
+        pub boundary: Option<Written>,
+        /// Change the sign of all samples, for a sensor that is mounted upside down
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub invert: Switch,
+        /// Unit of acceleration of a file that does not state it
+        #[arg(long, value_name = "UNIT")]
+        pub unit: Option<Written>,
+        /// Sensitivity of the accelerometer of a column in volts, such as "10 mV/g"
+        #[arg(long, value_name = "SENSITIVITY")]
+        pub sensitivity: Option<Written>,
+        /// Time step of a file without a column of times
+        #[arg(long, value_name = "TIME")]
+        pub dt: Option<Written>,
+        /// Step to which unevenly spaced samples are interpolated on straight lines [default: they are refused]
+        #[arg(long, value_name = "TIME")]
+        pub resample: Option<Written>,
+        /// Column of accelerations, by name or by number (from 1)
+        #[arg(long, value_name = "NAME")]
+        pub component: Option<Written>,
 
-    /// Seed of the random numbers of the intervals.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers of the intervals.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(DropTests {
-    files, mass, height, impact_velocity, velocity_error, gravity, corner, law, pad_thickness, impactor,
-    sphere_radius, boundary, invert, unit, sensitivity, dt, resample, component, seed;
-    unknown
-});
 
 impl Question for DropTests {
     type Meant = DropRequest;

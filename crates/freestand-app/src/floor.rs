@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
@@ -13,11 +13,10 @@ use freestand_study::building::{self, BuildingInput};
 use freestand_study::floor::{DEFAULT_LEVELS, FloorRequest, SpectraRequest, every_floor};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward};
 use freestand_study::target::{Target, usual_periods_s};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, Unknown, one_or_many, reader, request};
+use crate::request::{Question, Request, Switch, one_or_many, reader, request};
 use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 
@@ -27,149 +26,118 @@ pub const SCHEMA: &str = "freestand.floor/1";
 /// The largest number of levels of one call: each is a motion in memory.
 const MAX_LEVELS: usize = 1000;
 
-/// The motions of the floors of a building.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-// Known only to be refused with a hint.
-#[command(mut_arg("rotation_step", |arg| arg.hide(true)))]
-pub struct Floor {
-    /// Records of the ground motion; of several, medians are printed
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// The building.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub building: BuildingKeys,
-    /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor [default: 0.5, 1]
-    #[arg(long, value_name = "GRID|all")]
-    pub levels: Option<Written>,
-    /// Duration of the zeros appended to the record, during which the building comes to rest
-    /// [default: 0 s]
-    #[arg(long, value_name = "TIME")]
-    pub tail: Option<Written>,
-    /// Find peaks of the floors at N points in each sample interval; the ground stays linear
-    /// between its samples [default: 1]
-    #[arg(long, value_name = "N")]
-    pub upsample: Option<Written>,
-    /// Also give response spectra of the levels
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub spectra: Switch,
-    /// Damping ratios of the spectra [default: 5 %]
-    #[arg(long, value_name = "LIST")]
-    pub spectrum_damping: Option<Written>,
-    /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-    #[arg(long, value_name = "GRID")]
-    pub periods: Option<Written>,
-    /// Files with the vertical component, one for each --motion, or "record": the vertical component
-    /// of each file of --motion; processed and scaled as the horizontal one
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub vertical: Vec<Written>,
-    /// Vertical acceleration of the floors above the ground, divided by that of the ground: 1 at
-    /// columns, more in the middle of a slab [default: 1]
-    #[arg(long, value_name = "RATIO")]
-    pub vertical_amplification: Option<Written>,
-    /// The second components of the records.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub second: SecondKeys,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-    /// The code whose accelerations of rigid parts are compared with the floors.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub target: TargetKeys,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The motions of the floors of a building.
+    // Known only to be refused with a hint.
+    #[command(mut_arg("rotation_step", |arg| arg.hide(true)))]
+    pub struct Floor {
+        /// Records of the ground motion; of several, medians are printed
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// The building.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub building: BuildingKeys,
+        /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor [default: 0.5, 1]
+        #[arg(long, value_name = "GRID|all")]
+        pub levels: Option<Written>,
+        /// Duration of the zeros appended to the record, during which the building comes to rest
+        /// [default: 0 s]
+        #[arg(long, value_name = "TIME")]
+        pub tail: Option<Written>,
+        /// Find peaks of the floors at N points in each sample interval; the ground stays linear
+        /// between its samples [default: 1]
+        #[arg(long, value_name = "N")]
+        pub upsample: Option<Written>,
+        /// Also give response spectra of the levels
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub spectra: Switch,
+        /// Damping ratios of the spectra [default: 5 %]
+        #[arg(long, value_name = "LIST")]
+        pub spectrum_damping: Option<Written>,
+        /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+        #[arg(long, value_name = "GRID")]
+        pub periods: Option<Written>,
+        /// Files with the vertical component, one for each --motion, or "record": the vertical component
+        /// of each file of --motion; processed and scaled as the horizontal one
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub vertical: Vec<Written>,
+        /// Vertical acceleration of the floors above the ground, divided by that of the ground: 1 at
+        /// columns, more in the middle of a slab [default: 1]
+        #[arg(long, value_name = "RATIO")]
+        pub vertical_amplification: Option<Written>,
+        /// The second components of the records.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub second: SecondKeys,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+        /// The code whose accelerations of rigid parts are compared with the floors.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub target: TargetKeys,
+    }
 }
 
-request!(Floor {
-    motion, levels, tail, upsample, spectra, spectrum_damping, periods, vertical, vertical_amplification;
-    building, second, records, target, unknown
-});
-
-/// A building: its height and its period, or a table of storeys or of modes.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct BuildingKeys {
-    /// Number of storeys [default: 30]
-    #[arg(long, value_name = "N", help_heading = "Building")]
-    pub storeys: Option<Written>,
-    /// Height of a storey [default: 3.2 m]
-    #[arg(long, value_name = "LENGTH", help_heading = "Building")]
-    pub storey_height: Option<Written>,
-    /// Height of the building, in place of --storey-height
-    #[arg(long, value_name = "LENGTH", help_heading = "Building")]
-    pub height: Option<Written>,
-    /// Fundamental period [default: from the height, by the code]
-    #[arg(long, value_name = "TIME", help_heading = "Building")]
-    pub period: Option<Written>,
-    /// Structure, for the period by the code: steel-moment, concrete-moment, steel-braced, other [default:
-    /// other]
-    #[arg(long, value_name = "FRAME", help_heading = "Building")]
-    pub frame: Option<Written>,
-    /// Code of the formula for the period: as1170.4, nzs1170.5, asce7, eurocode8 [default: --code]
-    #[arg(long, value_name = "CODE", help_heading = "Building")]
-    pub period_code: Option<Written>,
-    /// Damping ratio of every mode for which a table states none [default: 5 %]
-    #[arg(long, value_name = "RATIO", help_heading = "Building")]
-    pub damping: Option<Written>,
-    /// Rayleigh damping, with that ratio at two modes, such as "1, 3"
-    #[arg(long, value_name = "N, N", help_heading = "Building")]
-    pub rayleigh_modes: Option<Written>,
-    /// α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame [default: 5]
-    #[arg(long, value_name = "RATIO", help_heading = "Building")]
-    pub shear_flexure: Option<Written>,
-    /// Number of modes [default: 10, or the number of storeys]
-    #[arg(long, value_name = "N", help_heading = "Building")]
-    pub modes: Option<Written>,
-    /// Table of storeys from the ground up: height, mass and stiffness with their units
-    #[arg(long, value_name = "FILE", help_heading = "Building")]
-    pub storey_table: Option<Written>,
-    /// Table of modes: period, participation factor, and the shape at each floor in a column headed by its
-    /// height
-    #[arg(long, value_name = "FILE", help_heading = "Building")]
-    pub mode_table: Option<Written>,
-    /// Fundamental period along the second axis [default: the same as along the first]
-    #[arg(long, value_name = "TIME", help_heading = "Building")]
-    pub across_period: Option<Written>,
-    /// α₀ along the second axis
-    #[arg(long, value_name = "RATIO", help_heading = "Building")]
-    pub across_shear_flexure: Option<Written>,
-    /// Table of storeys for the second axis
-    #[arg(long, value_name = "FILE", help_heading = "Building")]
-    pub across_storey_table: Option<Written>,
-    /// Table of modes for the second axis
-    #[arg(long, value_name = "FILE", help_heading = "Building")]
-    pub across_mode_table: Option<Written>,
+request! {
+    /// A building: its height and its period, or a table of storeys or of modes.
+    pub struct BuildingKeys {
+        /// Number of storeys [default: 30]
+        #[arg(long, value_name = "N", help_heading = "Building")]
+        pub storeys: Option<Written>,
+        /// Height of a storey [default: 3.2 m]
+        #[arg(long, value_name = "LENGTH", help_heading = "Building")]
+        pub storey_height: Option<Written>,
+        /// Height of the building, in place of --storey-height
+        #[arg(long, value_name = "LENGTH", help_heading = "Building")]
+        pub height: Option<Written>,
+        /// Fundamental period [default: from the height, by the code]
+        #[arg(long, value_name = "TIME", help_heading = "Building")]
+        pub period: Option<Written>,
+        /// Structure, for the period by the code: steel-moment, concrete-moment, steel-braced, other [default:
+        /// other]
+        #[arg(long, value_name = "FRAME", help_heading = "Building")]
+        pub frame: Option<Written>,
+        /// Code of the formula for the period: as1170.4, nzs1170.5, asce7, eurocode8 [default: --code]
+        #[arg(long, value_name = "CODE", help_heading = "Building")]
+        pub period_code: Option<Written>,
+        /// Damping ratio of every mode for which a table states none [default: 5 %]
+        #[arg(long, value_name = "RATIO", help_heading = "Building")]
+        pub damping: Option<Written>,
+        /// Rayleigh damping, with that ratio at two modes, such as "1, 3"
+        #[arg(long, value_name = "N, N", help_heading = "Building")]
+        pub rayleigh_modes: Option<Written>,
+        /// α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame [default: 5]
+        #[arg(long, value_name = "RATIO", help_heading = "Building")]
+        pub shear_flexure: Option<Written>,
+        /// Number of modes [default: 10, or the number of storeys]
+        #[arg(long, value_name = "N", help_heading = "Building")]
+        pub modes: Option<Written>,
+        /// Table of storeys from the ground up: height, mass and stiffness with their units
+        #[arg(long, value_name = "FILE", help_heading = "Building")]
+        pub storey_table: Option<Written>,
+        /// Table of modes: period, participation factor, and the shape at each floor in a column headed by its
+        /// height
+        #[arg(long, value_name = "FILE", help_heading = "Building")]
+        pub mode_table: Option<Written>,
+        /// Fundamental period along the second axis [default: the same as along the first]
+        #[arg(long, value_name = "TIME", help_heading = "Building")]
+        pub across_period: Option<Written>,
+        /// α₀ along the second axis
+        #[arg(long, value_name = "RATIO", help_heading = "Building")]
+        pub across_shear_flexure: Option<Written>,
+        /// Table of storeys for the second axis
+        #[arg(long, value_name = "FILE", help_heading = "Building")]
+        pub across_storey_table: Option<Written>,
+        /// Table of modes for the second axis
+        #[arg(long, value_name = "FILE", help_heading = "Building")]
+        pub across_mode_table: Option<Written>,
+    }
 }
-
-request!(BuildingKeys {
-    storeys,
-    storey_height,
-    height,
-    period,
-    frame,
-    period_code,
-    damping,
-    rayleigh_modes,
-    shear_flexure,
-    modes,
-    storey_table,
-    mode_table,
-    across_period,
-    across_shear_flexure,
-    across_storey_table,
-    across_mode_table
-});
 
 /// What is asked, in SI.
 #[derive(Debug)]

@@ -2,71 +2,53 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand_assess::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
 use freestand_assess::risk::coordinates;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{one_of, path, request};
 
-/// A hazard curve of a file, or a power law.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct HazardCurve {
-    /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
-    #[arg(long, value_name = "FILE")]
-    pub hazard: Option<Written>,
-    /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
-    #[arg(long, value_name = "LAW")]
-    pub hazard_power: Option<Written>,
-    /// Intensity measure of a hazard that is not from a file: pga, pgv, pfv, sa(0.5) and so on [default:
-    /// that of the fragilities]
-    #[arg(long, value_name = "IM")]
-    pub hazard_im: Option<Written>,
-    /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
-    /// of exported objects
-    #[arg(long, alias = "site-deg", value_name = "LON,LAT")]
-    pub site_coordinates: Option<Written>,
+request! {
+    /// A hazard curve of a file, or a power law.
+    pub struct HazardCurve {
+        /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
+        #[arg(long, value_name = "FILE")]
+        pub hazard: Option<Written>,
+        /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+        #[arg(long, value_name = "LAW")]
+        pub hazard_power: Option<Written>,
+        /// Intensity measure of a hazard that is not from a file: pga, pgv, pfv, sa(0.5) and so on [default:
+        /// that of the fragilities]
+        #[arg(long, value_name = "IM")]
+        pub hazard_im: Option<Written>,
+        /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
+        /// of exported objects
+        #[arg(long, alias = "site-deg", value_name = "LON,LAT")]
+        pub site_coordinates: Option<Written>,
+    }
 }
 
-request!(HazardCurve {
-    hazard,
-    hazard_power,
-    hazard_im,
-    site_coordinates
-});
-
-/// The return periods of a code.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct HazardOfCode {
-    /// Return periods of a code, for pga or sa(T)
-    #[arg(long, value_name = "CODE", value_parser = one_of(HAZARD_CODES))]
-    pub hazard_code: Option<Written>,
-    /// Site class of the code
-    #[arg(long, value_name = "CLASS")]
-    pub site: Option<Written>,
-    /// Hazard factor Z of the code
-    #[arg(long, value_name = "RATIO")]
-    pub hazard_factor: Option<Written>,
-    /// Distance to the nearest major fault, of NZS 1170.5
-    #[arg(long, value_name = "LENGTH")]
-    pub fault_distance: Option<Written>,
+request! {
+    /// The return periods of a code.
+    pub struct HazardOfCode {
+        /// Return periods of a code, for pga or sa(T)
+        #[arg(long, value_name = "CODE", value_parser = one_of(HAZARD_CODES))]
+        pub hazard_code: Option<Written>,
+        /// Site class of the code
+        #[arg(long, value_name = "CLASS")]
+        pub site: Option<Written>,
+        /// Hazard factor Z of the code
+        #[arg(long, value_name = "RATIO")]
+        pub hazard_factor: Option<Written>,
+        /// Distance to the nearest major fault, of NZS 1170.5
+        #[arg(long, value_name = "LENGTH")]
+        pub fault_distance: Option<Written>,
+    }
 }
-
-request!(HazardOfCode {
-    hazard_code,
-    site,
-    hazard_factor,
-    fault_distance
-});
 
 impl HazardCurve {
     /// The hazard; `None` if none is given, or something is wrong.

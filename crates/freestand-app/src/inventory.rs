@@ -3,17 +3,14 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::inventory::Target;
 use freestand_input::problem::Problems;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
-};
+use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
 
 /// The formats of a list.
 pub const FORMATS: Choices<Target> = &[
@@ -21,47 +18,32 @@ pub const FORMATS: Choices<Target> = &[
     (Target::Xlsx, "xlsx", "A workbook"),
 ];
 
-/// A list to fill in.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct InventoryTemplate {
-    /// Write a workbook, with a sheet that explains the columns
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub xlsx: Switch,
-    /// Write CSV
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub csv: Switch,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// A list to fill in.
+    pub struct InventoryTemplate {
+        /// Write a workbook, with a sheet that explains the columns
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub xlsx: Switch,
+        /// Write CSV
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub csv: Switch,
+    }
 }
 
-/// A list in another format.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct InventoryConvert {
-    /// Inventory (CSV or XLSX)
-    #[arg(value_name = "FILE")]
-    pub file: Option<Written>,
-    /// Format to write
-    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-    pub to: Option<Written>,
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    pub sheet: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// A list in another format.
+    pub struct InventoryConvert {
+        /// Inventory (CSV or XLSX)
+        #[arg(value_name = "FILE")]
+        pub file: Option<Written>,
+        /// Format to write
+        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+        pub to: Option<Written>,
+        /// Sheet of the workbook [default: the first with headings of an inventory]
+        #[arg(long, value_name = "NAME")]
+        pub sheet: Option<Written>,
+    }
 }
-
-request!(InventoryTemplate { xlsx, csv; unknown });
-request!(InventoryConvert { file, to, sheet; unknown });
 
 /// What is to be converted.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -4,14 +4,12 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand_assess::library::{CushionEntry, CushionLibrary, ToleranceEntry, ToleranceLibrary};
 use freestand_input::problem::Problems;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, one_or_many, path, reader, request};
+use crate::request::{Question, Request as _, one_or_many, path, reader, request};
 
 /// One of the two libraries.
 pub trait Library: Debug + Clone + Default + PartialEq + 'static {
@@ -46,73 +44,57 @@ impl Library for Cushions {
     }
 }
 
-/// All entries of a library.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default, bound = "")]
-#[group(skip)]
-pub struct List<L: Library> {
-    /// Your own library: adds to the built-in one and replaces entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub library: Option<Written>,
+request! { question
+    /// All entries of a library.
+    #[serde(bound = "")]
+    pub struct List<L: Library> {
+        /// Your own library: adds to the built-in one and replaces entries with the same id
+        #[arg(long, value_name = "FILE.csv")]
+        pub library: Option<Written>,
 
-    /// Which library.
-    #[arg(skip)]
-    #[serde(skip)]
-    pub of: PhantomData<L>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Which library.
+        #[arg(skip)]
+        #[serde(skip)]
+        pub of: PhantomData<L>,
+    }
 }
 
-/// One entry of a library.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default, bound = "")]
-#[group(skip)]
-pub struct Show<L: Library> {
-    /// Id of the entry
-    #[arg(value_name = "ID")]
-    pub id: Option<Written>,
-    /// Your own library: adds to the built-in one and replaces entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub library: Option<Written>,
+request! { question
+    /// One entry of a library.
+    #[serde(bound = "")]
+    pub struct Show<L: Library> {
+        /// Id of the entry
+        #[arg(value_name = "ID")]
+        pub id: Option<Written>,
+        /// Your own library: adds to the built-in one and replaces entries with the same id
+        #[arg(long, value_name = "FILE.csv")]
+        pub library: Option<Written>,
 
-    /// Which library.
-    #[arg(skip)]
-    #[serde(skip)]
-    pub of: PhantomData<L>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Which library.
+        #[arg(skip)]
+        #[serde(skip)]
+        pub of: PhantomData<L>,
+    }
 }
 
-/// The entries of a library that contain words.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default, bound = "")]
-#[group(skip)]
-pub struct Search<L: Library> {
-    /// Words
-    #[arg(value_name = "WORD")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub words: Vec<Written>,
-    /// Your own library: adds to the built-in one and replaces entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub library: Option<Written>,
+request! { question
+    /// The entries of a library that contain words.
+    #[serde(bound = "")]
+    pub struct Search<L: Library> {
+        /// Words
+        #[arg(value_name = "WORD")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub words: Vec<Written>,
+        /// Your own library: adds to the built-in one and replaces entries with the same id
+        #[arg(long, value_name = "FILE.csv")]
+        pub library: Option<Written>,
 
-    /// Which library.
-    #[arg(skip)]
-    #[serde(skip)]
-    pub of: PhantomData<L>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Which library.
+        #[arg(skip)]
+        #[serde(skip)]
+        pub of: PhantomData<L>,
+    }
 }
-
-request!(List<L: Library> { library; of, unknown });
-request!(Show<L: Library> { id, library; of, unknown });
-request!(Search<L: Library> { words, library; of, unknown });
 
 /// What is asked.
 #[derive(Debug, Clone, PartialEq, Eq)]

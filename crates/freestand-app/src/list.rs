@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::inventory::Inventory;
 use freestand_assess::job::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
@@ -10,7 +10,6 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::resolve::{Overrides, StudySource, builtin};
 use freestand_study::study::Study;
-use serde::Deserialize;
 
 use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
@@ -18,46 +17,40 @@ use crate::place::{self, PlaceKeys};
 use crate::request::{Request as _, Switch, path, request};
 use crate::study::{self, MAX_STOREYS};
 
-/// The study of an assessment, its inventory, and how that is read.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
-pub struct ListKeys {
-    /// Study file (TOML) with hazard, building and settings [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    pub study: Option<Written>,
-    /// A place.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub hazard: PlaceKeys,
-    /// Inventory (CSV or XLSX); replaces the inventory of the study
-    #[arg(long, value_name = "FILE")]
-    pub inventory: Option<Written>,
-    /// How its cells are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub cells: CellKeys,
-    /// Number of storeys: of the building where the study states none, else only to place floors by their
-    /// numbers [default: the study's]
-    #[arg(long, value_name = "N")]
-    pub storeys: Option<Written>,
-    /// Count every doubt about the list as an error
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub strict: Switch,
-    /// Also assess objects that are reported as anchored, as if they were free
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub assess_anchored: Switch,
-    /// The user's own libraries.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub libraries: Libraries,
+request! {
+    /// The study of an assessment, its inventory, and how that is read.
+    #[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
+    pub struct ListKeys {
+        /// Study file (TOML) with hazard, building and settings [default: the built-in study]
+        #[arg(value_name = "STUDY.toml")]
+        pub study: Option<Written>,
+        /// A place.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub hazard: PlaceKeys,
+        /// Inventory (CSV or XLSX); replaces the inventory of the study
+        #[arg(long, value_name = "FILE")]
+        pub inventory: Option<Written>,
+        /// How its cells are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub cells: CellKeys,
+        /// Number of storeys: of the building where the study states none, else only to place floors by their
+        /// numbers [default: the study's]
+        #[arg(long, value_name = "N")]
+        pub storeys: Option<Written>,
+        /// Count every doubt about the list as an error
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub strict: Switch,
+        /// Also assess objects that are reported as anchored, as if they were free
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub assess_anchored: Switch,
+        /// The user's own libraries.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub libraries: Libraries,
+    }
 }
-
-request!(ListKeys {
-    study, inventory, storeys, strict, assess_anchored;
-    hazard, cells, libraries
-});
 
 /// The study of an assessment and its list, which have not been read.
 #[derive(Debug, Clone)]

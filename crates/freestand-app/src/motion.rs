@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand::block::Block;
 use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::{Problem, Problems};
@@ -13,11 +12,10 @@ use freestand_input::written::Written;
 use freestand_study::inspect::{InfoRequest, SpectrumRequest};
 use freestand_study::recorded::{MotionFiles, ReadMotion};
 use freestand_study::target::usual_periods_s;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Unknown, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, one_of, one_or_many, reader, request};
 
 /// The schema of the response of `motion info`.
 pub const INFO: &str = "freestand.motion-info/1";
@@ -26,91 +24,67 @@ pub const SPECTRUM: &str = "freestand.motion-spectrum/1";
 /// The schema of the response of `motion convert`.
 pub const CONVERT: &str = "freestand.motion-convert/1";
 
-/// The contents and the measures of records.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-// Components are measured without rotation: the flag is known only to be refused with a hint.
-#[command(mut_arg("azimuth", |arg| arg.hide(true)))]
-pub struct MotionInfo {
-    /// Records
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// Height of a block, to see what the motions mean to it; needs --thickness
-    #[arg(long, value_name = "LENGTH")]
-    pub height: Option<Written>,
-    /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
-    #[arg(long, value_name = "LENGTH")]
-    pub thickness: Option<Written>,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The contents and the measures of records.
+    // Components are measured without rotation: the flag is known only to be refused with a hint.
+    #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
+    pub struct MotionInfo {
+        /// Records
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// Height of a block, to see what the motions mean to it; needs --thickness
+        #[arg(long, value_name = "LENGTH")]
+        pub height: Option<Written>,
+        /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
+        #[arg(long, value_name = "LENGTH")]
+        pub thickness: Option<Written>,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
 
-request!(MotionInfo { motion, height, thickness; records, unknown });
-
-/// The response spectrum of a record.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct MotionSpectrum {
-    /// Record
-    #[arg(value_name = "FILE")]
-    pub motion: Option<Written>,
-    /// Damping ratio, or a list of ratios [default: 5 %]
-    #[arg(long, value_name = "LIST")]
-    pub damping: Option<Written>,
-    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-    #[arg(long, value_name = "GRID")]
-    pub periods: Option<Written>,
-    /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
-    /// than ten time steps [default: 1]
-    #[arg(long, value_name = "N")]
-    pub upsample: Option<Written>,
-    /// How the record is read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The response spectrum of a record.
+    pub struct MotionSpectrum {
+        /// Record
+        #[arg(value_name = "FILE")]
+        pub motion: Option<Written>,
+        /// Damping ratio, or a list of ratios [default: 5 %]
+        #[arg(long, value_name = "LIST")]
+        pub damping: Option<Written>,
+        /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+        #[arg(long, value_name = "GRID")]
+        pub periods: Option<Written>,
+        /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
+        /// than ten time steps [default: 1]
+        #[arg(long, value_name = "N")]
+        pub upsample: Option<Written>,
+        /// How the record is read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
 
-request!(MotionSpectrum { motion, damping, periods, upsample; records, unknown });
-
-/// Records in another format.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct MotionConvert {
-    /// Records
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// Format to write
-    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-    pub to: Option<Written>,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// Records in another format.
+    pub struct MotionConvert {
+        /// Records
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// Format to write
+        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+        pub to: Option<Written>,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
-
-request!(MotionConvert { motion, to; records, unknown });
 
 /// A format that is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_assess::one_object::{
     self, Earthquake, FloorPlace, ObjectRequest, RestsOn, Withstood, check_place,
@@ -13,213 +12,186 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_study::resolve::Overrides;
-use serde::Deserialize;
 
 use crate::block::sizes;
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
 use crate::request::{
-    Question, Request as _, Unknown, one_of, one_or_many, reader, request, seed, typed_units,
+    Question, Request as _, one_of, one_or_many, reader, request, seed, typed_units,
 };
 use crate::study::{self, MAX_STOREYS};
 
 /// The schema of the response.
 pub use freestand_assess::one_object::SCHEMA;
 
-/// One object, its floor and the earthquake.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(|arg| place::under(arg, "The earthquake (one of four)")))]
-pub struct Object {
-    /// Height of the object
-    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-    pub height: Option<Written>,
-    /// Horizontal size in the plane of rocking, usually the smaller one
-    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-    pub thickness: Option<Written>,
-    /// Horizontal size across the thickness [default: it rocks about one axis only]
-    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-    pub width: Option<Written>,
-    /// Height of the centre of gravity [default: half of the height]
-    #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-    pub cg_height: Option<Written>,
-    /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is not calculated in three
-    /// dimensions: the numbers are those of the square prism around it, and it is never said to stand
-    /// [default: box]
-    #[arg(long, value_name = "SHAPE", value_parser = one_of(BASES), help_heading = "The object")]
-    pub shape: Option<Written>,
-    /// Mass
-    #[arg(long, value_name = "MASS", help_heading = "The object")]
-    pub mass: Option<Written>,
-    /// What is under one edge: the stiffness of all pads there, such as "4380 N/mm", or an entry of
-    /// the cushion library, such as rubber-foot; needs --mass
-    #[arg(
-        long,
-        aliases = ["stiffness", "cushion"],
-        value_name = "STIFFNESS|ENTRY",
-        help_heading = "The object"
-    )]
-    pub on: Option<Written>,
-    /// Peak acceleration that it withstands, such as "10 g", or with the duration of its half-sine,
-    /// "15 g 11 ms"; needs --mass and --on
-    #[arg(long, value_name = "ACCELERATION", help_heading = "The object")]
-    pub tolerance: Option<Written>,
-    /// Duration of the half-sine with that peak, if --tolerance does not state it
-    #[arg(long, value_name = "TIME", help_heading = "The object")]
-    pub tolerance_duration: Option<Written>,
+request! { question
+    /// One object, its floor and the earthquake.
+    #[command(mut_args(|arg| place::under(arg, "The earthquake (one of four)")))]
+    pub struct Object {
+        /// Height of the object
+        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+        pub height: Option<Written>,
+        /// Horizontal size in the plane of rocking, usually the smaller one
+        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+        pub thickness: Option<Written>,
+        /// Horizontal size across the thickness [default: it rocks about one axis only]
+        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+        pub width: Option<Written>,
+        /// Height of the centre of gravity [default: half of the height]
+        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
+        pub cg_height: Option<Written>,
+        /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is not calculated in three
+        /// dimensions: the numbers are those of the square prism around it, and it is never said to stand
+        /// [default: box]
+        #[arg(long, value_name = "SHAPE", value_parser = one_of(BASES), help_heading = "The object")]
+        pub shape: Option<Written>,
+        /// Mass
+        #[arg(long, value_name = "MASS", help_heading = "The object")]
+        pub mass: Option<Written>,
+        /// What is under one edge: the stiffness of all pads there, such as "4380 N/mm", or an entry of
+        /// the cushion library, such as rubber-foot; needs --mass
+        #[arg(
+            long,
+            aliases = ["stiffness", "cushion"],
+            value_name = "STIFFNESS|ENTRY",
+            help_heading = "The object"
+        )]
+        pub on: Option<Written>,
+        /// Peak acceleration that it withstands, such as "10 g", or with the duration of its half-sine,
+        /// "15 g 11 ms"; needs --mass and --on
+        #[arg(long, value_name = "ACCELERATION", help_heading = "The object")]
+        pub tolerance: Option<Written>,
+        /// Duration of the half-sine with that peak, if --tolerance does not state it
+        #[arg(long, value_name = "TIME", help_heading = "The object")]
+        pub tolerance_duration: Option<Written>,
 
-    /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
-    /// more [default: enough for rocking; 0.2 to 0.8 tells whether it may slide, and counts for a stack]
-    #[arg(long, value_name = "RATIO", help_heading = "The object")]
-    pub friction: Option<Written>,
-    /// What is around it.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub around: Around,
+        /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
+        /// more [default: enough for rocking; 0.2 to 0.8 tells whether it may slide, and counts for a stack]
+        #[arg(long, value_name = "RATIO", help_heading = "The object")]
+        pub friction: Option<Written>,
+        /// What is around it.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub around: Around,
 
-    /// A place.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub hazard: PlaceKeys,
-    /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
-    /// ground B, scaled to it
-    #[arg(
-        long,
-        value_name = "ACCELERATION",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub pga: Option<Written>,
-    /// Study file (TOML) with the ground motions and the building
-    #[arg(
-        long,
-        value_name = "FILE.toml",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub study: Option<Written>,
-    /// Records of the motion of its floor
-    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// Factors on these motions, such as "0.5, 1, 2": a table by scale; the sentence is about the
-    /// motions as they are
-    #[arg(
-        long,
-        value_name = "GRID",
-        help_heading = "The earthquake (one of four)"
-    )]
-    pub scales: Option<Written>,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
+        /// A place.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub hazard: PlaceKeys,
+        /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
+        /// ground B, scaled to it
+        #[arg(
+            long,
+            value_name = "ACCELERATION",
+            help_heading = "The earthquake (one of four)"
+        )]
+        pub pga: Option<Written>,
+        /// Study file (TOML) with the ground motions and the building
+        #[arg(
+            long,
+            value_name = "FILE.toml",
+            help_heading = "The earthquake (one of four)"
+        )]
+        pub study: Option<Written>,
+        /// Records of the motion of its floor
+        #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// Factors on these motions, such as "0.5, 1, 2": a table by scale; the sentence is about the
+        /// motions as they are
+        #[arg(
+            long,
+            value_name = "GRID",
+            help_heading = "The earthquake (one of four)"
+        )]
+        pub scales: Option<Written>,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
 
-    /// Floor by its number (1 is the first above the ground) or name (ground, roof); needs
-    /// --storeys, or the building of a study [default: the ground]
-    #[arg(long, value_name = "NAME", help_heading = "The floor")]
-    pub floor: Option<Written>,
-    /// Height of the floor over that of the building, 0 to 1, in place of --floor
-    #[arg(long, value_name = "RATIO", help_heading = "The floor")]
-    pub level_ratio: Option<Written>,
-    /// Number of storeys of the building [default: 30]
-    #[arg(long, value_name = "N", help_heading = "The floor")]
-    pub storeys: Option<Written>,
-    /// Height of a storey [default: 3.2 m]
-    #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
-    pub storey_height: Option<Written>,
+        /// Floor by its number (1 is the first above the ground) or name (ground, roof); needs
+        /// --storeys, or the building of a study [default: the ground]
+        #[arg(long, value_name = "NAME", help_heading = "The floor")]
+        pub floor: Option<Written>,
+        /// Height of the floor over that of the building, 0 to 1, in place of --floor
+        #[arg(long, value_name = "RATIO", help_heading = "The floor")]
+        pub level_ratio: Option<Written>,
+        /// Number of storeys of the building [default: 30]
+        #[arg(long, value_name = "N", help_heading = "The floor")]
+        pub storeys: Option<Written>,
+        /// Height of a storey [default: 3.2 m]
+        #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
+        pub storey_height: Option<Written>,
 
-    /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
-    #[arg(long, value_name = "N")]
-    pub worlds: Option<Written>,
-    /// Units of the texts; the JSON document is in SI [default: those in which most of
-    /// --mass, --height and --thickness are typed]
-    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-    pub units: Option<Written>,
+        /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
+        #[arg(long, value_name = "N")]
+        pub worlds: Option<Written>,
+        /// Units of the texts; the JSON document is in SI [default: those in which most of
+        /// --mass, --height and --thickness are typed]
+        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+        pub units: Option<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Object {
-    height, thickness, width, cg_height, shape, mass, on, tolerance, tolerance_duration, friction, pga, study,
-    motion, scales, floor, level_ratio, storeys, storey_height, worlds, units, seed;
-    around, hazard, records, unknown
-});
 
 /// The bases of objects: whether one is round.
 const BASES: Choices<bool> = &[(false, "box", "Rectangular"), (true, "cylinder", "Round")];
 
-/// What a list says in the columns of the same names.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Around {
-    /// Distance from its back to the wall; 0 where they touch [default: no wall]
-    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-    pub wall_gap: Option<Written>,
-    /// Distance to what is on both sides of it, in the direction of the width [default: nothing]
-    #[arg(
-        long,
-        alias = "neighbor-gap",
-        value_name = "LENGTH",
-        help_heading = "What is around it"
-    )]
-    pub neighbour_gap: Option<Written>,
-    /// Height of the wall and of the neighbours [default: taller than the object]
-    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-    pub wall_height: Option<Written>,
-    /// Stiffness of the wall where the top of the object strikes it, or of the stop of free casters
-    #[arg(long, value_name = "STIFFNESS", help_heading = "What is around it")]
-    pub wall_stiffness: Option<Written>,
-    /// Angular velocity after an impact at the wall divided by the one before, at least 0 and less
-    /// than 1 [default: drawn from 0 to 0.5; under given motions 0.5]
-    #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
-    pub wall_restitution: Option<Written>,
-    /// Casters: free ones roll, and only a stop can overturn the object
-    #[arg(
-        long,
-        alias = "castors",
-        value_name = "CASTERS",
-        value_parser = one_of(CASTERS),
-        help_heading = "What is around it"
-    )]
-    pub casters: Option<Written>,
-    /// Rolling resistance of free casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
-    #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
-    pub rolling_resistance: Option<Written>,
-    /// How far it may slide or roll before it strikes something
-    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-    pub clearance: Option<Written>,
-    /// Height of what stands on the object
-    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-    pub upper_height: Option<Written>,
-    /// Thickness of what stands on the object
-    #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-    pub upper_thickness: Option<Written>,
-    /// Mass of what stands on the object
-    #[arg(long, value_name = "MASS", help_heading = "What is around it")]
-    pub upper_mass: Option<Written>,
+request! {
+    /// What a list says in the columns of the same names.
+    pub struct Around {
+        /// Distance from its back to the wall; 0 where they touch [default: no wall]
+        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+        pub wall_gap: Option<Written>,
+        /// Distance to what is on both sides of it, in the direction of the width [default: nothing]
+        #[arg(
+            long,
+            alias = "neighbor-gap",
+            value_name = "LENGTH",
+            help_heading = "What is around it"
+        )]
+        pub neighbour_gap: Option<Written>,
+        /// Height of the wall and of the neighbours [default: taller than the object]
+        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+        pub wall_height: Option<Written>,
+        /// Stiffness of the wall where the top of the object strikes it, or of the stop of free casters
+        #[arg(long, value_name = "STIFFNESS", help_heading = "What is around it")]
+        pub wall_stiffness: Option<Written>,
+        /// Angular velocity after an impact at the wall divided by the one before, at least 0 and less
+        /// than 1 [default: drawn from 0 to 0.5; under given motions 0.5]
+        #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
+        pub wall_restitution: Option<Written>,
+        /// Casters: free ones roll, and only a stop can overturn the object
+        #[arg(
+            long,
+            alias = "castors",
+            value_name = "CASTERS",
+            value_parser = one_of(CASTERS),
+            help_heading = "What is around it"
+        )]
+        pub casters: Option<Written>,
+        /// Rolling resistance of free casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
+        #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
+        pub rolling_resistance: Option<Written>,
+        /// How far it may slide or roll before it strikes something
+        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+        pub clearance: Option<Written>,
+        /// Height of what stands on the object
+        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+        pub upper_height: Option<Written>,
+        /// Thickness of what stands on the object
+        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
+        pub upper_thickness: Option<Written>,
+        /// Mass of what stands on the object
+        #[arg(long, value_name = "MASS", help_heading = "What is around it")]
+        pub upper_mass: Option<Written>,
+    }
 }
-
-request!(Around {
-    wall_gap,
-    neighbour_gap,
-    wall_height,
-    wall_stiffness,
-    wall_restitution,
-    casters,
-    rolling_resistance,
-    clearance,
-    upper_height,
-    upper_thickness,
-    upper_mass
-});
 
 /// What is asked, in SI.
 #[derive(Debug, Clone, PartialEq)]

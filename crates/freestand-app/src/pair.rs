@@ -1,6 +1,5 @@
 //! `motion rotate` and `motion rotd`: two horizontal components.
 
-use clap::Args;
 use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, parse_grid};
@@ -10,103 +9,83 @@ use freestand_records::processing::azimuth_deg;
 use freestand_study::inspect::{RotdRequest, check_percentiles};
 use freestand_study::pair::{PairFiles, ReadPair, RotateRequest, read_pair};
 use freestand_study::recorded::{MotionFiles, Second};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::motion::{FORMATS, Format, Meant, inputs, periods, recorded};
 use crate::records::{Records, components};
-use crate::request::{Question, Request, Unknown, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, one_of, one_or_many, reader, request};
 
 /// The schema of the response of `motion rotate`.
 pub const ROTATE: &str = "freestand.motion-rotate/1";
 /// The schema of the response of `motion rotd`.
 pub const ROTD: &str = "freestand.motion-rotd/1";
 
-/// Two horizontal components, from one file or from two.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-// A pair is never rotated while it is read: the flag is known only to be refused with a hint.
-#[command(
-    mut_arg("azimuth", |arg| arg.hide(true)),
-    mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
-)]
-pub struct PairKeys {
-    /// A record with two horizontal components, or two records with one each
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// The two components to read from one file with several: names or numbers, such as "1, 2"
-    #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
-    pub components: Option<Written>,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
+request! {
+    /// Two horizontal components, from one file or from two.
+    // A pair is never rotated while it is read: the flag is known only to be refused with a hint.
+    #[command(
+        mut_arg("azimuth", |arg| arg.hide(true)),
+        mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
+    )]
+    pub struct PairKeys {
+        /// A record with two horizontal components, or two records with one each
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// The two components to read from one file with several: names or numbers, such as "1, 2"
+        #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
+        pub components: Option<Written>,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
 
-request!(PairKeys { motion, components; records });
-
-/// The component of a pair in another direction.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Rotate {
-    /// The pair.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pair: PairKeys,
-    /// Azimuth of the new component, clockwise from north
-    #[arg(long, value_name = "ANGLE")]
-    pub to: Option<Written>,
-    /// Azimuths of the two components [default: those stated in the files]
-    #[arg(long, value_name = "ANGLE, ANGLE")]
-    pub azimuths: Option<Written>,
-    /// Format to write [default: csv]
-    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-    pub format: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The component of a pair in another direction.
+    pub struct Rotate {
+        /// The pair.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pair: PairKeys,
+        /// Azimuth of the new component, clockwise from north
+        #[arg(long, value_name = "ANGLE")]
+        pub to: Option<Written>,
+        /// Azimuths of the two components [default: those stated in the files]
+        #[arg(long, value_name = "ANGLE, ANGLE")]
+        pub azimuths: Option<Written>,
+        /// Format to write [default: csv]
+        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
+        pub format: Option<Written>,
+    }
 }
 
-request!(Rotate { to, azimuths, format; pair, unknown });
-
-/// The response spectra of a pair over all directions.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-// Two components have no common factor to a target: these flags are known only to be refused with
-// a hint.
-#[command(
-    mut_arg("scale_to", |arg| arg.hide(true)),
-    mut_arg("scale_to_sa", |arg| arg.hide(true)),
-    mut_arg("scale_to_spectrum", |arg| arg.hide(true))
-)]
-pub struct Rotd {
-    /// The pair.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pair: PairKeys,
-    /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
-    #[arg(long, value_name = "LIST")]
-    pub percentiles: Option<Written>,
-    /// Damping ratio [default: 5 %]
-    #[arg(long, value_name = "RATIO")]
-    pub damping: Option<Written>,
-    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-    #[arg(long, value_name = "GRID")]
-    pub periods: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The response spectra of a pair over all directions.
+    // Two components have no common factor to a target: these flags are known only to be refused with
+    // a hint.
+    #[command(
+        mut_arg("scale_to", |arg| arg.hide(true)),
+        mut_arg("scale_to_sa", |arg| arg.hide(true)),
+        mut_arg("scale_to_spectrum", |arg| arg.hide(true))
+    )]
+    pub struct Rotd {
+        /// The pair.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pair: PairKeys,
+        /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
+        #[arg(long, value_name = "LIST")]
+        pub percentiles: Option<Written>,
+        /// Damping ratio [default: 5 %]
+        #[arg(long, value_name = "RATIO")]
+        pub damping: Option<Written>,
+        /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+        #[arg(long, value_name = "GRID")]
+        pub periods: Option<Written>,
+    }
 }
-
-request!(Rotd { percentiles, damping, periods; pair, unknown });
 
 impl PairKeys {
     /// The files of the pair, which have not been read, and all files that are read.

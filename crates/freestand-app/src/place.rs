@@ -1,32 +1,24 @@
 //! A place with the hazard of its code.
 
-use clap::{Arg, Args};
+use clap::Arg;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::request::request;
 
-/// A place with the hazard of its code.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct PlaceKeys {
-    /// Place, with its code and hazard; see freestand place list
-    #[arg(long, value_name = "NAME")]
-    pub place: Option<Written>,
-    /// Site class of the code
-    #[arg(long, value_name = "CLASS")]
-    pub site: Option<Written>,
-    /// Return period in years, of AS 1170.4 and NZS 1170.5
-    #[arg(long = "return-period", value_name = "YEARS")]
-    pub return_period_years: Option<Written>,
+request! {
+    /// A place with the hazard of its code.
+    pub struct PlaceKeys {
+        /// Place, with its code and hazard; see freestand place list
+        #[arg(long, value_name = "NAME")]
+        pub place: Option<Written>,
+        /// Site class of the code
+        #[arg(long, value_name = "CLASS")]
+        pub site: Option<Written>,
+        /// Return period in years, of AS 1170.4 and NZS 1170.5
+        #[arg(long = "return-period", value_name = "YEARS")]
+        pub return_period_years: Option<Written>,
+    }
 }
-
-request!(PlaceKeys {
-    place,
-    site,
-    return_period_years
-});
 
 /// These keys.
 pub(crate) const KEYS: [&str; 3] = ["place", "site", "return_period_years"];

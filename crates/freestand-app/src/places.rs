@@ -1,50 +1,33 @@
 //! `place list` and `place show`: the places whose hazard is known.
 
-use clap::Args;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
 use freestand_study::places::{Place, near, places};
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, reader, request};
+use crate::request::{Question, Request as _, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.place/1";
 
-/// All places, or those of a country or a code.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct PlaceList {
-    /// Country or code, such as greece or asce7
-    #[arg(value_name = "WORD")]
-    pub word: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// All places, or those of a country or a code.
+    pub struct PlaceList {
+        /// Country or code, such as greece or asce7
+        #[arg(value_name = "WORD")]
+        pub word: Option<Written>,
+    }
 }
 
-/// One place.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct PlaceShow {
-    /// Name of the place
-    #[arg(value_name = "NAME")]
-    pub name: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// One place.
+    pub struct PlaceShow {
+        /// Name of the place
+        #[arg(value_name = "NAME")]
+        pub name: Option<Written>,
+    }
 }
-
-request!(PlaceList { word; unknown });
-request!(PlaceShow { name; unknown });
 
 impl Question for PlaceList {
     type Meant = Vec<&'static Place>;

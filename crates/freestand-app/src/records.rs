@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::motion::Motion;
 use freestand_input::file::as_named;
 use freestand_input::keys::Words;
@@ -13,168 +13,141 @@ use freestand_input::written::Written;
 use freestand_records::notes::Note;
 use freestand_records::processing::{Processing, parse_target_source};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
-use serde::Deserialize;
 
 use crate::files::{Content, Files, not_sent};
 use crate::request::{Request, Switch, request};
 
-/// How records are read and processed; the processing is in the order of its options.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Records {
-    /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
-    #[arg(long, value_name = "UNIT", help_heading = "Reading records")]
-    pub unit: Option<Written>,
-    /// Time step of a file without a column of times
-    #[arg(long, value_name = "TIME", help_heading = "Reading records")]
-    pub dt: Option<Written>,
-    /// Component to read from a file with several, by name or by number (from 1)
-    #[arg(long, value_name = "NAME|NUMBER", help_heading = "Reading records")]
-    pub component: Option<Written>,
-    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]
-    #[arg(long, value_name = "FILE", help_heading = "Reading records")]
-    pub station_xml: Option<Written>,
-    /// Do not remove the mean of raw records (counts, miniSEED, SAC)
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Reading records")]
-    pub keep_mean: Switch,
-    /// Factor that multiplies the samples [default: 1]
-    #[arg(long, value_name = "RATIO", help_heading = "Reading records")]
-    pub scale: Option<Written>,
-    /// Rotate the two horizontal components of a file to this azimuth, clockwise from north
-    #[arg(
-        long,
-        value_name = "ANGLE",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub azimuth: Option<Written>,
-    /// Baseline to remove: mean, pre-event:5s, linear, quadratic, cubic, poly:N, graizer, graizer:N:5s, boore:T1:T2
-    ///
-    /// mean and pre-event remove a constant: the mean of the record or of its first seconds. linear, quadratic,
-    /// cubic and poly:N remove a polynomial fitted to the acceleration. graizer removes the derivative of a
-    /// polynomial fitted to the velocity, of degree 2 or N, from 0 s or from the time given (Graizer 1979). boore
-    /// removes two offsets, one from T1 to T2 and one after T2, so that the velocity ends near zero (Iwan 1985,
-    /// Boore 2001).
-    #[arg(
-        long,
-        value_name = "BASELINE",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub baseline: Option<Written>,
-    /// Length of the cosine taper at each end, as a share of the record
-    #[arg(
-        long,
-        value_name = "RATIO",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub taper: Option<Written>,
-    /// Corner frequency of a high-pass filter
-    ///
-    /// A Butterworth filter is run forwards and backwards: it shifts nothing in time and halves the amplitude at the
-    /// corner. Zeros are added before and after the record for a time of 1.5 × order / corner, and are kept, so that
-    /// the record starts earlier (Boore 2005).
-    #[arg(
-        long,
-        value_name = "FREQUENCY",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub low_cut: Option<Written>,
-    /// Corner frequency of a low-pass filter of the same kind
-    #[arg(
-        long,
-        value_name = "FREQUENCY",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub high_cut: Option<Written>,
-    /// Order of the filters, from 1 to 10 [default: 4]
-    #[arg(
-        long,
-        value_name = "N",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub filter_order: Option<Written>,
-    /// New time step, by band-limited interpolation (by straight lines if samples are unevenly spaced)
-    #[arg(
-        long,
-        value_name = "TIME",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub resample: Option<Written>,
-    /// Scale to this peak acceleration, such as "0.3 g"
-    #[arg(
-        long,
-        value_name = "ACCELERATION",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub scale_to: Option<Written>,
-    /// Scale to a pseudo-acceleration, such as "0.4 g at 1.2 s", or "0.4 g at 1.2 s, 2 %" for a damping other than 5 %
-    #[arg(
-        long,
-        value_name = "ACCELERATION at PERIOD",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub scale_to_sa: Option<Written>,
-    /// Scale to the spectrum of a file, such as target.csv; "target.csv, 0.1 s to 2 s, 2 %" uses a part of it and a
-    /// damping of 2 %
-    ///
-    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as `period [s];
-    /// PSA [g]`, or is the spectrum.csv of `freestand motion spectrum --out`. The factor minimises the squared error of
-    /// ln PSA, in which every period of the file has the same weight. The damping is that of the file if it states
-    /// exactly one, and otherwise 5 %.
-    #[arg(
-        long,
-        value_name = "FILE[, PERIODS][, DAMPING]",
-        hide_short_help = true,
-        help_heading = "Processing records, in this order"
-    )]
-    pub scale_to_spectrum: Option<Written>,
+request! {
+    /// How records are read and processed; the processing is in the order of its options.
+    pub struct Records {
+        /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
+        #[arg(long, value_name = "UNIT", help_heading = "Reading records")]
+        pub unit: Option<Written>,
+        /// Time step of a file without a column of times
+        #[arg(long, value_name = "TIME", help_heading = "Reading records")]
+        pub dt: Option<Written>,
+        /// Component to read from a file with several, by name or by number (from 1)
+        #[arg(long, value_name = "NAME|NUMBER", help_heading = "Reading records")]
+        pub component: Option<Written>,
+        /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]
+        #[arg(long, value_name = "FILE", help_heading = "Reading records")]
+        pub station_xml: Option<Written>,
+        /// Do not remove the mean of raw records (counts, miniSEED, SAC)
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Reading records")]
+        pub keep_mean: Switch,
+        /// Factor that multiplies the samples [default: 1]
+        #[arg(long, value_name = "RATIO", help_heading = "Reading records")]
+        pub scale: Option<Written>,
+        /// Rotate the two horizontal components of a file to this azimuth, clockwise from north
+        #[arg(
+            long,
+            value_name = "ANGLE",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub azimuth: Option<Written>,
+        /// Baseline to remove: mean, pre-event:5s, linear, quadratic, cubic, poly:N, graizer, graizer:N:5s, boore:T1:T2
+        ///
+        /// mean and pre-event remove a constant: the mean of the record or of its first seconds. linear, quadratic,
+        /// cubic and poly:N remove a polynomial fitted to the acceleration. graizer removes the derivative of a
+        /// polynomial fitted to the velocity, of degree 2 or N, from 0 s or from the time given (Graizer 1979). boore
+        /// removes two offsets, one from T1 to T2 and one after T2, so that the velocity ends near zero (Iwan 1985,
+        /// Boore 2001).
+        #[arg(
+            long,
+            value_name = "BASELINE",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub baseline: Option<Written>,
+        /// Length of the cosine taper at each end, as a share of the record
+        #[arg(
+            long,
+            value_name = "RATIO",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub taper: Option<Written>,
+        /// Corner frequency of a high-pass filter
+        ///
+        /// A Butterworth filter is run forwards and backwards: it shifts nothing in time and halves the amplitude at the
+        /// corner. Zeros are added before and after the record for a time of 1.5 × order / corner, and are kept, so that
+        /// the record starts earlier (Boore 2005).
+        #[arg(
+            long,
+            value_name = "FREQUENCY",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub low_cut: Option<Written>,
+        /// Corner frequency of a low-pass filter of the same kind
+        #[arg(
+            long,
+            value_name = "FREQUENCY",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub high_cut: Option<Written>,
+        /// Order of the filters, from 1 to 10 [default: 4]
+        #[arg(
+            long,
+            value_name = "N",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub filter_order: Option<Written>,
+        /// New time step, by band-limited interpolation (by straight lines if samples are unevenly spaced)
+        #[arg(
+            long,
+            value_name = "TIME",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub resample: Option<Written>,
+        /// Scale to this peak acceleration, such as "0.3 g"
+        #[arg(
+            long,
+            value_name = "ACCELERATION",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub scale_to: Option<Written>,
+        /// Scale to a pseudo-acceleration, such as "0.4 g at 1.2 s", or "0.4 g at 1.2 s, 2 %" for a damping other than 5 %
+        #[arg(
+            long,
+            value_name = "ACCELERATION at PERIOD",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub scale_to_sa: Option<Written>,
+        /// Scale to the spectrum of a file, such as target.csv; "target.csv, 0.1 s to 2 s, 2 %" uses a part of it and a
+        /// damping of 2 %
+        ///
+        /// The file has columns of periods and pseudo-accelerations with units in their headings, such as `period [s];
+        /// PSA [g]`, or is the spectrum.csv of `freestand motion spectrum --out`. The factor minimises the squared error of
+        /// ln PSA, in which every period of the file has the same weight. The damping is that of the file if it states
+        /// exactly one, and otherwise 5 %.
+        #[arg(
+            long,
+            value_name = "FILE[, PERIODS][, DAMPING]",
+            hide_short_help = true,
+            help_heading = "Processing records, in this order"
+        )]
+        pub scale_to_spectrum: Option<Written>,
+    }
 }
 
-request!(Records {
-    unit,
-    dt,
-    component,
-    station_xml,
-    keep_mean,
-    scale,
-    azimuth,
-    baseline,
-    taper,
-    low_cut,
-    high_cut,
-    filter_order,
-    resample,
-    scale_to,
-    scale_to_sa,
-    scale_to_spectrum
-});
-
-/// How vertical records are read.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct VerticalRecords {
-    /// Factor that multiplies the vertical samples [default: 1]
-    #[arg(long, value_name = "RATIO")]
-    pub vertical_scale: Option<Written>,
-    /// Component to read from the vertical record, if it has several
-    #[arg(long, value_name = "NAME|NUMBER")]
-    pub vertical_component: Option<Written>,
+request! {
+    /// How vertical records are read.
+    pub struct VerticalRecords {
+        /// Factor that multiplies the vertical samples [default: 1]
+        #[arg(long, value_name = "RATIO")]
+        pub vertical_scale: Option<Written>,
+        /// Component to read from the vertical record, if it has several
+        #[arg(long, value_name = "NAME|NUMBER")]
+        pub vertical_component: Option<Written>,
+    }
 }
-
-request!(VerticalRecords {
-    vertical_scale,
-    vertical_component
-});
 
 /// The records of a request, checked but for what is in them.
 pub(crate) struct NamedRecords<'f> {

@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -10,45 +9,37 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::laboratory::virtual_laboratory::RecoveryRequest;
 use freestand_study::study::DEFAULT_SEED;
-use serde::Deserialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Unknown, reader, request, seed};
+use crate::request::{Question, Request as _, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-recovery/1";
 
-/// What is varied.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Recovery {
-    /// Number of drops for each combination [default: 100]
-    #[arg(long, value_name = "N")]
-    pub drops: Option<Written>,
-    /// Samples per contact [default: 25, 50, 200]
-    #[arg(long, value_name = "LIST")]
-    pub samples_per_contact: Option<Written>,
-    /// Noise as a share of the peak [default: 0.5 %, 2 %]
-    #[arg(long, value_name = "LIST")]
-    pub noise: Option<Written>,
-    /// Bias of the whole record [default: 5 g]
-    #[arg(long, value_name = "LIST")]
-    pub bias: Option<Written>,
-    /// Shift of the zero line at the peak, as a share of the peak [default: 0]
-    #[arg(long, value_name = "LIST")]
-    pub zero_shift: Option<Written>,
+request! { question
+    /// What is varied.
+    pub struct Recovery {
+        /// Number of drops for each combination [default: 100]
+        #[arg(long, value_name = "N")]
+        pub drops: Option<Written>,
+        /// Samples per contact [default: 25, 50, 200]
+        #[arg(long, value_name = "LIST")]
+        pub samples_per_contact: Option<Written>,
+        /// Noise as a share of the peak [default: 0.5 %, 2 %]
+        #[arg(long, value_name = "LIST")]
+        pub noise: Option<Written>,
+        /// Bias of the whole record [default: 5 g]
+        #[arg(long, value_name = "LIST")]
+        pub bias: Option<Written>,
+        /// Shift of the zero line at the peak, as a share of the peak [default: 0]
+        #[arg(long, value_name = "LIST")]
+        pub zero_shift: Option<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Recovery { drops, samples_per_contact, noise, bias, zero_shift, seed; unknown });
 
 impl Question for Recovery {
     type Meant = RecoveryRequest;

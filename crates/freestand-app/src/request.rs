@@ -61,15 +61,41 @@ pub trait Question: Request {
     fn set_seed(&mut self, _seed: Option<Written>) {}
 }
 
-/// Lists the fields of a request: values, then `;` and the parts that it consists of.
+/// Defines a request or a part of one: every field is a value that was written, or a part. As `question`, it has
+/// an answer of its own, and knows which keys it does not know.
 macro_rules! request {
-    ($name:ident $(<$of:ident: $kind:path>)? { $($field:ident),* $(,)? $(; $($part:ident),* $(,)?)? }) => {
+    (question $(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? {
+        $($fields:tt)*
+    }) => {
+        $crate::request::request! {
+            $(#[$meta])*
+            pub struct $name $(<$of: $kind>)? {
+                $($fields)*
+                /// Keys that are not known.
+                #[arg(skip)]
+                #[serde(flatten)]
+                pub unknown: $crate::request::Unknown,
+            }
+        }
+    };
+    ($(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? {
+        $($(#[$of_field:meta])* pub $field:ident: $type:ty,)*
+    }) => {
+        #[derive(Debug, Clone, Default, PartialEq, serde::Deserialize, clap::Args)]
+        #[serde(default)]
+        #[group(skip)]
+        $(#[$meta])*
+        pub struct $name $(<$of: $kind>)? {
+            $($(#[$of_field])* pub $field: $type,)*
+        }
+
         impl $(<$of: $kind>)? $crate::request::Request for $name $(<$of>)? {
             fn write(&self, words: &mut freestand_input::keys::Words) {
-                // A field that is not listed is an error here.
-                let Self { $($field,)* $($($part,)*)? } = self;
-                $( $crate::request::Field::write($field, stringify!($field).trim_start_matches("r#"), words); )*
-                $($( $crate::request::Field::write($part, stringify!($part), words); )*)?
+                $( $crate::request::Field::write(
+                    &self.$field,
+                    stringify!($field).trim_start_matches("r#"),
+                    words,
+                ); )*
             }
         }
     };

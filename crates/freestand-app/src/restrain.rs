@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{Arg, ArgAction, Args};
+use clap::{Arg, ArgAction};
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
     self, DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard,
@@ -17,15 +17,13 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::resolve::{Overrides, StudySource};
 use freestand_study::target::Target;
-use serde::Deserialize;
 
 use crate::block::sizes;
 use crate::cells::CellKeys;
 use crate::files::Files;
 use crate::place;
 use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, path_without_flag, reader, request,
-    typed_units,
+    Question, Request as _, Switch, one_of, path_without_flag, reader, request, typed_units,
 };
 use crate::study::{self, MAX_STOREYS};
 use crate::target::TargetKeys;
@@ -33,119 +31,106 @@ use crate::target::TargetKeys;
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.restrain/1";
 
-/// One object, or a list of them, and what shakes it.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(of_parts))]
-pub struct Restrain {
-    /// List of objects (CSV or XLSX), in place of one object: a row with its force for each
-    #[arg(value_name = "LIST")]
-    pub list: Option<Written>,
-    /// How the list is read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub cells: CellKeys,
-    /// Mass of the object
-    #[arg(long, value_name = "MASS")]
-    pub mass: Option<Written>,
-    /// Height of the object
-    #[arg(long, value_name = "LENGTH")]
-    pub height: Option<Written>,
-    /// Horizontal size of the object, the smaller one
-    #[arg(long, value_name = "LENGTH")]
-    pub thickness: Option<Written>,
-    /// The other horizontal size [default: only the thickness is checked]
-    #[arg(long, value_name = "LENGTH")]
-    pub width: Option<Written>,
-    /// Height of the centre of gravity [default: half of the height]
-    #[arg(long, value_name = "LENGTH")]
-    pub cg_height: Option<Written>,
+request! { question
+    /// One object, or a list of them, and what shakes it.
+    #[command(mut_args(of_parts))]
+    pub struct Restrain {
+        /// List of objects (CSV or XLSX), in place of one object: a row with its force for each
+        #[arg(value_name = "LIST")]
+        pub list: Option<Written>,
+        /// How the list is read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub cells: CellKeys,
+        /// Mass of the object
+        #[arg(long, value_name = "MASS")]
+        pub mass: Option<Written>,
+        /// Height of the object
+        #[arg(long, value_name = "LENGTH")]
+        pub height: Option<Written>,
+        /// Horizontal size of the object, the smaller one
+        #[arg(long, value_name = "LENGTH")]
+        pub thickness: Option<Written>,
+        /// The other horizontal size [default: only the thickness is checked]
+        #[arg(long, value_name = "LENGTH")]
+        pub width: Option<Written>,
+        /// Height of the centre of gravity [default: half of the height]
+        #[arg(long, value_name = "LENGTH")]
+        pub cg_height: Option<Written>,
 
-    /// Study (TOML) whose code, building and table `restraint` are used
-    #[arg(
-        long,
-        value_name = "FILE.toml",
-        help_heading = EARTHQUAKE
-    )]
-    pub study: Option<Written>,
-    /// Acceleration of the floor, for F = m a
-    #[arg(
-        long,
-        value_name = "ACCELERATION",
-        help_heading = EARTHQUAKE
-    )]
-    pub floor_acceleration: Option<Written>,
-    /// A place, or a code with its values.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub target: TargetKeys,
+        /// Study (TOML) whose code, building and table `restraint` are used
+        #[arg(
+            long,
+            value_name = "FILE.toml",
+            help_heading = EARTHQUAKE
+        )]
+        pub study: Option<Written>,
+        /// Acceleration of the floor, for F = m a
+        #[arg(
+            long,
+            value_name = "ACCELERATION",
+            help_heading = EARTHQUAKE
+        )]
+        pub floor_acceleration: Option<Written>,
+        /// A place, or a code with its values.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub target: TargetKeys,
 
-    /// Name or number of the floor; floor 1 is the first above the ground [default: the ground]
-    #[arg(long, value_name = "NAME", help_heading = "The floor")]
-    pub floor: Option<Written>,
-    /// Number of storeys of the building
-    #[arg(long, value_name = "N", help_heading = "The floor")]
-    pub storeys: Option<Written>,
-    /// Height of a storey [default: 3.2 m]
-    #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
-    pub storey_height: Option<Written>,
-    /// Height of the floor over that of the building: 0 is the ground, 1 the roof
-    #[arg(long, value_name = "RATIO", help_heading = "The floor")]
-    pub level_ratio: Option<Written>,
+        /// Name or number of the floor; floor 1 is the first above the ground [default: the ground]
+        #[arg(long, value_name = "NAME", help_heading = "The floor")]
+        pub floor: Option<Written>,
+        /// Number of storeys of the building
+        #[arg(long, value_name = "N", help_heading = "The floor")]
+        pub storeys: Option<Written>,
+        /// Height of a storey [default: 3.2 m]
+        #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
+        pub storey_height: Option<Written>,
+        /// Height of the floor over that of the building: 0 is the ground, 1 the roof
+        #[arg(long, value_name = "RATIO", help_heading = "The floor")]
+        pub level_ratio: Option<Written>,
 
-    /// Importance: I_p of ASCE 7, I_c of AS 1170.4, γ_a of Eurocode 8, R_p of NZS 1170.5
-    /// [default: 1; critical to life safety: 1.5]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub importance: Option<Written>,
-    /// Amplification of the part: a_p, a_c, C_i, or A of a floor acceleration [default: by code]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub amplification: Option<Written>,
-    /// Response of the part, which divides: R_p of ASCE 7-16, R_c, q_a, 1/C_ph [default: by code]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub response: Option<Written>,
-    /// C_AR of ASCE 7-22 [default: 1]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub resonance: Option<Written>,
-    /// R_po of ASCE 7-22 [default: 1.5]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub strength: Option<Written>,
-    /// R_μ of ASCE 7-22, from 1.3 [default: 1.3; 1 on the ground]
-    #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-    pub building_ductility: Option<Written>,
+        /// Importance: I_p of ASCE 7, I_c of AS 1170.4, γ_a of Eurocode 8, R_p of NZS 1170.5
+        /// [default: 1; critical to life safety: 1.5]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub importance: Option<Written>,
+        /// Amplification of the part: a_p, a_c, C_i, or A of a floor acceleration [default: by code]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub amplification: Option<Written>,
+        /// Response of the part, which divides: R_p of ASCE 7-16, R_c, q_a, 1/C_ph [default: by code]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub response: Option<Written>,
+        /// C_AR of ASCE 7-22 [default: 1]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub resonance: Option<Written>,
+        /// R_po of ASCE 7-22 [default: 1.5]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub strength: Option<Written>,
+        /// R_μ of ASCE 7-22, from 1.3 [default: 1.3; 1 on the ground]
+        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
+        pub building_ductility: Option<Written>,
 
-    /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
-    /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
-    /// words, such as "emergency generator" [default: other, the row for other components]
-    #[arg(long, value_name = "NAME")]
-    pub component: Option<Written>,
-    /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or
-    /// a quarter of the side]
-    #[arg(long, value_name = "LENGTH")]
-    pub anchor_inset: Option<Written>,
-    /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
-    /// --mass, --height, --thickness, or of the list]
-    #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-    pub units: Option<Written>,
-    /// Anchors along each of the two edges [default: 2]
-    #[arg(long, value_name = "N")]
-    pub anchors_per_edge: Option<Written>,
-    /// Show the forces by other codes too, on the same spectrum
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub compare: Switch,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
+        /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
+        /// words, such as "emergency generator" [default: other, the row for other components]
+        #[arg(long, value_name = "NAME")]
+        pub component: Option<Written>,
+        /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or
+        /// a quarter of the side]
+        #[arg(long, value_name = "LENGTH")]
+        pub anchor_inset: Option<Written>,
+        /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
+        /// --mass, --height, --thickness, or of the list]
+        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
+        pub units: Option<Written>,
+        /// Anchors along each of the two edges [default: 2]
+        #[arg(long, value_name = "N")]
+        pub anchors_per_edge: Option<Written>,
+        /// Show the forces by other codes too, on the same spectrum
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub compare: Switch,
+    }
 }
-
-request!(Restrain {
-    list, mass, height, thickness, width, cg_height, study, floor_acceleration, floor, storeys, storey_height,
-    level_ratio, importance, amplification, response, resonance, strength, building_ductility, component,
-    anchor_inset, units, anchors_per_edge, compare;
-    cells, target, unknown
-});
 
 const EARTHQUAKE: &str = "The earthquake (one of --place, --code, --study, --floor-acceleration)";
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Arg, Args};
+use clap::Arg;
 use freestand::fragility::FitKind;
 use freestand_assess::fragility::{At, FITS, FragilityRequest, check_replicates};
 use freestand_assess::risk::{RiskCurves, RiskRequest, amount, yearly_rate, years};
@@ -11,89 +11,78 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::study::DEFAULT_SEED;
-use serde::Deserialize;
 
 use crate::cells::CellKeys;
 use crate::files::Files;
 use crate::fragility::PLACES;
 use crate::hazard::{self, HazardCurve, HazardOfCode};
-use crate::request::{Question, Request as _, Unknown, one_of, path, reader, request, seed};
+use crate::request::{Question, Request as _, one_of, path, reader, request, seed};
 
 /// The schema of the response.
 pub use freestand_assess::risk::RISK_SCHEMA as SCHEMA;
 
-/// How often objects fail, and what that costs.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(under_heading))]
-pub struct Risk {
-    /// Fragilities, as freestand fragility writes them (CSV)
-    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-    pub fragility: Option<Written>,
-    /// Table of outcomes (CSV), which is fitted first; stripes also give the losses of all objects
-    /// under the same motions
-    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-    pub outcomes: Option<Written>,
-    /// How the limit states of an object are fitted, with --outcomes [default: ordered]
-    #[arg(long, value_name = "FIT", value_parser = one_of(FITS), help_heading = "Fragility")]
-    pub fit: Option<Written>,
-    /// Samples of motions for the 95 % intervals, with --outcomes; 0: none [default: 1000]
-    #[arg(long, value_name = "N", help_heading = "Fragility")]
-    pub bootstrap: Option<Written>,
-    /// Motion of which a spectral acceleration is taken [default: ground]
-    #[arg(long, value_name = "AT", value_parser = one_of(PLACES), help_heading = "Fragility")]
-    pub at: Option<Written>,
+request! { question
+    /// How often objects fail, and what that costs.
+    #[command(mut_args(under_heading))]
+    pub struct Risk {
+        /// Fragilities, as freestand fragility writes them (CSV)
+        #[arg(long, value_name = "FILE", help_heading = "Fragility")]
+        pub fragility: Option<Written>,
+        /// Table of outcomes (CSV), which is fitted first; stripes also give the losses of all objects
+        /// under the same motions
+        #[arg(long, value_name = "FILE", help_heading = "Fragility")]
+        pub outcomes: Option<Written>,
+        /// How the limit states of an object are fitted, with --outcomes [default: ordered]
+        #[arg(long, value_name = "FIT", value_parser = one_of(FITS), help_heading = "Fragility")]
+        pub fit: Option<Written>,
+        /// Samples of motions for the 95 % intervals, with --outcomes; 0: none [default: 1000]
+        #[arg(long, value_name = "N", help_heading = "Fragility")]
+        pub bootstrap: Option<Written>,
+        /// Motion of which a spectral acceleration is taken [default: ground]
+        #[arg(long, value_name = "AT", value_parser = one_of(PLACES), help_heading = "Fragility")]
+        pub at: Option<Written>,
 
-    /// A hazard curve.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub curve: HazardCurve,
-    /// The hazard of a code.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub of_code: HazardOfCode,
+        /// A hazard curve.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub curve: HazardCurve,
+        /// The hazard of a code.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub of_code: HazardOfCode,
 
-    /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
-    #[arg(long, value_name = "FILE", help_heading = "Money")]
-    pub inventory: Option<Written>,
-    /// How its cells are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub cells: CellKeys,
-    /// Options, such as straps or pads: id, option, `cost [AUD]`, median_factor or curves (CSV)
-    #[arg(long, value_name = "FILE", help_heading = "Money")]
-    pub options: Option<Written>,
-    /// The most that options may cost, such as "20000 AUD"
-    #[arg(long, value_name = "AMOUNT", help_heading = "Money")]
-    pub budget: Option<Written>,
-    /// Years over which the savings of options count, such as "40 yr"
-    #[arg(long = "horizon", value_name = "YEARS", help_heading = "Money")]
-    pub horizon_years: Option<Written>,
-    /// Discount rate per year, compounded continuously, such as "3 %"
-    #[arg(long, value_name = "RATIO", help_heading = "Money")]
-    pub discount: Option<Written>,
+        /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
+        #[arg(long, value_name = "FILE", help_heading = "Money")]
+        pub inventory: Option<Written>,
+        /// How its cells are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub cells: CellKeys,
+        /// Options, such as straps or pads: id, option, `cost [AUD]`, median_factor or curves (CSV)
+        #[arg(long, value_name = "FILE", help_heading = "Money")]
+        pub options: Option<Written>,
+        /// The most that options may cost, such as "20000 AUD"
+        #[arg(long, value_name = "AMOUNT", help_heading = "Money")]
+        pub budget: Option<Written>,
+        /// Years over which the savings of options count, such as "40 yr"
+        #[arg(long = "horizon", value_name = "YEARS", help_heading = "Money")]
+        pub horizon_years: Option<Written>,
+        /// Discount rate per year, compounded continuously, such as "3 %"
+        #[arg(long, value_name = "RATIO", help_heading = "Money")]
+        pub discount: Option<Written>,
 
-    /// Rate of overturning that is accepted where the inventory has none, such as "1e-4 /yr"
-    #[arg(long, alias = "accepted-rate", value_name = "RATE")]
-    pub accepted: Option<Written>,
-    /// Years for which the chance of a failure is stated [default: 50]
-    #[arg(long, value_name = "YEARS")]
-    pub years: Option<Written>,
+        /// Rate of overturning that is accepted where the inventory has none, such as "1e-4 /yr"
+        #[arg(long, alias = "accepted-rate", value_name = "RATE")]
+        pub accepted: Option<Written>,
+        /// Years for which the chance of a failure is stated [default: 50]
+        #[arg(long, value_name = "YEARS")]
+        pub years: Option<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Risk {
-    fragility, outcomes, fit, bootstrap, at, inventory, options, budget, horizon_years, discount, accepted, years, seed;
-    curve, of_code, cells, unknown
-});
 
 /// Puts the keys of its parts under their headings in the help.
 fn under_heading(arg: Arg) -> Arg {

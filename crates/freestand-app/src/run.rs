@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
@@ -12,96 +12,78 @@ use freestand_study::recorded::MotionFiles;
 use freestand_study::resolve::{Overrides, StudySource, builtin, is_study_file};
 use freestand_study::study::Study;
 use freestand_study::vary::{Variation, default_variations, parse_variation};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::Records;
-use crate::request::{Question, Request as _, Switch, Unknown, one_or_many, reader, request, seed};
+use crate::request::{Question, Request as _, Switch, one_or_many, reader, request, seed};
 use crate::second::SecondKeys;
 use crate::study;
 
 /// The schema of the response of `check`.
 pub const CHECK_SCHEMA: &str = "freestand.check/1";
 
-/// A study that is explained.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
-pub struct CheckStudy {
-    /// Study file (TOML) [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    pub study: Option<Written>,
-    /// A place.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub hazard: PlaceKeys,
+request! { question
+    /// A study that is explained.
+    #[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
+    pub struct CheckStudy {
+        /// Study file (TOML) [default: the built-in study]
+        #[arg(value_name = "STUDY.toml")]
+        pub study: Option<Written>,
+        /// A place.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub hazard: PlaceKeys,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
 
-request!(CheckStudy { study, seed; hazard, unknown });
+request! { question
+    /// A study that is run.
+    #[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
+    pub struct Run {
+        /// Study file (TOML) [default: the built-in study]
+        #[arg(value_name = "STUDY.toml")]
+        pub study: Option<Written>,
+        /// A place.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub hazard: PlaceKeys,
+        /// Records that replace the ground motions of the study
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+        /// Their second components.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub second: SecondKeys,
+        /// Run the study again with one value changed at a time: the usual values of damping, period,
+        /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
+        #[arg(
+            long,
+            value_name = "KEY[= VALUE, …]",
+            num_args = 0..,
+            default_missing_value = "true",
+            action = ArgAction::Append
+        )]
+        #[serde(deserialize_with = "one_or_many")]
+        pub vary: Vec<Written>,
+        /// Write each table of results as Parquet too; the same as parquet = true in the table of outputs
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub parquet: Switch,
 
-/// A study that is run.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(|arg| place::under(arg, place::OF_STUDY)))]
-pub struct Run {
-    /// Study file (TOML) [default: the built-in study]
-    #[arg(value_name = "STUDY.toml")]
-    pub study: Option<Written>,
-    /// A place.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub hazard: PlaceKeys,
-    /// Records that replace the ground motions of the study
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-    /// Their second components.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub second: SecondKeys,
-    /// Run the study again with one value changed at a time: the usual values of damping, period,
-    /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
-    #[arg(
-        long,
-        value_name = "KEY[= VALUE, …]",
-        num_args = 0..,
-        default_missing_value = "true",
-        action = ArgAction::Append
-    )]
-    #[serde(deserialize_with = "one_or_many")]
-    pub vary: Vec<Written>,
-    /// Write each table of results as Parquet too; the same as parquet = true in the table of outputs
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub parquet: Switch,
-
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Run {
-    study, motion, vary, parquet, seed;
-    hazard, records, second, unknown
-});
 
 /// A study that has not been read, with what takes the place of its keys.
 #[derive(Debug, Clone)]

@@ -2,44 +2,35 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_input::written::Written;
 use freestand_study::recorded::Second;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::components;
 use crate::request::{one_or_many, paths, request};
 
-/// Two horizontal components, and the directions in which objects may rock.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct SecondKeys {
-    /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
-    #[arg(
-        long,
-        value_name = "both|NAME, NAME",
-        help_heading = "Two horizontal components"
-    )]
-    pub components: Option<Written>,
-    /// Files with the second component, one for each file of the first
-    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "Two horizontal components")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub across: Vec<Written>,
-    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
-    /// deg]
-    #[arg(long, value_name = "ANGLE", help_heading = "Two horizontal components")]
-    pub rotation_step: Option<Written>,
+request! {
+    /// Two horizontal components, and the directions in which objects may rock.
+    pub struct SecondKeys {
+        /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
+        #[arg(
+            long,
+            value_name = "both|NAME, NAME",
+            help_heading = "Two horizontal components"
+        )]
+        pub components: Option<Written>,
+        /// Files with the second component, one for each file of the first
+        #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "Two horizontal components")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub across: Vec<Written>,
+        /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
+        /// deg]
+        #[arg(long, value_name = "ANGLE", help_heading = "Two horizontal components")]
+        pub rotation_step: Option<Written>,
+    }
 }
-
-request!(SecondKeys {
-    components,
-    across,
-    rotation_step
-});
 
 impl SecondKeys {
     /// Where the second components of so many motions are.

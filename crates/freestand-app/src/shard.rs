@@ -2,48 +2,38 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand_assess::job::check_shards;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{
-    Question, Request as _, Switch, Unknown, path_without_flag, reader, request, seed,
-};
+use crate::request::{Question, Request as _, Switch, path_without_flag, reader, request, seed};
 
-/// An assessment that is divided into shards.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct ShardPlan {
-    /// The study and the list.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub list: ListKeys,
-    /// Number of shards
-    #[arg(long, value_name = "N")]
-    pub shards: Option<Written>,
-    /// Also make outcomes.csv: what happened to every object in every world, by each model
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub outcomes: Switch,
-    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-    #[arg(long, value_name = "N")]
-    pub pages: Option<Written>,
+request! { question
+    /// An assessment that is divided into shards.
+    pub struct ShardPlan {
+        /// The study and the list.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub list: ListKeys,
+        /// Number of shards
+        #[arg(long, value_name = "N")]
+        pub shards: Option<Written>,
+        /// Also make outcomes.csv: what happened to every object in every world, by each model
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub outcomes: Switch,
+        /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+        #[arg(long, value_name = "N")]
+        pub pages: Option<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(ShardPlan { shards, outcomes, pages, seed; list, unknown });
 
 /// What is planned.
 #[derive(Debug, Clone)]
@@ -91,25 +81,17 @@ impl Question for ShardPlan {
     }
 }
 
-/// One shard of a plan.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct ShardRun {
-    /// Folder of the plan
-    #[arg(value_name = "DIR")]
-    pub dir: Option<Written>,
-    /// Number of the shard, counted from 0
-    #[arg(long, value_name = "N")]
-    pub shard: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// One shard of a plan.
+    pub struct ShardRun {
+        /// Folder of the plan
+        #[arg(value_name = "DIR")]
+        pub dir: Option<Written>,
+        /// Number of the shard, counted from 0
+        #[arg(long, value_name = "N")]
+        pub shard: Option<Written>,
+    }
 }
-
-request!(ShardRun { dir, shard; unknown });
 
 /// A shard of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -135,22 +117,14 @@ impl Question for ShardRun {
     }
 }
 
-/// All shards of a plan, which are put together.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct ShardMerge {
-    /// Folder of the plan
-    #[arg(value_name = "DIR")]
-    pub dir: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// All shards of a plan, which are put together.
+    pub struct ShardMerge {
+        /// Folder of the plan
+        #[arg(value_name = "DIR")]
+        pub dir: Option<Written>,
+    }
 }
-
-request!(ShardMerge { dir; unknown });
 
 impl Question for ShardMerge {
     /// The folder of the plan.

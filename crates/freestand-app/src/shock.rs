@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
@@ -10,120 +9,106 @@ use freestand_input::written::Written;
 use freestand_study::shock::{
     BoundaryTests, Energy, MODELS, SCENARIOS, ShockRequest, boundary_tests,
 };
-use serde::Deserialize;
 
 use crate::block::{GeneralBlock, block, gravity, point, sizes};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
-use crate::request::{Question, Request, Unknown, one_of, reader, request};
+use crate::request::{Question, Request, one_of, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock/1";
 
-/// One landing of an object.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Shock {
-    /// Height of the object
-    #[arg(long, value_name = "LENGTH")]
-    pub height: Option<Written>,
-    /// Horizontal size of the object in the plane of rocking
-    #[arg(long, value_name = "LENGTH")]
-    pub thickness: Option<Written>,
-    /// Mass of the object
-    #[arg(long, value_name = "MASS")]
-    pub mass: Option<Written>,
-    /// What else is known of the object.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub block: GeneralBlock,
+request! { question
+    /// One landing of an object.
+    pub struct Shock {
+        /// Height of the object
+        #[arg(long, value_name = "LENGTH")]
+        pub height: Option<Written>,
+        /// Horizontal size of the object in the plane of rocking
+        #[arg(long, value_name = "LENGTH")]
+        pub thickness: Option<Written>,
+        /// Mass of the object
+        #[arg(long, value_name = "MASS")]
+        pub mass: Option<Written>,
+        /// What else is known of the object.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub block: GeneralBlock,
 
-    /// The cushion under one edge.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pad: CushionUnder,
-    /// Stiffness between the side of the object and what it falls onto
-    #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-    pub contact_stiffness: Option<Written>,
-    /// Measured peak acceleration of the same mass dropped by the same rise, instead of a stiffness
-    #[arg(long, value_name = "ACCELERATION", help_heading = "The cushion")]
-    pub drop_acceleration: Option<Written>,
+        /// The cushion under one edge.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pad: CushionUnder,
+        /// Stiffness between the side of the object and what it falls onto
+        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
+        pub contact_stiffness: Option<Written>,
+        /// Measured peak acceleration of the same mass dropped by the same rise, instead of a stiffness
+        #[arg(long, value_name = "ACCELERATION", help_heading = "The cushion")]
+        pub drop_acceleration: Option<Written>,
 
-    /// Rise of the centre of gravity
-    #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
-    pub cg_rise: Option<Written>,
-    /// Uplift of the free edge
-    #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
-    pub uplift: Option<Written>,
-    /// Rotation of the object
-    #[arg(long, value_name = "ANGLE", help_heading = "The fall (one of)")]
-    pub rotation: Option<Written>,
-    /// Angular velocity just before the landing
-    #[arg(
-        long,
-        value_name = "ANGULAR-VELOCITY",
-        help_heading = "The fall (one of)"
-    )]
-    pub angular_velocity: Option<Written>,
+        /// Rise of the centre of gravity
+        #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
+        pub cg_rise: Option<Written>,
+        /// Uplift of the free edge
+        #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
+        pub uplift: Option<Written>,
+        /// Rotation of the object
+        #[arg(long, value_name = "ANGLE", help_heading = "The fall (one of)")]
+        pub rotation: Option<Written>,
+        /// Angular velocity just before the landing
+        #[arg(
+            long,
+            value_name = "ANGULAR-VELOCITY",
+            help_heading = "The fall (one of)"
+        )]
+        pub angular_velocity: Option<Written>,
 
-    /// What ends the fall [default: rocking]
-    #[arg(long, value_name = "SCENARIO", value_parser = one_of(SCENARIOS), help_heading = "The landing")]
-    pub scenario: Option<Written>,
-    /// Impact model [default: that of the scenario; halted for a squat object]
-    #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The landing")]
-    pub model: Option<Written>,
-    /// Distance to the obstacle
-    #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
-    pub gap: Option<Written>,
-    /// Height of the obstacle [default: taller than the object]
-    #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
-    pub obstacle_height: Option<Written>,
-    /// Point whose shock is wanted: "x, z", from the pivot and above the base
-    #[arg(long = "at", value_name = "X, Z", help_heading = "The landing")]
-    pub at_point: Option<Written>,
-    /// Coefficient of friction, used for the warning about sliding [default: 0.5]
-    #[arg(long, value_name = "RATIO", help_heading = "The landing")]
-    pub friction: Option<Written>,
-    /// Gravity [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", help_heading = "The landing")]
-    pub gravity: Option<Written>,
+        /// What ends the fall [default: rocking]
+        #[arg(long, value_name = "SCENARIO", value_parser = one_of(SCENARIOS), help_heading = "The landing")]
+        pub scenario: Option<Written>,
+        /// Impact model [default: that of the scenario; halted for a squat object]
+        #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The landing")]
+        pub model: Option<Written>,
+        /// Distance to the obstacle
+        #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
+        pub gap: Option<Written>,
+        /// Height of the obstacle [default: taller than the object]
+        #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
+        pub obstacle_height: Option<Written>,
+        /// Point whose shock is wanted: "x, z", from the pivot and above the base
+        #[arg(long = "at", value_name = "X, Z", help_heading = "The landing")]
+        pub at_point: Option<Written>,
+        /// Coefficient of friction, used for the warning about sliding [default: 0.5]
+        #[arg(long, value_name = "RATIO", help_heading = "The landing")]
+        pub friction: Option<Written>,
+        /// Gravity [default: 1 g]
+        #[arg(long, value_name = "ACCELERATION", help_heading = "The landing")]
+        pub gravity: Option<Written>,
 
-    /// Peak acceleration that the object withstands
-    #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
-    pub tolerance: Option<Written>,
-    /// Duration of the half-sine pulse for which that peak was shown
-    #[arg(long, value_name = "TIME", help_heading = "The verdict")]
-    pub tolerance_duration: Option<Written>,
-    /// Velocity change below which no peak damages the object
-    #[arg(long, value_name = "VELOCITY", help_heading = "The verdict")]
-    pub tolerance_velocity_change: Option<Written>,
-    /// Shock tests of the object (ASTM D3332): a table with velocity change, peak acceleration and
-    /// damaged (yes, no), and optionally method (A, B) or duration
-    #[arg(long, value_name = "FILE", help_heading = "The verdict")]
-    pub damage_boundary: Option<Written>,
-    /// Uplift of one edge from which the object may fall back (bench handling)
-    #[arg(long, value_name = "LENGTH", help_heading = "The verdict")]
-    pub tolerance_edge_lift: Option<Written>,
-    /// Natural frequency of the most delicate component; needs --component-capacity
-    #[arg(long, value_name = "FREQUENCY", help_heading = "The verdict")]
-    pub component_frequency: Option<Written>,
-    /// Acceleration that this component withstands
-    #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
-    pub component_capacity: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Peak acceleration that the object withstands
+        #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
+        pub tolerance: Option<Written>,
+        /// Duration of the half-sine pulse for which that peak was shown
+        #[arg(long, value_name = "TIME", help_heading = "The verdict")]
+        pub tolerance_duration: Option<Written>,
+        /// Velocity change below which no peak damages the object
+        #[arg(long, value_name = "VELOCITY", help_heading = "The verdict")]
+        pub tolerance_velocity_change: Option<Written>,
+        /// Shock tests of the object (ASTM D3332): a table with velocity change, peak acceleration and
+        /// damaged (yes, no), and optionally method (A, B) or duration
+        #[arg(long, value_name = "FILE", help_heading = "The verdict")]
+        pub damage_boundary: Option<Written>,
+        /// Uplift of one edge from which the object may fall back (bench handling)
+        #[arg(long, value_name = "LENGTH", help_heading = "The verdict")]
+        pub tolerance_edge_lift: Option<Written>,
+        /// Natural frequency of the most delicate component; needs --component-capacity
+        #[arg(long, value_name = "FREQUENCY", help_heading = "The verdict")]
+        pub component_frequency: Option<Written>,
+        /// Acceleration that this component withstands
+        #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
+        pub component_capacity: Option<Written>,
+    }
 }
-
-request!(Shock {
-    height, thickness, mass, contact_stiffness, drop_acceleration, cg_rise, uplift, rotation, angular_velocity, scenario,
-    model, gap, obstacle_height, at_point, friction, gravity, tolerance, tolerance_duration, tolerance_velocity_change,
-    damage_boundary, tolerance_edge_lift, component_frequency, component_capacity;
-    block, pad, unknown
-});
 
 /// What is asked, in SI.
 #[derive(Debug, Clone)]

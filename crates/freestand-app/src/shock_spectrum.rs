@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::shock_response::{Pulse, ShockSpectrumOptions};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
@@ -13,68 +13,56 @@ use freestand_study::shock_spectrum::{
     DEFAULT_FREQUENCIES, KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest,
     acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
 };
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, Unknown, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, Switch, one_of, one_or_many, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock-spectrum/1";
 
-/// The shock response spectrum of records or of a pulse.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-// A laboratory file has columns, not components.
-#[command(mut_arg("component", |arg| arg.visible_alias("column")))]
-pub struct ShockSpectrum {
-    /// Record files
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// A classical pulse instead of files
-    #[arg(long, value_name = "PULSE", value_parser = one_of(SHAPES), help_heading = "A pulse")]
-    pub pulse: Option<Written>,
-    /// Peak of the pulse; the spectrum has the same unit
-    #[arg(long, value_name = "ACCELERATION", help_heading = "A pulse")]
-    pub peak_acceleration: Option<Written>,
-    /// Duration of the pulse
-    #[arg(long, value_name = "TIME", help_heading = "A pulse")]
-    pub duration: Option<Written>,
-    /// Damping ratio of the oscillators [default: 5 %]
-    #[arg(long, value_name = "RATIO")]
-    pub damping: Option<Written>,
-    /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
-    #[arg(long, value_name = "RATIO")]
-    pub q: Option<Written>,
-    /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list [default: 1 Hz:10 kHz:12/oct]
-    #[arg(long, value_name = "GRID")]
-    pub frequencies: Option<Written>,
-    /// Response of the oscillators [default: absolute-acceleration]
-    #[arg(long, value_name = "KIND", value_parser = one_of(KINDS))]
-    pub kind: Option<Written>,
-    /// Peak of that response [default: maximax]
-    #[arg(long, value_name = "PEAK", value_parser = one_of(PEAKS))]
-    pub peak: Option<Written>,
-    /// Find peaks at the samples only, not on the band-limited curve through them
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub no_upsample: Switch,
-    /// How the records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// The shock response spectrum of records or of a pulse.
+    // A laboratory file has columns, not components.
+    #[command(mut_arg("component", |arg| arg.visible_alias("column")))]
+    pub struct ShockSpectrum {
+        /// Record files
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// A classical pulse instead of files
+        #[arg(long, value_name = "PULSE", value_parser = one_of(SHAPES), help_heading = "A pulse")]
+        pub pulse: Option<Written>,
+        /// Peak of the pulse; the spectrum has the same unit
+        #[arg(long, value_name = "ACCELERATION", help_heading = "A pulse")]
+        pub peak_acceleration: Option<Written>,
+        /// Duration of the pulse
+        #[arg(long, value_name = "TIME", help_heading = "A pulse")]
+        pub duration: Option<Written>,
+        /// Damping ratio of the oscillators [default: 5 %]
+        #[arg(long, value_name = "RATIO")]
+        pub damping: Option<Written>,
+        /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
+        #[arg(long, value_name = "RATIO")]
+        pub q: Option<Written>,
+        /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list [default: 1 Hz:10 kHz:12/oct]
+        #[arg(long, value_name = "GRID")]
+        pub frequencies: Option<Written>,
+        /// Response of the oscillators [default: absolute-acceleration]
+        #[arg(long, value_name = "KIND", value_parser = one_of(KINDS))]
+        pub kind: Option<Written>,
+        /// Peak of that response [default: maximax]
+        #[arg(long, value_name = "PEAK", value_parser = one_of(PEAKS))]
+        pub peak: Option<Written>,
+        /// Find peaks at the samples only, not on the band-limited curve through them
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub no_upsample: Switch,
+        /// How the records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
-
-request!(ShockSpectrum {
-    motion, pulse, peak_acceleration, duration, damping, q, frequencies, kind, peak, no_upsample;
-    records, unknown
-});
 
 /// What is asked, in SI.
 #[derive(Debug)]

@@ -1,59 +1,46 @@
 //! Objects that slide or stand on casters.
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::sliding::Clearance;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
-use serde::Deserialize;
 
 use crate::request::{Switch, request};
 
-/// What is under an object that does not rock.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Sliding {
-    /// The object slides and does not rock: its friction is at most its thickness divided by its
-    /// height
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    pub sliding: Switch,
-    /// Coefficient of friction while it slides, at most --friction [default: equal to --friction]
-    #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-    pub friction_kinetic: Option<Written>,
-    /// The object stands on casters that swivel, and rolls
-    #[arg(long, alias = "castors", action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    pub casters: Switch,
-    /// Rolling resistance of the casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
-    #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-    pub rolling_resistance: Option<Written>,
-    /// The casters are braked: the wheels slide at --friction, or hold until the object rocks on
-    /// them (--base-width is the distance between them); halve the friction if half of them are
-    /// braked
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-    pub brakes: Switch,
-    /// Room to the left: the time and the speed at which the object reaches it are reported
-    #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
-    pub clearance_left: Option<Written>,
-    /// Room to the right
-    #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
-    pub clearance_right: Option<Written>,
-    /// Stiffness of what it reaches there; with --mass it gives the shock of that stop
-    #[arg(long, value_name = "STIFFNESS", help_heading = "Sliding and casters")]
-    pub stop_stiffness: Option<Written>,
+request! {
+    /// What is under an object that does not rock.
+    pub struct Sliding {
+        /// The object slides and does not rock: its friction is at most its thickness divided by its
+        /// height
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+        pub sliding: Switch,
+        /// Coefficient of friction while it slides, at most --friction [default: equal to --friction]
+        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
+        pub friction_kinetic: Option<Written>,
+        /// The object stands on casters that swivel, and rolls
+        #[arg(long, alias = "castors", action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+        pub casters: Switch,
+        /// Rolling resistance of the casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
+        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
+        pub rolling_resistance: Option<Written>,
+        /// The casters are braked: the wheels slide at --friction, or hold until the object rocks on
+        /// them (--base-width is the distance between them); halve the friction if half of them are
+        /// braked
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
+        pub brakes: Switch,
+        /// Room to the left: the time and the speed at which the object reaches it are reported
+        #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
+        pub clearance_left: Option<Written>,
+        /// Room to the right
+        #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
+        pub clearance_right: Option<Written>,
+        /// Stiffness of what it reaches there; with --mass it gives the shock of that stop
+        #[arg(long, value_name = "STIFFNESS", help_heading = "Sliding and casters")]
+        pub stop_stiffness: Option<Written>,
+    }
 }
-
-request!(Sliding {
-    sliding,
-    friction_kinetic,
-    casters,
-    rolling_resistance,
-    brakes,
-    clearance_left,
-    clearance_right,
-    stop_stiffness
-});
 
 /// What is under an object that was said to slide or to stand on casters; `None` if it was not.
 pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {

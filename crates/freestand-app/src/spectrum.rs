@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::block::Block;
 use freestand::respond::Settings;
 use freestand::rocking::{Base, Restitution, RockingModel};
@@ -18,157 +18,136 @@ use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest};
 use freestand_study::unsolved::rocking_problem;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, Unknown, one_or_many, reader, request, seed};
+use crate::request::{Question, Request, Switch, one_or_many, reader, request, seed};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.spectrum/1";
 
-/// A grid of objects, and what shakes it.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Spectrum {
-    /// Records of the horizontal acceleration of the floor
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
-    /// with the same step and length
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    #[serde(deserialize_with = "one_or_many")]
-    pub vertical: Vec<Written>,
-    /// How the vertical records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub upward: VerticalRecords,
-    /// How records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
+request! { question
+    /// A grid of objects, and what shakes it.
+    pub struct Spectrum {
+        /// Records of the horizontal acceleration of the floor
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
+        /// with the same step and length
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        #[serde(deserialize_with = "one_or_many")]
+        pub vertical: Vec<Written>,
+        /// How the vertical records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub upward: VerticalRecords,
+        /// How records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+        /// A floor of a building at a place, instead of records.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub place: Place,
+
+        /// Heights: a grid "from:to:count" or a list
+        #[arg(long, value_name = "GRID", help_heading = "The objects")]
+        pub heights: Option<Written>,
+        /// Thicknesses: a grid "from:to:count" or a list
+        #[arg(long, value_name = "GRID", help_heading = "The objects")]
+        pub thicknesses: Option<Written>,
+        /// One object for each height and the thickness at the same place, instead of all combinations
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The objects")]
+        pub pairs: Switch,
+        /// Mass of each object; needed for the shock
+        #[arg(long, value_name = "MASS", help_heading = "The objects")]
+        pub mass: Option<Written>,
+        /// The cushion under one edge.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pad: CushionUnder,
+        /// Coefficient of friction of objects that slide, at rest [default: 0.5]
+        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
+        pub friction: Option<Written>,
+        /// Whether the objects slide or stand on casters.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub slides: Sliding,
+        /// Walls beside them.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub walls: Walls,
+        /// How their rocking is calculated.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub rocking: Rocking,
+        /// Report how strongly each object amplifies an error of the motion
+        ///
+        /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles
+        /// the work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6:
+        /// 1 to a few tens is usual; with 1000, an error of 0.1 % in the record makes the result
+        /// meaningless. An object is `sensitive` if the ratio is above 10 (the peak changes by more
+        /// than 1e-5), if its fastest impacts change as much, or if its outcome differs between the two
+        /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
+        /// under both. An object that overturns under both is `sensitive` if its history before that
+        /// differs by more than 0.1 %.
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The rocking")]
+        pub sensitivity: Switch,
+
+        /// Seed of the random numbers of synthetic motions.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
+}
+
+request! {
     /// A floor of a building at a place, instead of records.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub place: Place,
-
-    /// Heights: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", help_heading = "The objects")]
-    pub heights: Option<Written>,
-    /// Thicknesses: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", help_heading = "The objects")]
-    pub thicknesses: Option<Written>,
-    /// One object for each height and the thickness at the same place, instead of all combinations
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "The objects")]
-    pub pairs: Switch,
-    /// Mass of each object; needed for the shock
-    #[arg(long, value_name = "MASS", help_heading = "The objects")]
-    pub mass: Option<Written>,
-    /// The cushion under one edge.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pad: CushionUnder,
-    /// Coefficient of friction of objects that slide, at rest [default: 0.5]
-    #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-    pub friction: Option<Written>,
-    /// Whether the objects slide or stand on casters.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub slides: Sliding,
-    /// Walls beside them.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub walls: Walls,
-    /// How their rocking is calculated.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub rocking: Rocking,
-    /// Report how strongly each object amplifies an error of the motion
-    ///
-    /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles
-    /// the work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6:
-    /// 1 to a few tens is usual; with 1000, an error of 0.1 % in the record makes the result
-    /// meaningless. An object is `sensitive` if the ratio is above 10 (the peak changes by more
-    /// than 1e-5), if its fastest impacts change as much, or if its outcome differs between the two
-    /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
-    /// under both. An object that overturns under both is `sensitive` if its history before that
-    /// differs by more than 0.1 %.
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "The rocking")]
-    pub sensitivity: Switch,
-
-    /// Seed of the random numbers of synthetic motions.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+    pub struct Place {
+        /// Place, with its code and hazard; see freestand place list
+        #[arg(long, value_name = "NAME", help_heading = "A place instead of records")]
+        pub place: Option<Written>,
+        /// Site class of the code
+        #[arg(
+            long,
+            value_name = "CLASS",
+            help_heading = "A place instead of records"
+        )]
+        pub site: Option<Written>,
+        /// Return period in years, of AS 1170.4 and NZS 1170.5
+        #[arg(
+            long = "return-period",
+            value_name = "YEARS",
+            help_heading = "A place instead of records"
+        )]
+        pub return_period_years: Option<Written>,
+        /// Number of synthetic motions [default: 10]
+        #[arg(long, value_name = "N", help_heading = "A place instead of records")]
+        pub count: Option<Written>,
+        /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof [default: 0]
+        #[arg(
+            long,
+            value_name = "RATIO",
+            help_heading = "A place instead of records"
+        )]
+        pub level_ratio: Option<Written>,
+        /// Number of storeys of the building [default: 30]
+        #[arg(long, value_name = "N", help_heading = "A place instead of records")]
+        pub storeys: Option<Written>,
+        /// Height of a storey [default: 3.2 m]
+        #[arg(
+            long,
+            value_name = "LENGTH",
+            help_heading = "A place instead of records"
+        )]
+        pub storey_height: Option<Written>,
+    }
 }
-
-request!(Spectrum {
-    motion, vertical, heights, thicknesses, pairs, mass, friction, sensitivity, seed;
-    upward, records, place, pad, slides, walls, rocking, unknown
-});
-
-/// A floor of a building at a place, instead of records.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Place {
-    /// Place, with its code and hazard; see freestand place list
-    #[arg(long, value_name = "NAME", help_heading = "A place instead of records")]
-    pub place: Option<Written>,
-    /// Site class of the code
-    #[arg(
-        long,
-        value_name = "CLASS",
-        help_heading = "A place instead of records"
-    )]
-    pub site: Option<Written>,
-    /// Return period in years, of AS 1170.4 and NZS 1170.5
-    #[arg(
-        long = "return-period",
-        value_name = "YEARS",
-        help_heading = "A place instead of records"
-    )]
-    pub return_period_years: Option<Written>,
-    /// Number of synthetic motions [default: 10]
-    #[arg(long, value_name = "N", help_heading = "A place instead of records")]
-    pub count: Option<Written>,
-    /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof [default: 0]
-    #[arg(
-        long,
-        value_name = "RATIO",
-        help_heading = "A place instead of records"
-    )]
-    pub level_ratio: Option<Written>,
-    /// Number of storeys of the building [default: 30]
-    #[arg(long, value_name = "N", help_heading = "A place instead of records")]
-    pub storeys: Option<Written>,
-    /// Height of a storey [default: 3.2 m]
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        help_heading = "A place instead of records"
-    )]
-    pub storey_height: Option<Written>,
-}
-
-request!(Place {
-    place,
-    site,
-    return_period_years,
-    count,
-    level_ratio,
-    storeys,
-    storey_height
-});
 
 /// What is asked, in SI.
 #[derive(Debug)]

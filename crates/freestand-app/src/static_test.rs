@@ -1,6 +1,6 @@
 //! `cushion static`: static tests of a pad.
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::identify::Toe;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -9,11 +9,10 @@ use freestand_input::written::Written;
 use freestand_records::formats::parse_sensitivity;
 use freestand_study::laboratory::static_curve::StaticRequest;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{
-    Question, Request, Switch, Unknown, one_of, one_of_names, one_or_many, paths, reader, request,
+    Question, Request, Switch, one_of, one_of_names, one_or_many, paths, reader, request,
 };
 
 /// The schema of the response.
@@ -33,52 +32,41 @@ const TOES: Choices<Toe> = &[
     (Toe::Keep, "keep", "The toe is kept"),
 ];
 
-/// Static tests of a pad: force against displacement.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct StaticTests {
-    /// Files with tests of one pad
-    #[arg(value_name = "FILE")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub files: Vec<Written>,
-    /// Working load [default: half of the largest force]
-    #[arg(long, value_name = "FORCE")]
-    pub load: Option<Written>,
-    /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
-    #[arg(long, value_name = "STIFFNESS")]
-    pub machine_compliance: Option<Written>,
-    /// What to cut off the toe of the curve [default: cut, but keep for a sphere]
-    #[arg(long, value_name = "WHAT", value_parser = one_of(TOES))]
-    pub toe: Option<Written>,
-    /// Reverse the signs of force and displacement, for a press that writes compression as negative
-    #[arg(long, action = ArgAction::SetTrue)]
-    pub invert: Switch,
-    /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
-    /// once for each such sensor
-    #[arg(long, value_name = "SENSITIVITY")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub sensitivity: Vec<Written>,
-    /// Shape of the impactor; replaces what the files state
-    #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
-    pub impactor: Option<Written>,
-    /// Boundary of the pad; replaces what the files state
-    #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
-    pub boundary: Option<Written>,
-    /// Dynamic stiffness from a drop test, to compare with the secant stiffness
-    #[arg(long, value_name = "STIFFNESS")]
-    pub dynamic: Option<Written>,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// Static tests of a pad: force against displacement.
+    pub struct StaticTests {
+        /// Files with tests of one pad
+        #[arg(value_name = "FILE")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub files: Vec<Written>,
+        /// Working load [default: half of the largest force]
+        #[arg(long, value_name = "FORCE")]
+        pub load: Option<Written>,
+        /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
+        #[arg(long, value_name = "STIFFNESS")]
+        pub machine_compliance: Option<Written>,
+        /// What to cut off the toe of the curve [default: cut, but keep for a sphere]
+        #[arg(long, value_name = "WHAT", value_parser = one_of(TOES))]
+        pub toe: Option<Written>,
+        /// Reverse the signs of force and displacement, for a press that writes compression as negative
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub invert: Switch,
+        /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
+        /// once for each such sensor
+        #[arg(long, value_name = "SENSITIVITY")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub sensitivity: Vec<Written>,
+        /// Shape of the impactor; replaces what the files state
+        #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
+        pub impactor: Option<Written>,
+        /// Boundary of the pad; replaces what the files state
+        #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
+        pub boundary: Option<Written>,
+        /// Dynamic stiffness from a drop test, to compare with the secant stiffness
+        #[arg(long, value_name = "STIFFNESS")]
+        pub dynamic: Option<Written>,
+    }
 }
-
-request!(StaticTests {
-    files, load, machine_compliance, toe, invert, sensitivity, impactor, boundary, dynamic;
-    unknown
-});
 
 impl Question for StaticTests {
     type Meant = StaticRequest;

@@ -1,6 +1,6 @@
 //! `motion synth` and `motion match`: motions that fit a target.
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::synthesis::SynthesisOptions;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -11,98 +11,79 @@ use freestand_study::matched::{MatchMethod, MatchRequest, SynthRequest, check_la
 use freestand_study::recorded::ReadMotion;
 use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
 use freestand_study::target::Target;
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::motion::{Meant, inputs, one_record};
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, Unknown, motions, one_of, reader, request, seed};
+use crate::request::{Question, Request, Switch, motions, one_of, reader, request, seed};
 use crate::target::TargetKeys;
 
 /// The schema of both responses.
 pub const SCHEMA: &str = "freestand.motion-synth/1";
 
-/// Synthetic motions that fit a target.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Synth {
-    /// The target.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub target: TargetKeys,
-    /// Number of motions [default: 10]
-    #[arg(long, value_name = "N")]
-    pub count: Option<Written>,
-    /// Time step, at most 0.01 s [default: 0.005 s]
-    #[arg(long, value_name = "TIME", help_heading = "The motion")]
-    pub time_step: Option<Written>,
-    /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
-    #[arg(long, value_name = "TIME", help_heading = "The motion")]
-    pub shaking: Option<Written>,
-    /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
-    #[arg(long, value_name = "TIME", help_heading = "The motion")]
-    pub envelope: Option<Written>,
-    /// Whether the peak is that of the target.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub peak: Peak,
+request! { question
+    /// Synthetic motions that fit a target.
+    pub struct Synth {
+        /// The target.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub target: TargetKeys,
+        /// Number of motions [default: 10]
+        #[arg(long, value_name = "N")]
+        pub count: Option<Written>,
+        /// Time step, at most 0.01 s [default: 0.005 s]
+        #[arg(long, value_name = "TIME", help_heading = "The motion")]
+        pub time_step: Option<Written>,
+        /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
+        #[arg(long, value_name = "TIME", help_heading = "The motion")]
+        pub shaking: Option<Written>,
+        /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
+        #[arg(long, value_name = "TIME", help_heading = "The motion")]
+        pub envelope: Option<Written>,
+        /// Whether the peak is that of the target.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub peak: Peak,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
 
-request!(Synth { count, time_step, shaking, envelope, seed; target, peak, unknown });
-
-/// A record matched to a target.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Match {
-    /// Record
-    #[arg(value_name = "FILE")]
-    pub motion: Option<Written>,
-    /// Method [default: wavelet]
-    #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS))]
-    pub method: Option<Written>,
-    /// Whether the peak is that of the target.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub peak: Peak,
-    /// The target.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub target: TargetKeys,
-    /// How the record is read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
-
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+request! { question
+    /// A record matched to a target.
+    pub struct Match {
+        /// Record
+        #[arg(value_name = "FILE")]
+        pub motion: Option<Written>,
+        /// Method [default: wavelet]
+        #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS))]
+        pub method: Option<Written>,
+        /// Whether the peak is that of the target.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub peak: Peak,
+        /// The target.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub target: TargetKeys,
+        /// How the record is read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
 
-request!(Match { motion, method; peak, target, records, unknown });
-
-/// Whether the peak acceleration is that of the target.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Peak {
-    /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
-    /// short periods gets worse
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "The motion")]
-    pub match_pga: Switch,
+request! {
+    /// Whether the peak acceleration is that of the target.
+    pub struct Peak {
+        /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
+        /// short periods gets worse
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The motion")]
+        pub match_pga: Switch,
+    }
 }
-
-request!(Peak { match_pga });
 
 /// How the spectrum of a record is matched to the target.
 const METHODS: Choices<MatchMethod> = &[

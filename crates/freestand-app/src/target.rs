@@ -2,126 +2,97 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::target::{Target, period_code};
-use serde::Deserialize;
 
 use crate::files::Files;
 use crate::request::{Request, request};
 
-/// A target: the spectrum of a code, or a table of the user.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct TargetKeys {
-    /// Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of --spectrum]
-    #[arg(long, value_name = "CODE", help_heading = "The code")]
-    pub code: Option<Written>,
-    /// Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 [default:
-    /// the first]
-    #[arg(long, value_name = "YEAR", help_heading = "The code")]
-    pub edition: Option<Written>,
-    /// Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, subsoil class A
-    /// to E of NZS 1170.5, site class A to E of ASCE 7
-    #[arg(long, value_name = "CLASS", help_heading = "The code")]
-    pub site: Option<Written>,
-    /// Place whose hazard is used, with its code: freestand place list [default: Melbourne]
-    #[arg(long, value_name = "NAME", help_heading = "The code")]
-    pub place: Option<Written>,
-    /// Hazard factor Z [default: that of the place]
-    #[arg(long, value_name = "RATIO", help_heading = "AS 1170.4 and NZS 1170.5")]
-    pub hazard_factor: Option<Written>,
-    /// Another name of --place
-    #[arg(long, value_name = "NAME", help_heading = "AS 1170.4 and NZS 1170.5")]
-    pub city: Option<Written>,
-    /// Return period in years [default: 500]
-    #[arg(
-        long = "return-period",
-        value_name = "YEARS",
-        help_heading = "AS 1170.4 and NZS 1170.5"
-    )]
-    pub return_period_years: Option<Written>,
-    /// Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]
-    #[arg(long, value_name = "LENGTH", help_heading = "AS 1170.4 and NZS 1170.5")]
-    pub fault_distance: Option<Written>,
-    /// Type of spectrum: 1, or 2 if magnitudes stay below 5.5
-    #[arg(long, value_name = "1|2", help_heading = "Eurocode 8")]
-    pub spectrum_type: Option<Written>,
-    /// Reference ground acceleration on rock, a_gR
-    #[arg(long, value_name = "ACCELERATION", help_heading = "Eurocode 8")]
-    pub ground_acceleration: Option<Written>,
-    /// Importance factor [default: 1]
-    #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
-    pub importance_factor: Option<Written>,
-    /// Soil factor S of a national annex [default: as recommended for the ground type]
-    #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
-    pub soil_factor: Option<Written>,
-    /// TB, TC and TD of a national annex, such as "0.15 s, 0.5 s, 2 s" [default: as recommended]
-    #[arg(long, value_name = "LIST", help_heading = "Eurocode 8")]
-    pub corner_periods: Option<Written>,
-    /// Design acceleration at short periods
-    #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-    pub sds: Option<Written>,
-    /// Design acceleration at 1 s
-    #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-    pub sd1: Option<Written>,
-    /// Mapped acceleration at short periods, instead of --sds
-    #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-    pub ss: Option<Written>,
-    /// Mapped acceleration at 1 s, instead of --sd1
-    #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-    pub s1: Option<Written>,
-    /// Site coefficient of --ss [default: that of --site]
-    #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
-    pub fa: Option<Written>,
-    /// Site coefficient of --s1 [default: that of --site]
-    #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
-    pub fv: Option<Written>,
-    /// Long-period transition TL [default with --place: 8 s]
-    #[arg(long, value_name = "TIME", help_heading = "ASCE 7")]
-    pub long_period: Option<Written>,
-    /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings
-    #[arg(long, value_name = "FILE", help_heading = "A table of your own")]
-    pub spectrum: Option<Written>,
-    /// How to interpolate between periods: log-log or linear [default: log-log]
-    #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
-    pub interpolation: Option<Written>,
-    /// Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement above)
-    /// [default: refuse]
-    #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
-    pub beyond: Option<Written>,
+request! {
+    /// A target: the spectrum of a code, or a table of the user.
+    pub struct TargetKeys {
+        /// Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of --spectrum]
+        #[arg(long, value_name = "CODE", help_heading = "The code")]
+        pub code: Option<Written>,
+        /// Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 [default:
+        /// the first]
+        #[arg(long, value_name = "YEAR", help_heading = "The code")]
+        pub edition: Option<Written>,
+        /// Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, subsoil class A
+        /// to E of NZS 1170.5, site class A to E of ASCE 7
+        #[arg(long, value_name = "CLASS", help_heading = "The code")]
+        pub site: Option<Written>,
+        /// Place whose hazard is used, with its code: freestand place list [default: Melbourne]
+        #[arg(long, value_name = "NAME", help_heading = "The code")]
+        pub place: Option<Written>,
+        /// Hazard factor Z [default: that of the place]
+        #[arg(long, value_name = "RATIO", help_heading = "AS 1170.4 and NZS 1170.5")]
+        pub hazard_factor: Option<Written>,
+        /// Another name of --place
+        #[arg(long, value_name = "NAME", help_heading = "AS 1170.4 and NZS 1170.5")]
+        pub city: Option<Written>,
+        /// Return period in years [default: 500]
+        #[arg(
+            long = "return-period",
+            value_name = "YEARS",
+            help_heading = "AS 1170.4 and NZS 1170.5"
+        )]
+        pub return_period_years: Option<Written>,
+        /// Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]
+        #[arg(long, value_name = "LENGTH", help_heading = "AS 1170.4 and NZS 1170.5")]
+        pub fault_distance: Option<Written>,
+        /// Type of spectrum: 1, or 2 if magnitudes stay below 5.5
+        #[arg(long, value_name = "1|2", help_heading = "Eurocode 8")]
+        pub spectrum_type: Option<Written>,
+        /// Reference ground acceleration on rock, a_gR
+        #[arg(long, value_name = "ACCELERATION", help_heading = "Eurocode 8")]
+        pub ground_acceleration: Option<Written>,
+        /// Importance factor [default: 1]
+        #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
+        pub importance_factor: Option<Written>,
+        /// Soil factor S of a national annex [default: as recommended for the ground type]
+        #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
+        pub soil_factor: Option<Written>,
+        /// TB, TC and TD of a national annex, such as "0.15 s, 0.5 s, 2 s" [default: as recommended]
+        #[arg(long, value_name = "LIST", help_heading = "Eurocode 8")]
+        pub corner_periods: Option<Written>,
+        /// Design acceleration at short periods
+        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
+        pub sds: Option<Written>,
+        /// Design acceleration at 1 s
+        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
+        pub sd1: Option<Written>,
+        /// Mapped acceleration at short periods, instead of --sds
+        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
+        pub ss: Option<Written>,
+        /// Mapped acceleration at 1 s, instead of --sd1
+        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
+        pub s1: Option<Written>,
+        /// Site coefficient of --ss [default: that of --site]
+        #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
+        pub fa: Option<Written>,
+        /// Site coefficient of --s1 [default: that of --site]
+        #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
+        pub fv: Option<Written>,
+        /// Long-period transition TL [default with --place: 8 s]
+        #[arg(long, value_name = "TIME", help_heading = "ASCE 7")]
+        pub long_period: Option<Written>,
+        /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings
+        #[arg(long, value_name = "FILE", help_heading = "A table of your own")]
+        pub spectrum: Option<Written>,
+        /// How to interpolate between periods: log-log or linear [default: log-log]
+        #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
+        pub interpolation: Option<Written>,
+        /// Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement above)
+        /// [default: refuse]
+        #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
+        pub beyond: Option<Written>,
+    }
 }
-
-request!(TargetKeys {
-    code,
-    edition,
-    site,
-    place,
-    hazard_factor,
-    city,
-    return_period_years,
-    fault_distance,
-    spectrum_type,
-    ground_acceleration,
-    importance_factor,
-    soil_factor,
-    corner_periods,
-    sds,
-    sd1,
-    ss,
-    s1,
-    fa,
-    fv,
-    long_period,
-    spectrum,
-    interpolation,
-    beyond
-});
 
 impl TargetKeys {
     /// The target; its problems are added.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgAction, Args};
+use clap::ArgAction;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::problem::Problems;
@@ -12,11 +12,10 @@ use freestand_input::written::Written;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::laboratory::virtual_laboratory::assume_damping;
 use freestand_study::study::DEFAULT_SEED;
-use serde::Deserialize;
 
 use crate::CushionUnder;
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, Unknown, reader, request, seed};
+use crate::request::{Question, Request as _, Switch, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-simulate/1";
@@ -27,79 +26,68 @@ const HIGHEST_M: f64 = 1000.0;
 /// More bounces are none.
 const MOST_BOUNCES: u32 = 20;
 
-/// A cushion, and tests of it.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct VirtualTests {
-    /// The cushion.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pad: CushionUnder,
-    /// Mass of the impactor
-    #[arg(long, value_name = "MASS")]
-    pub mass: Option<Written>,
-    /// Drop height
-    #[arg(long, value_name = "LENGTH")]
-    pub height: Option<Written>,
-    /// Samples per second [default: 50 per contact]
-    #[arg(long, value_name = "FREQUENCY")]
-    pub sample_rate: Option<Written>,
-    /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
-    /// force) [default: 0]
-    #[arg(long, value_name = "RATIO")]
-    pub noise: Option<Written>,
-    /// Bias added to every sample [default: 0 g]
-    #[arg(long, value_name = "ACCELERATION")]
-    pub bias: Option<Written>,
-    /// Shift of the zero line after the peak, as a share of the peak [default: 0]
-    #[arg(long, value_name = "RATIO")]
-    pub zero_shift: Option<Written>,
-    /// Corner frequency of a two-pole low-pass filter before the A/D converter [default: no filter]
-    #[arg(long, value_name = "FREQUENCY")]
-    pub filter_corner: Option<Written>,
-    /// Time before the first touch [default: 3 contacts]
-    #[arg(long, value_name = "TIME")]
-    pub pre_trigger: Option<Written>,
-    /// Number of bounces after the first contact [default: 0]
-    #[arg(long, value_name = "N")]
-    pub bounces: Option<Written>,
-    /// Gravity during the contact [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION")]
-    pub gravity: Option<Written>,
-    /// Number of tests [default: 1]
-    #[arg(long, value_name = "N")]
-    pub count: Option<Written>,
-    /// Simulate static tests instead of drops
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Static tests")]
-    pub r#static: Switch,
-    /// Largest force [default: 1 kN]
-    #[arg(long, value_name = "FORCE", help_heading = "Static tests")]
-    pub load: Option<Written>,
-    /// Energy lost as a share of the energy put in [default: 0]
-    #[arg(long, value_name = "RATIO", help_heading = "Static tests")]
-    pub hysteresis: Option<Written>,
-    /// Slack before the pad is touched [default: 0 mm]
-    #[arg(long, value_name = "LENGTH", help_heading = "Static tests")]
-    pub slack: Option<Written>,
-    /// Stiffness of the machine [default: rigid]
-    #[arg(long, value_name = "STIFFNESS", help_heading = "Static tests")]
-    pub machine_compliance: Option<Written>,
+request! { question
+    /// A cushion, and tests of it.
+    pub struct VirtualTests {
+        /// The cushion.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pad: CushionUnder,
+        /// Mass of the impactor
+        #[arg(long, value_name = "MASS")]
+        pub mass: Option<Written>,
+        /// Drop height
+        #[arg(long, value_name = "LENGTH")]
+        pub height: Option<Written>,
+        /// Samples per second [default: 50 per contact]
+        #[arg(long, value_name = "FREQUENCY")]
+        pub sample_rate: Option<Written>,
+        /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
+        /// force) [default: 0]
+        #[arg(long, value_name = "RATIO")]
+        pub noise: Option<Written>,
+        /// Bias added to every sample [default: 0 g]
+        #[arg(long, value_name = "ACCELERATION")]
+        pub bias: Option<Written>,
+        /// Shift of the zero line after the peak, as a share of the peak [default: 0]
+        #[arg(long, value_name = "RATIO")]
+        pub zero_shift: Option<Written>,
+        /// Corner frequency of a two-pole low-pass filter before the A/D converter [default: no filter]
+        #[arg(long, value_name = "FREQUENCY")]
+        pub filter_corner: Option<Written>,
+        /// Time before the first touch [default: 3 contacts]
+        #[arg(long, value_name = "TIME")]
+        pub pre_trigger: Option<Written>,
+        /// Number of bounces after the first contact [default: 0]
+        #[arg(long, value_name = "N")]
+        pub bounces: Option<Written>,
+        /// Gravity during the contact [default: 1 g]
+        #[arg(long, value_name = "ACCELERATION")]
+        pub gravity: Option<Written>,
+        /// Number of tests [default: 1]
+        #[arg(long, value_name = "N")]
+        pub count: Option<Written>,
+        /// Simulate static tests instead of drops
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Static tests")]
+        pub r#static: Switch,
+        /// Largest force [default: 1 kN]
+        #[arg(long, value_name = "FORCE", help_heading = "Static tests")]
+        pub load: Option<Written>,
+        /// Energy lost as a share of the energy put in [default: 0]
+        #[arg(long, value_name = "RATIO", help_heading = "Static tests")]
+        pub hysteresis: Option<Written>,
+        /// Slack before the pad is touched [default: 0 mm]
+        #[arg(long, value_name = "LENGTH", help_heading = "Static tests")]
+        pub slack: Option<Written>,
+        /// Stiffness of the machine [default: rigid]
+        #[arg(long, value_name = "STIFFNESS", help_heading = "Static tests")]
+        pub machine_compliance: Option<Written>,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(VirtualTests {
-    mass, height, sample_rate, noise, bias, zero_shift, filter_corner, pre_trigger, bounces, gravity, count, r#static,
-    load, hysteresis, slack, machine_compliance, seed;
-    pad, unknown
-});
 
 /// What is asked, in SI.
 #[derive(Debug, Clone)]

@@ -1,57 +1,46 @@
 //! Walls beside an object.
 
-use clap::Args;
 use freestand::block::Block;
 use freestand::rocking::RockingModel;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
-use serde::Deserialize;
 
 use crate::request::request;
 
-/// Walls beside an object.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct Walls {
-    /// Distance of the wall behind the object (on its left) from its face; 0 where they touch
-    /// [default: no wall]
-    #[arg(
-        long,
-        visible_alias = "wall-gap",
-        value_name = "LENGTH",
-        help_heading = "Walls beside the object"
-    )]
-    pub wall_gap_left: Option<Written>,
-    /// Distance of the wall on the right [default: no wall]
-    #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
-    pub wall_gap_right: Option<Written>,
-    /// Height of the walls [default: taller than the object]
-    #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
-    pub wall_height: Option<Written>,
-    /// Angular velocity after an impact on a wall divided by the one before, at least 0 and less
-    /// than 1, on a rigid base [default: 0.5]
-    #[arg(long, value_name = "RATIO", help_heading = "Walls beside the object")]
-    pub wall_restitution: Option<Written>,
-    /// Stiffness of the walls at the point of contact; with --mass it gives the shock there [default
-    /// on a compliant base: that of the cushion under an edge]
-    #[arg(
-        long,
-        value_name = "STIFFNESS",
-        help_heading = "Walls beside the object"
-    )]
-    pub wall_stiffness: Option<Written>,
+request! {
+    /// Walls beside an object.
+    pub struct Walls {
+        /// Distance of the wall behind the object (on its left) from its face; 0 where they touch
+        /// [default: no wall]
+        #[arg(
+            long,
+            visible_alias = "wall-gap",
+            value_name = "LENGTH",
+            help_heading = "Walls beside the object"
+        )]
+        pub wall_gap_left: Option<Written>,
+        /// Distance of the wall on the right [default: no wall]
+        #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
+        pub wall_gap_right: Option<Written>,
+        /// Height of the walls [default: taller than the object]
+        #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
+        pub wall_height: Option<Written>,
+        /// Angular velocity after an impact on a wall divided by the one before, at least 0 and less
+        /// than 1, on a rigid base [default: 0.5]
+        #[arg(long, value_name = "RATIO", help_heading = "Walls beside the object")]
+        pub wall_restitution: Option<Written>,
+        /// Stiffness of the walls at the point of contact; with --mass it gives the shock there [default
+        /// on a compliant base: that of the cushion under an edge]
+        #[arg(
+            long,
+            value_name = "STIFFNESS",
+            help_heading = "Walls beside the object"
+        )]
+        pub wall_stiffness: Option<Written>,
+    }
 }
-
-request!(Walls {
-    wall_gap_left,
-    wall_gap_right,
-    wall_height,
-    wall_restitution,
-    wall_stiffness
-});
 
 /// The walls beside `block`, their stiffness, and the mass for the shock there; no walls if something is wrong.
 /// `model` is that of a rigid base.

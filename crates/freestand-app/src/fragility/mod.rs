@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::PathBuf;
 
-use clap::{Arg, ArgAction, Args};
+use clap::{Arg, ArgAction};
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_assess::export::{ExportRequest, FORMATS};
@@ -21,7 +21,6 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_study::study::DEFAULT_SEED;
-use serde::Deserialize;
 
 use crate::block::GeneralBlock;
 use crate::cushion::CushionUnder;
@@ -30,7 +29,7 @@ use crate::hazard::{self, HazardCurve};
 use crate::list::ListKeys;
 use crate::records::{Records, VerticalRecords};
 use crate::request::{
-    Question, Request as _, Switch, Unknown, one_of, one_or_many, path, reader, request, seed,
+    Question, Request as _, Switch, one_of, one_or_many, path, reader, request, seed,
 };
 
 use exports::Exports;
@@ -38,62 +37,52 @@ use runs::{Chosen, RunMotions};
 
 pub use freestand_assess::fragility::FRAGILITY_SCHEMA as SCHEMA;
 
-/// How likely objects fail at an intensity, from runs or from a table of outcomes.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-#[command(mut_args(under_heading))]
-pub struct Fragility {
-    /// Table of outcomes (CSV) of earlier runs; nothing is run
-    #[arg(long, value_name = "FILE")]
-    pub outcomes: Option<Written>,
-    /// The study and the list of the objects.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub list: ListKeys,
-    /// One object, instead of a list.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub object: OneObject,
-    /// How the runs are chosen.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub runs: RunKeys,
-    /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
-    /// is on the ground [default: ground; with --motion, floor]
-    #[arg(long, value_name = "AT", value_parser = one_of(PLACES))]
-    pub at: Option<Written>,
-    /// How the limit states of an object are fitted [default: ordered]
-    #[arg(long, value_name = "FIT", value_parser = one_of(FIT_METHODS))]
-    pub fit: Option<Written>,
-    /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
-    #[arg(long, value_name = "ACCELERATION", help_heading = "From the shocks")]
-    pub ceiling: Option<Written>,
-    /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
-    #[arg(long, value_name = "N")]
-    pub bootstrap: Option<Written>,
-    /// Folders for other programs.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub exports: ExportKeys,
-    /// A hazard curve.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub curve: HazardCurve,
+request! { question
+    /// How likely objects fail at an intensity, from runs or from a table of outcomes.
+    #[command(mut_args(under_heading))]
+    pub struct Fragility {
+        /// Table of outcomes (CSV) of earlier runs; nothing is run
+        #[arg(long, value_name = "FILE")]
+        pub outcomes: Option<Written>,
+        /// The study and the list of the objects.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub list: ListKeys,
+        /// One object, instead of a list.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub object: OneObject,
+        /// How the runs are chosen.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub runs: RunKeys,
+        /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
+        /// is on the ground [default: ground; with --motion, floor]
+        #[arg(long, value_name = "AT", value_parser = one_of(PLACES))]
+        pub at: Option<Written>,
+        /// How the limit states of an object are fitted [default: ordered]
+        #[arg(long, value_name = "FIT", value_parser = one_of(FIT_METHODS))]
+        pub fit: Option<Written>,
+        /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
+        #[arg(long, value_name = "ACCELERATION", help_heading = "From the shocks")]
+        pub ceiling: Option<Written>,
+        /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
+        #[arg(long, value_name = "N")]
+        pub bootstrap: Option<Written>,
+        /// Folders for other programs.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub exports: ExportKeys,
+        /// A hazard curve.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub curve: HazardCurve,
 
-    /// Seed of the random numbers.
-    #[arg(skip)]
-    pub seed: Option<Written>,
-    /// Keys that are not known.
-    #[arg(skip)]
-    #[serde(flatten)]
-    pub unknown: Unknown,
+        /// Seed of the random numbers.
+        #[arg(skip)]
+        pub seed: Option<Written>,
+    }
 }
-
-request!(Fragility {
-    outcomes, at, fit, ceiling, bootstrap, seed;
-    list, object, runs, exports, curve, unknown
-});
 
 /// Puts the keys of its parts under their headings in the help.
 fn under_heading(arg: Arg) -> Arg {
@@ -111,148 +100,120 @@ pub const PLACES: Choices<At> = &[
     (At::Floor, "floor", "of the floor motion"),
 ];
 
-/// One object, and the motions of the floor under it.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct OneObject {
-    /// Height of one object, instead of an inventory
-    #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-    pub height: Option<Written>,
-    /// Horizontal size of the object in the plane of rocking
-    #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-    pub thickness: Option<Written>,
-    /// Mass of the object; needed for the shock
-    #[arg(long, value_name = "MASS", help_heading = "One object")]
-    pub mass: Option<Written>,
-    /// What else is known of the object.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub block: GeneralBlock,
-    /// The cushion under one edge.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub pad: CushionUnder,
-    /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
-    /// [default: Housner's]
-    #[arg(long, value_name = "RATIO", help_heading = "One object")]
-    pub restitution: Option<Written>,
-    /// Factor that multiplies Housner's restitution
-    #[arg(long, value_name = "RATIO", help_heading = "One object")]
-    pub restitution_factor: Option<Written>,
-    /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
-    /// fit of `exceeds` uses the shocks of the column `edge_acceleration [g]`, not the outcomes
-    #[arg(long, value_name = "ACCELERATION", help_heading = "One object")]
-    pub tolerance: Option<Written>,
-    /// Duration of the half-sine pulse whose peak is --tolerance
-    #[arg(long, value_name = "TIME", help_heading = "One object")]
-    pub tolerance_duration: Option<Written>,
-    /// Velocity change that the object withstands; with --tolerance a damage boundary
-    #[arg(long, value_name = "VELOCITY", help_heading = "One object")]
-    pub tolerance_velocity_change: Option<Written>,
-    /// Uplift of the free edge that the object withstands
-    #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-    pub tolerance_edge_lift: Option<Written>,
-    /// Records of the horizontal acceleration of the floor under the object
-    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub motion: Vec<Written>,
-    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion
-    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub vertical: Vec<Written>,
-    /// How vertical records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub upward: VerticalRecords,
-    /// How records are read.
-    #[command(flatten)]
-    #[serde(flatten)]
-    pub records: Records,
+request! {
+    /// One object, and the motions of the floor under it.
+    pub struct OneObject {
+        /// Height of one object, instead of an inventory
+        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
+        pub height: Option<Written>,
+        /// Horizontal size of the object in the plane of rocking
+        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
+        pub thickness: Option<Written>,
+        /// Mass of the object; needed for the shock
+        #[arg(long, value_name = "MASS", help_heading = "One object")]
+        pub mass: Option<Written>,
+        /// What else is known of the object.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub block: GeneralBlock,
+        /// The cushion under one edge.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub pad: CushionUnder,
+        /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
+        /// [default: Housner's]
+        #[arg(long, value_name = "RATIO", help_heading = "One object")]
+        pub restitution: Option<Written>,
+        /// Factor that multiplies Housner's restitution
+        #[arg(long, value_name = "RATIO", help_heading = "One object")]
+        pub restitution_factor: Option<Written>,
+        /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
+        /// fit of `exceeds` uses the shocks of the column `edge_acceleration [g]`, not the outcomes
+        #[arg(long, value_name = "ACCELERATION", help_heading = "One object")]
+        pub tolerance: Option<Written>,
+        /// Duration of the half-sine pulse whose peak is --tolerance
+        #[arg(long, value_name = "TIME", help_heading = "One object")]
+        pub tolerance_duration: Option<Written>,
+        /// Velocity change that the object withstands; with --tolerance a damage boundary
+        #[arg(long, value_name = "VELOCITY", help_heading = "One object")]
+        pub tolerance_velocity_change: Option<Written>,
+        /// Uplift of the free edge that the object withstands
+        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
+        pub tolerance_edge_lift: Option<Written>,
+        /// Records of the horizontal acceleration of the floor under the object
+        #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub motion: Vec<Written>,
+        /// Records of the vertical acceleration of the floor, positive upward: one for each --motion
+        #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub vertical: Vec<Written>,
+        /// How vertical records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub upward: VerticalRecords,
+        /// How records are read.
+        #[command(flatten)]
+        #[serde(flatten)]
+        pub records: Records,
+    }
 }
 
-request!(OneObject {
-    height, thickness, mass, restitution, restitution_factor, tolerance, tolerance_duration,
-    tolerance_velocity_change, tolerance_edge_lift, motion, vertical;
-    block, pad, upward, records
-});
-
-/// How the runs are chosen.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct RunKeys {
-    /// Rotation divided by α beyond which `exceeds` is reached, such as 0.4; also for an inventory
-    #[arg(long, value_name = "RATIO", help_heading = "The runs")]
-    pub tolerance_rotation: Option<Written>,
-    /// Intensity measures, such as "pfv, pfa, sa(0.5), sa_avg(0.2:2), velocity_ratio"; the first one
-    /// is that of fragility.csv [default: pfv, with a study pgv]
-    #[arg(long, value_name = "LIST", help_heading = "The runs")]
-    pub im: Option<Written>,
-    /// How the runs are chosen [default: ida]
-    #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS), help_heading = "The runs")]
-    pub method: Option<Written>,
-    /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
-    /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
-    /// "0.1 m/s:2 m/s:12" [default: adaptive]
-    #[arg(long, value_name = "adaptive|GRID", help_heading = "The runs")]
-    pub scales: Option<Written>,
-    /// Largest factor on a motion [default: 10]
-    #[arg(long, value_name = "RATIO", help_heading = "The runs")]
-    pub max_scale: Option<Written>,
-    /// Options (CSV), as for freestand risk: objects whose stiffness, base thickness or mass an option
-    /// changes are also run as changed, with the id ID/option
-    #[arg(long, value_name = "FILE", help_heading = "The runs")]
-    pub options: Option<Written>,
-    /// Continue the runs of an inventory that Ctrl-C or a crash ended, in the same --out
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "The runs")]
-    pub resume: Switch,
-    /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
-    #[arg(long, value_name = "N", help_heading = "The runs")]
-    pub worlds: Option<Written>,
+request! {
+    /// How the runs are chosen.
+    pub struct RunKeys {
+        /// Rotation divided by α beyond which `exceeds` is reached, such as 0.4; also for an inventory
+        #[arg(long, value_name = "RATIO", help_heading = "The runs")]
+        pub tolerance_rotation: Option<Written>,
+        /// Intensity measures, such as "pfv, pfa, sa(0.5), sa_avg(0.2:2), velocity_ratio"; the first one
+        /// is that of fragility.csv [default: pfv, with a study pgv]
+        #[arg(long, value_name = "LIST", help_heading = "The runs")]
+        pub im: Option<Written>,
+        /// How the runs are chosen [default: ida]
+        #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS), help_heading = "The runs")]
+        pub method: Option<Written>,
+        /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
+        /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
+        /// "0.1 m/s:2 m/s:12" [default: adaptive]
+        #[arg(long, value_name = "adaptive|GRID", help_heading = "The runs")]
+        pub scales: Option<Written>,
+        /// Largest factor on a motion [default: 10]
+        #[arg(long, value_name = "RATIO", help_heading = "The runs")]
+        pub max_scale: Option<Written>,
+        /// Options (CSV), as for freestand risk: objects whose stiffness, base thickness or mass an option
+        /// changes are also run as changed, with the id ID/option
+        #[arg(long, value_name = "FILE", help_heading = "The runs")]
+        pub options: Option<Written>,
+        /// Continue the runs of an inventory that Ctrl-C or a crash ended, in the same --out
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The runs")]
+        pub resume: Switch,
+        /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
+        #[arg(long, value_name = "N", help_heading = "The runs")]
+        pub worlds: Option<Written>,
+    }
 }
 
-request!(RunKeys {
-    tolerance_rotation,
-    im,
-    method,
-    scales,
-    max_scale,
-    options,
-    resume,
-    worlds
-});
-
-/// Folders for other programs.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize, Args)]
-#[serde(default)]
-#[group(skip)]
-pub struct ExportKeys {
-    /// Write a folder for another program into --out; may be given several times
-    #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS), help_heading = "Other programs")]
-    #[serde(deserialize_with = "one_or_many")]
-    pub format: Vec<Written>,
-    /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
-    #[arg(long, value_name = "INTENSITY", help_heading = "Other programs")]
-    pub demand: Option<Written>,
-    /// Realizations of pelicun with --demand [default: 10000]
-    #[arg(long, value_name = "N", help_heading = "Other programs")]
-    pub realizations: Option<Written>,
-    /// β for limit states that have none, such as a step
-    #[arg(long, value_name = "RATIO", help_heading = "Other programs")]
-    pub beta: Option<Written>,
-    /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
-    #[arg(long, action = ArgAction::SetTrue, help_heading = "Other programs")]
-    pub discrete: Switch,
+request! {
+    /// Folders for other programs.
+    pub struct ExportKeys {
+        /// Write a folder for another program into --out; may be given several times
+        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS), help_heading = "Other programs")]
+        #[serde(deserialize_with = "one_or_many")]
+        pub format: Vec<Written>,
+        /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
+        #[arg(long, value_name = "INTENSITY", help_heading = "Other programs")]
+        pub demand: Option<Written>,
+        /// Realizations of pelicun with --demand [default: 10000]
+        #[arg(long, value_name = "N", help_heading = "Other programs")]
+        pub realizations: Option<Written>,
+        /// β for limit states that have none, such as a step
+        #[arg(long, value_name = "RATIO", help_heading = "Other programs")]
+        pub beta: Option<Written>,
+        /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "Other programs")]
+        pub discrete: Switch,
+    }
 }
-
-request!(ExportKeys {
-    format,
-    demand,
-    realizations,
-    beta,
-    discrete
-});
 
 /// What is asked.
 #[derive(Debug, Clone)]
