@@ -158,8 +158,7 @@ impl<L: Library> Question for Search<L> {
             one => matches!(one, Written::Number(_)),
         };
         if !self.words.iter().all(is_word) {
-            let hint = "give words such as \"bookcase\"";
-            read.note(&["words"], "a word is empty, or is none", hint);
+            read.note(&["words"], "a word is empty", "give one or more words");
         }
         let library = path(&mut read, "library", files);
         let wanted = Wanted::WithWords(self.words.iter().map(Written::text).collect());

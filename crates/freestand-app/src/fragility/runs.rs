@@ -22,8 +22,8 @@ use super::OneObject;
 use crate::block::{block, restitution, sizes};
 use crate::files::Files;
 use crate::list::ListMeant;
-use crate::records::NamedRecords;
-use crate::request::Request as _;
+use crate::records::{NamedRecords, Records, VerticalRecords};
+use crate::request::{Request as _, keys};
 
 /// How runs are chosen.
 pub(super) struct Chosen {
@@ -51,6 +51,9 @@ impl Chosen {
             _ => None,
         };
         let max_scale = read.positive("max_scale", Dimension::Ratio);
+        if method == Method::Cloud {
+            read.idle(&["max_scale"], "a cloud uses every motion unscaled");
+        }
         Some(Self {
             measures: asked?.unwrap_or_default(),
             method,
@@ -205,6 +208,12 @@ pub(super) fn listed(
     Ok((objects, files))
 }
 
+/// Whether a key says which records are read, or how.
+fn of_records(key: &str) -> bool {
+    let known = [keys::<Records>(), keys::<VerticalRecords>()].concat();
+    ["motion", "vertical"].contains(&key) || known.iter().any(|known| known == key)
+}
+
 /// What is said of a key that nothing reads in these runs.
 pub(super) fn refusal(key: &str, is_listed: bool) -> (String, &'static str) {
     match key {
@@ -216,12 +225,13 @@ pub(super) fn refusal(key: &str, is_listed: bool) -> (String, &'static str) {
             format!("`{key}` is for an inventory in the building of a study, and none is run"),
             "leave it out, or give `inventory` or a study in place of one object",
         ),
+        _ if of_records(key) => (
+            format!("`{key}` is for records of `motion`, but an inventory or a study is given"),
+            "leave it out: the motions of an inventory are those of its study",
+        ),
         _ => (
-            format!(
-                "`{key}` is for one object and its motions, but an inventory or a study is given"
-            ),
-            "write it into the inventory, or leave the inventory and the study out; the motions of an inventory \
-             are those of its study",
+            format!("`{key}` is for one object, but an inventory or a study is given"),
+            "write it into the inventory, or leave the inventory and the study out",
         ),
     }
 }

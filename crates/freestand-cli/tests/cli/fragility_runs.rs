@@ -608,7 +608,7 @@ fn what_cannot_be_run_is_refused() {
         said(&["--ceiling", "9g", "--tolerance", "2g"])
             .contains("--ceiling is for --outcomes only")
     );
-    assert!(said(&["--inventory", "list.csv"]).contains("is for one object and its motions"));
+    assert!(said(&["--inventory", "list.csv"]).contains("is for one object, but an inventory"));
     let alone = |flags: &[&str]| refused(folder, &[&["fragility"], flags].concat());
     assert!(alone(&[]).contains("nothing to run and nothing to fit"));
     assert!(alone(&["--height", "2m", "--thickness", "0.5m"]).contains("no motions"));
@@ -1250,7 +1250,7 @@ fn flags_that_would_be_ignored_are_refused() {
         read.status.code() == Some(2)
             && String::from_utf8(read.stderr)
                 .unwrap()
-                .contains("--unit is for one object and its motions")
+                .contains("--unit is for records of --motion")
     );
 }
 

@@ -232,7 +232,7 @@ fn words_that_contradict_themselves() {
         (
             &[("return_period_years", "99999999999999")],
             1,
-            "no factor for a return period",
+            "must be a smaller number",
         ),
         (&[("edition", "1993")], 1, "`edition` must be 2007"),
         (

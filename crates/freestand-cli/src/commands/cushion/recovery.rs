@@ -8,6 +8,7 @@ use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery}
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table};
 
 /// Test how well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
@@ -35,9 +36,10 @@ impl Tell for Recovery {
     fn tell(
         request: RecoveryRequest,
         (): &(),
-        _: &GlobalArgs,
+        global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
+        let files = Files::begin(global, &[])?;
         let bar = printer.progress_bar(false);
         let cells =
             request.cushions.len() * request.samples_per_contact.len() * request.noise_ratios.len();
@@ -45,7 +47,7 @@ impl Tell for Recovery {
         bar.set_message("cells");
         let report = recovery(&request, &|done| bar.set_position(done as u64));
         bar.finish_and_clear();
-        printer.result(SCHEMA, &report, &[], || {
+        files.print(printer, SCHEMA, &report, &[], || {
             facts_table(report.rows.iter().map(Answer::facts), &COLUMNS)
         })?;
         Ok(Done::OK)
