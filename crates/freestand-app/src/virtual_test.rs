@@ -135,7 +135,7 @@ impl Question for VirtualTests {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let mass_kg = read.positive("mass", Dimension::Mass);
-        let noise = read.non_negative("noise", Dimension::Ratio);
+        let noise = read.share("noise");
         let edge = self.edge(&mut read, mass_kg, files);
         let count = read.whole_within("count", 1..=1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
@@ -190,7 +190,7 @@ impl VirtualTests {
 fn presses(read: &mut WordReader<'_>, noise: Option<f64>, seed: u64) -> VirtualStaticOptions {
     let usual = VirtualStaticOptions::default();
     let load = read.positive("load", Dimension::Force);
-    let hysteresis = read.non_negative("hysteresis", Dimension::Ratio);
+    let hysteresis = read.share("hysteresis");
     let slack = read.non_negative("slack", Dimension::Length);
     VirtualStaticOptions {
         max_force_n: load.unwrap_or(usual.max_force_n),

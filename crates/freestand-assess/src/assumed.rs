@@ -51,9 +51,7 @@ const ALL: [Assumption; 11] = [
     ),
     (
         Column::WallGap,
-        |item| {
-            item.surroundings.wall_gap_m.is_none() && item.surroundings.neighbour_gap_m.is_none()
-        },
+        |item| !item.surroundings.has_wall(),
         "nothing within its reach",
     ),
     (

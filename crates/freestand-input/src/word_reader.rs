@@ -224,6 +224,16 @@ impl<'w> WordReader<'w> {
         )
     }
 
+    /// A share of a whole.
+    pub fn share(&mut self, key: &'static str) -> Option<f64> {
+        self.accepted(
+            key,
+            Dimension::Ratio,
+            |value| (0.0..=1.0).contains(&value),
+            ["from 0 to 100 %", "such as \"5 %\""],
+        )
+    }
+
     /// A grid or a list of quantities.
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
         let numbers = self.words.numbers(key);

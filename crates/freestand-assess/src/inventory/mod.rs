@@ -221,6 +221,13 @@ pub struct Surroundings {
     pub upper: Option<UpperBody>,
 }
 
+impl Surroundings {
+    /// Whether a wall or neighbours stand beside it.
+    pub fn has_wall(&self) -> bool {
+        self.wall_gap_m.is_some() || self.neighbour_gap_m.is_some()
+    }
+}
+
 /// The casters of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Casters {

@@ -476,19 +476,39 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
 /// What was given and changes nothing, because of how this object moves or what is not known of it.
 fn unused(object: &Object, subject: &Subject) -> Vec<String> {
     let around = &object.surroundings;
+    let rolls = around.casters == Some(Casters::Free) && !subject.rocks();
     let mut warnings = Vec::new();
     if around.clearance_m.is_some() && subject.rocks() {
         warnings.push(
             "`clearance` has no effect on an object that rocks: for a wall beside it, give `wall_gap`".to_owned(),
         );
     }
-    if around.casters == Some(Casters::Free) && object.friction_ratio.is_some() {
+    if around.has_wall() && !subject.rocks() {
+        warnings.push(
+            "`wall_gap` and `neighbour_gap` have no effect on an object that rolls or slides: the way to what stops it \
+             is `clearance`"
+                .to_owned(),
+        );
+    }
+    if around.has_wall() && around.upper.is_some() {
+        warnings.push(
+            "`wall_gap` and `neighbour_gap` have no effect on an object with another one on it"
+                .to_owned(),
+        );
+    }
+    if around.casters == Some(Casters::Free) && around.upper.is_some() {
+        warnings.push(
+            "`casters` have no effect on an object with another one on it: it is calculated as if they were braked"
+                .to_owned(),
+        );
+    }
+    if rolls && object.friction_ratio.is_some() {
         warnings.push(
             "`friction` has no effect on free casters: they roll by `rolling_resistance`"
                 .to_owned(),
         );
     }
-    if around.casters == Some(Casters::Free) && object.rests_on.is_some() {
+    if rolls && object.rests_on.is_some() {
         warnings.push(
             "`on` has no effect on free casters: the object rolls before it lifts from its pads"
                 .to_owned(),
@@ -510,7 +530,7 @@ fn surroundings_agree(
     note: &mut impl FnMut(&[&'static str], &str, &str),
 ) {
     let is_free = around.casters == Some(Casters::Free);
-    let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
+    let has_wall = around.has_wall();
     if !has_wall && (around.wall_height_m.is_some() || around.wall_restitution.is_some()) {
         note(
             &[

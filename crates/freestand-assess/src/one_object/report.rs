@@ -276,7 +276,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         upper_falls: found.stacked.map(|stacked| stacked.upper_falls),
         rolled: found.rolled,
         slides: found.model == Some(ObjectModel::Slide),
-        has_wall: names_wall(around),
+        has_wall: around.has_wall(),
         too_mild: found.answers.as_ref().and_then(|answers| answers.too_mild),
     }
 }
@@ -339,11 +339,6 @@ fn shock_words(shock_g: Ranked) -> Option<String> {
     }
 }
 
-/// Whether a wall or a neighbour was named.
-fn names_wall(around: &Surroundings) -> bool {
-    around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some()
-}
-
 /// What nobody stated of its feet, its friction, its casters and what is beside it.
 fn of_object(
     request: &ObjectRequest,
@@ -384,7 +379,7 @@ fn of_object(
     if around.casters.is_none() {
         said.push("no casters".to_owned());
     }
-    if !names_wall(around) {
+    if !around.has_wall() {
         said.push("nothing beside it".to_owned());
     }
     said
@@ -431,7 +426,7 @@ fn assumptions(
     let object = &request.object;
     let around = &object.surroundings;
     let is_free = around.casters == Some(Casters::Free);
-    let names_wall = names_wall(around);
+    let names_wall = around.has_wall();
     let is_at_wall = found.at_wall.is_some();
     let mut said: Vec<String> = study
         .assumed_at(row.item.level_ratio.unwrap_or(0.0), request.units)

@@ -301,11 +301,8 @@ fn ratings_words(ratios: [f64; 3]) -> String {
 /// How many objects are assessed as free-standing, and what that means.
 fn free_standing(study: &Study, inventory: &Inventory) -> String {
     let all = inventory.items.len();
-    let is_free = |around: &Surroundings| {
-        around.wall_gap_m.is_none()
-            && around.neighbour_gap_m.is_none()
-            && around.casters != Some(Casters::Free)
-    };
+    let is_free =
+        |around: &Surroundings| !around.has_wall() && around.casters != Some(Casters::Free);
     let without = inventory
         .items
         .iter()

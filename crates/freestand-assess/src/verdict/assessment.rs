@@ -146,8 +146,7 @@ pub(super) fn assessment(
     assessed.rolled = rolled(context, trial);
     assessed.braked = braked;
     if let Some(rolled) = &assessed.rolled {
-        let around = &member.item.surroundings;
-        let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
+        let has_wall = member.item.surroundings.has_wall();
         let verb = if matches!(trial.subject.way, Way::Slides(_)) {
             "slides"
         } else {

@@ -1,5 +1,7 @@
 //! What an assessment says of an object besides its decision.
 
+use crate::inventory::{Casters, Surroundings};
+use crate::output::words::listed;
 use crate::result::{
     AtWall, InSpace, ModelAnswers, Ranked, Rolled, Slipped, Stacked, TooMild, Unstated,
 };
@@ -45,13 +47,25 @@ pub(super) fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
             " Both begin to rock together at {together} g, what stands on it alone at {alone} g."
         )
     };
-    let wall = trial
-        .member
-        .item
-        .surroundings
-        .wall_gap_m
-        .map_or("", |_| " Its wall does not count.");
-    falls + &begins + wall
+    falls + &begins + &left_out_words(&trial.member.item.surroundings)
+}
+
+/// What is around a stack and does not count.
+fn left_out_words(around: &Surroundings) -> String {
+    let left_out = [
+        (around.wall_gap_m.is_some(), "wall"),
+        (around.neighbour_gap_m.is_some(), "neighbours"),
+        (around.casters == Some(Casters::Free), "casters"),
+    ];
+    let named: Vec<&str> = left_out
+        .into_iter()
+        .filter_map(|(is_there, name)| is_there.then_some(name))
+        .collect();
+    match named[..] {
+        [] => String::new(),
+        ["wall"] => " Its wall does not count.".to_owned(),
+        _ => format!(" Its {} do not count.", listed(&named)),
+    }
 }
 
 /// What is left out of three dimensions and of stacks.

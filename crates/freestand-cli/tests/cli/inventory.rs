@@ -75,7 +75,7 @@ fn what_is_wrong_is_said_at_once() {
     let text = "Ward 3\n\nid,item,level,height,depth [px],mass [kg]\n\
                 a,rack,3,1800,24,140\na,rack,0.5,1.8 m,24,abc\n";
     std::fs::write(here.join("objects.csv"), text).unwrap();
-    let cases: [&[&str]; 5] = [
+    let cases: [&[&str]; 8] = [
         &["inventory", "check", "objects.csv"],
         &["inventory", "check", "objects.csv", "--sheet", "Ward 3"],
         &["inventory", "check", "nowhere.xlsx"],
@@ -85,6 +85,17 @@ fn what_is_wrong_is_said_at_once() {
             "convert",
             "objects.csv",
             "objects.csv",
+            "--to",
+            "csv",
+        ],
+        // A list that somebody filled in.
+        &["inventory", "template", "objects.csv"],
+        &["inventory", "template", "--xlsx", "new.csv"],
+        &[
+            "inventory",
+            "convert",
+            "objects.csv",
+            "new.xlsx",
             "--to",
             "csv",
         ],

@@ -187,7 +187,7 @@ fn read_text(path: &Path) -> Result<String, Problem> {
         let message = "is a list or a record, not a study";
         return Err(Problem::value(
             message,
-            "give a list with `inventory`, a record with `motion`",
+            "a study is a TOML file; lists and records are given apart from it",
         )
         .in_file(path));
     }

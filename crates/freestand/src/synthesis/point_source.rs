@@ -17,6 +17,8 @@ const FREE_SURFACE_RATIO: f64 = 2.0;
 const REFERENCE_DISTANCE_M: f64 = 1000.0;
 /// Coefficient of Brune's corner frequency in SI units (4.906e6 in km/s, bar and dyn·cm).
 const CORNER_COEFFICIENT: f64 = 0.4906;
+/// More than any κ0 that was measured, on soft sites about 0.1 s: a larger one is a wrong unit \[s\].
+const LARGEST_KAPPA_S: f64 = 0.5;
 
 /// The shape of the source spectrum S(f).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -431,7 +433,8 @@ impl PointSource {
         }
         checks.push(match self.high_cut {
             HighCut::Kappa { kappa_s } => {
-                Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)
+                let fine = (0.0..=LARGEST_KAPPA_S).contains(&kappa_s);
+                Parameter::Kappa.check(fine, "from 0 s to 0.5 s", kappa_s)
             }
             HighCut::MaximumFrequency { frequency_hz } => {
                 positive(Parameter::Other("frequency_hz"), frequency_hz)
@@ -606,6 +609,14 @@ mod tests {
         assert_eq!(
             name(PointSource {
                 high_cut: HighCut::Kappa { kappa_s: -1.0 },
+                ..reference()
+            }),
+            "kappa_s"
+        );
+        // 30 ms without its unit's prefix.
+        assert_eq!(
+            name(PointSource {
+                high_cut: HighCut::Kappa { kappa_s: 30.0 },
                 ..reference()
             }),
             "kappa_s"

@@ -37,7 +37,7 @@ pub(crate) struct ConvertArgs {
 /// The file that is written.
 #[derive(Debug, Default, Args)]
 pub(crate) struct OutFile {
-    /// File to write
+    /// File to write; one that exists is replaced with --force alone
     #[arg(value_name = "OUTFILE")]
     to_file: Option<PathBuf>,
 }
@@ -63,8 +63,8 @@ impl Tell for InventoryConvert {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let to_file = to_file.as_deref();
-        check_place(to, to_file, global)?;
         let inputs = slice::from_ref(&file);
+        check_place(to, to_file, global, inputs)?;
         let files = Files::begin(global, inputs)?;
         let converted = convert_inventory(&file, sheet.as_deref(), to)?;
         let placed = place(&converted.bytes, to, to_file, &files, inputs)?;

@@ -90,9 +90,34 @@ fn place(
     Ok(Placed { path, text })
 }
 
-/// Refuses a workbook without a file to write to, and a file given together with `--out`.
-fn check_place(format: Target, file: Option<&Path>, global: &GlobalArgs) -> Result<(), Failure> {
+/// Refuses a workbook without a file to write to, a file given together with `--out`, one that is named as another
+/// format, and, without `--force`, one that exists: it may be a list that somebody filled in.
+fn check_place(
+    format: Target,
+    file: Option<&Path>,
+    global: &GlobalArgs,
+    inputs: &[PathBuf],
+) -> Result<(), Failure> {
     match (file, &global.out) {
+        (Some(file), None) if format_of(file).is_some_and(|named| named != format) => {
+            let name = name_of(FORMATS, format);
+            Err(Failure::usage(
+                format!(
+                    "{} does not end in .{name}, the format that is written",
+                    file.display()
+                ),
+                format!("give a name that ends in .{name}"),
+            ))
+        }
+        // What is read is never replaced; that is said when the file is written.
+        (Some(file), None)
+            if file.is_file() && !global.force && !inputs.iter().any(|input| input == file) =>
+        {
+            Err(Failure::usage(
+                format!("{} exists", file.display()),
+                "give another name, or replace the file with --force",
+            ))
+        }
         (Some(file), Some(_)) => {
             let message = format!("both {} and --out are given", file.display());
             Err(Failure::usage(

@@ -33,7 +33,8 @@ pub(crate) struct TemplateArgs {
 /// The file that is written.
 #[derive(Debug, Default, Args)]
 pub(crate) struct NewFile {
-    /// File to write; a name that ends in .xlsx makes it a workbook
+    /// File to write; a name that ends in .xlsx makes it a workbook, and one that exists is replaced with
+    /// --force alone
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
 }
@@ -66,7 +67,7 @@ impl Tell for InventoryTemplate {
     ) -> Result<Done, Failure> {
         let file = file.as_deref();
         let format = format.or(file.and_then(format_of)).unwrap_or(Target::Csv);
-        check_place(format, file, global)?;
+        check_place(format, file, global, &[])?;
         let files = Files::begin(global, &[])?;
         let bytes = match format {
             Target::Csv => template_csv()?,
