@@ -13,12 +13,13 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource};
 
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
 use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
-use crate::study::{self, MAX_STOREYS};
+use crate::study;
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.inventory/1";

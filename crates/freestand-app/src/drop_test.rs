@@ -129,10 +129,6 @@ impl Question for DropTests {
 }
 
 fn velocity_error(read: &mut WordReader<'_>) -> f64 {
-    if !read.has("height") && !read.has("impact_velocity") {
-        let why = "it is that of `height` or `impact_velocity`, and neither is given";
-        read.idle(&["velocity_error"], why);
-    }
     let given = read.positive("velocity_error", Dimension::Ratio);
     if let Some(ratio) = given.filter(|ratio| *ratio > 0.5) {
         read.note(

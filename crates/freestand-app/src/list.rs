@@ -8,6 +8,7 @@ use freestand_assess::job::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource, builtin};
 use freestand_study::study::Study;
 
@@ -15,7 +16,7 @@ use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::request::{Request as _, Switch, path, request};
-use crate::study::{self, MAX_STOREYS};
+use crate::study;
 
 request! {
     /// The study of an assessment, its inventory, and how that is read.

@@ -11,6 +11,7 @@ use freestand_input::quantity::{self, Dimension, UnitSystem};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::Overrides;
 
 use crate::block::sizes;
@@ -20,7 +21,7 @@ use crate::records::{NamedRecords, Records};
 use crate::request::{
     Question, Request as _, one_of, one_or_many, reader, request, seed, typed_units,
 };
-use crate::study::{self, MAX_STOREYS};
+use crate::study;
 
 /// The schema of the response.
 pub use freestand_assess::one_object::SCHEMA;

@@ -15,6 +15,7 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, UnitSystem};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource};
 use freestand_study::target::Target;
 
@@ -25,7 +26,7 @@ use crate::place;
 use crate::request::{
     Question, Request as _, Switch, one_of, path_without_flag, reader, request, typed_units,
 };
-use crate::study::{self, MAX_STOREYS};
+use crate::study;
 use crate::target::TargetKeys;
 
 /// The schema of the response.

@@ -14,6 +14,7 @@ use freestand_input::words::counted;
 use freestand_input::written::Written;
 use freestand_records::notes::{Note, grouped};
 use freestand_study::at_place::{LastGround, motions_at};
+use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest};
@@ -274,7 +275,7 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         read.missing(&["motion"], "no motion is named", hint);
     }
     let count = read.whole_within("count", 1..=1000);
-    let storeys = read.whole_within("storeys", 1..=500);
+    let storeys = read.whole_within("storeys", 1..=MAX_STOREYS);
     let level_ratio = read.quantity("level_ratio", Dimension::Ratio);
     let storey_height_m = read.positive("storey_height", Dimension::Length);
     for key in ["count", "storeys", "level_ratio", "storey_height"] {

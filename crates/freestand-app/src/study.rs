@@ -6,9 +6,6 @@ use freestand_study::resolve::StudySource;
 
 use crate::files::{Content, Files, not_sent};
 
-/// The most storeys of a building.
-pub(crate) const MAX_STOREYS: u16 = 500;
-
 /// Where the study is, if one is named.
 pub(crate) fn source(read: &mut WordReader<'_>, files: &Files) -> Option<StudySource> {
     let found = found(read.one("study")?, files);

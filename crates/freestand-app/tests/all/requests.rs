@@ -351,6 +351,18 @@ fn of_programs() -> Vec<Asked> {
             json!({"file": ["a.csv", "/etc/passwd"], "height_m": 0.1, "impact_velocity_m_s": 1.4, "velocity_error": 0.6}),
         ),
         (
+            "cushion simulate",
+            json!({"static": true, "stiffness_n_m": 4e6, "hysteresis": 1.5, "noise": 5}),
+        ),
+        (
+            "motion simulate",
+            json!({"magnitude": 6, "distance_m": 20e3, "kappa_s": 30}),
+        ),
+        (
+            "restrain",
+            json!({"mass_kg": 1e308, "height": 1.8, "thickness": 0.5, "place": "Wellington"}),
+        ),
+        (
             "cushion static",
             json!({"load_n": 0, "sensitivity": ["2 mV/N", 3], "toe": true, "out": "/tmp/x"}),
         ),

@@ -21,7 +21,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::words::{counted, number};
-use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
+use freestand_study::building::{DEFAULT_STOREY_HEIGHT_M, MAX_STOREYS};
 use freestand_study::places::Place;
 use freestand_study::shape::{Shape, Sizes};
 use freestand_study::study::Study;
@@ -40,9 +40,6 @@ const NO_TENSION: &str = "No tension does not mean that the object stands withou
 
 /// Factors of any code.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.1..=20.0;
-
-/// Most storeys of a building.
-const MAX_STOREYS: usize = 500;
 
 /// Anchors along each of the two edges, where their number is not given.
 pub const DEFAULT_ANCHORS_PER_EDGE: NonZeroUsize = NonZeroUsize::MIN.saturating_add(1);
@@ -535,7 +532,7 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
             "give the height of the floor over the roof's",
         );
     }
-    if storeys.is_some_and(|storeys| !(1..=MAX_STOREYS).contains(&storeys)) {
+    if storeys.is_some_and(|storeys| !(1..=usize::from(MAX_STOREYS)).contains(&storeys)) {
         note(
             &["storeys"],
             &format!("`storeys` must be from 1 to {MAX_STOREYS}"),

@@ -16,8 +16,8 @@ use freestand_output::answer;
 use freestand_records::tables::{load_table, read_modes, read_storeys};
 
 pub(crate) use words::axis_key;
-pub use words::resolve;
 pub(crate) use words::{GivenStoreys, resolve_with};
+pub use words::{MAX_STOREYS, resolve};
 
 /// Default number of storeys.
 pub const DEFAULT_STOREYS: u32 = 30;

@@ -14,8 +14,8 @@ use super::{
     DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
 };
 
-/// Largest number of storeys.
-const MAX_STOREYS: u32 = 500;
+/// Largest number of storeys of a building.
+pub const MAX_STOREYS: u16 = 500;
 
 /// The keys of an axis: for the first, and for the second.
 const AXIS_KEYS: [[&str; 2]; 8] = [
@@ -381,8 +381,8 @@ fn storeys(reader: &mut WordReader, given: GivenStoreys) -> Storeys {
         "such as \"3.2 m\", from floor to floor",
     ];
     let count = match given.count {
-        Some(count) => at_most(reader, "storeys", count.into(), MAX_STOREYS),
-        None => whole(reader, "storeys", MAX_STOREYS),
+        Some(count) => at_most(reader, "storeys", count.into(), MAX_STOREYS.into()),
+        None => whole(reader, "storeys", MAX_STOREYS.into()),
     };
     let is_storey = |each_m| STOREY_M.contains(&each_m);
     let each_m = match given.each_m {
