@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::ArgAction;
 use freestand_assess::inventory::{
-    CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, inspect_headings,
-    inspect_inventory, marked_copy,
+    CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, SenseReport,
+    inspect_headings, inspect_inventory, marked_copy,
 };
 use freestand_assess::job::floors_of;
 use freestand_assess::library::Libraries;
@@ -15,6 +15,8 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
@@ -203,4 +205,15 @@ fn file(read: &mut WordReader<'_>, files: &Files) -> Option<PathBuf> {
     let hint = "name a file, such as objects.csv";
     read.require("file", "no list is named", hint);
     path_without_flag(read, "file", files)
+}
+
+/// The headings of a list alone.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct HeadingsReport {
+    /// The file.
+    pub path: String,
+    /// Its columns.
+    pub headings: Vec<HeadingReport>,
+    /// What a column can be taken for.
+    pub senses: Vec<SenseReport>,
 }

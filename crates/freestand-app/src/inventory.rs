@@ -8,6 +8,8 @@ use freestand_assess::inventory::Target;
 use freestand_input::problem::Problems;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::files::Files;
 use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
@@ -90,4 +92,47 @@ impl Question for InventoryConvert {
             .map(|(file, to)| Conversion { file, to, sheet });
         read.problems.finish(conversion)
     }
+}
+
+/// A list to fill in.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct TemplateReport {
+    /// Its format.
+    pub format: &'static str,
+    /// The file that was written.
+    pub path: Option<String>,
+    /// Its columns.
+    pub columns: Vec<ColumnReport>,
+    /// The text, if it was not written to a file.
+    pub text: Option<String>,
+}
+
+/// A column of the list.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ColumnReport {
+    /// Its heading.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: Option<&'static str>,
+    /// Whether every row needs it.
+    pub required: bool,
+    /// What it is.
+    pub meaning: &'static str,
+}
+
+/// A list in another format.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ConvertReport {
+    /// The file that was read.
+    pub source: String,
+    /// The new format.
+    pub format: &'static str,
+    /// The file that was written.
+    pub path: Option<String>,
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    /// The text, if it was not written to a file.
+    pub text: Option<String>,
 }

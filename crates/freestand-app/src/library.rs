@@ -7,6 +7,8 @@ use std::path::PathBuf;
 use freestand_assess::library::{CushionEntry, CushionLibrary, ToleranceEntry, ToleranceLibrary};
 use freestand_input::problem::Problems;
 use freestand_input::written::Written;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::files::Files;
 use crate::request::{Question, Request as _, one_or_many, path, reader, request};
@@ -14,7 +16,10 @@ use crate::request::{Question, Request as _, one_or_many, path, reader, request}
 /// One of the two libraries.
 pub trait Library: Debug + Clone + Default + PartialEq + 'static {
     /// What it consists of.
-    type Entry;
+    type Entry: Serialize + JsonSchema + Debug;
+
+    /// The schema of a response.
+    const SCHEMA: &str;
 
     /// Its built-in entries.
     fn builtin() -> freestand_assess::library::Library<Self::Entry>;
@@ -31,6 +36,8 @@ pub struct Cushions;
 impl Library for Tolerances {
     type Entry = ToleranceEntry;
 
+    const SCHEMA: &str = "freestand.tolerance/1";
+
     fn builtin() -> ToleranceLibrary {
         ToleranceLibrary::builtin()
     }
@@ -38,6 +45,8 @@ impl Library for Tolerances {
 
 impl Library for Cushions {
     type Entry = CushionEntry;
+
+    const SCHEMA: &str = "freestand.cushion-library/1";
 
     fn builtin() -> CushionLibrary {
         CushionLibrary::builtin()
@@ -164,4 +173,11 @@ impl<L: Library> Question for Search<L> {
         let wanted = Wanted::WithWords(self.words.iter().map(Written::text).collect());
         read.problems.finish(Some(Meant { wanted, library }))
     }
+}
+
+/// Entries of a library.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Listed<'a, E> {
+    /// In the order of the library.
+    pub entries: Vec<&'a E>,
 }

@@ -9,9 +9,11 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
-use freestand_study::inspect::{InfoRequest, SpectrumRequest};
+use freestand_study::inspect::{InfoRequest, SpectrumReport, SpectrumRequest};
 use freestand_study::recorded::{MotionFiles, ReadMotion};
 use freestand_study::target::usual_periods_s;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
@@ -266,4 +268,42 @@ fn block(read: &mut WordReader<'_>) -> Option<Block> {
     let block = Block::uniform(height_m?, thickness_m?)
         .map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object"));
     read.keep("height", block)
+}
+
+/// The response spectra of a motion.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SpectrumAnswer<'a> {
+    /// The spectra.
+    #[serde(flatten)]
+    pub report: &'a SpectrumReport,
+    /// The figures that were written.
+    pub plots: Vec<String>,
+}
+
+/// Motions in another format.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ConvertReport {
+    /// One for each motion.
+    pub motions: Vec<Converted>,
+}
+
+/// A motion as a file.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Converted {
+    /// The file that was read.
+    pub source: String,
+    /// The file that was written.
+    pub path: Option<String>,
+    /// Its format.
+    pub format: &'static str,
+    /// Time step \[s\].
+    pub dt_s: f64,
+    /// Number of samples.
+    pub npts: usize,
+    /// The processing, one entry for each step.
+    pub processing: Vec<String>,
+    /// The factor applied to the samples, with all digits.
+    pub scale_ratio: f64,
+    /// The text of the file, if it was not written to a folder.
+    pub text: Option<String>,
 }

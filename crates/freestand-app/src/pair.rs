@@ -9,9 +9,11 @@ use freestand_records::processing::azimuth_deg;
 use freestand_study::inspect::{RotdRequest, check_percentiles};
 use freestand_study::pair::{PairFiles, ReadPair, RotateRequest, read_pair};
 use freestand_study::recorded::{MotionFiles, Second};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::files::Files;
-use crate::motion::{FORMATS, Format, Meant, inputs, periods, recorded};
+use crate::motion::{Converted, FORMATS, Format, Meant, inputs, periods, recorded};
 use crate::records::{Records, components};
 use crate::request::{Question, Request, one_of, one_or_many, reader, request};
 
@@ -206,4 +208,14 @@ fn percentiles(read: &mut WordReader<'_>) -> Vec<f64> {
     let found = found.unwrap_or_else(|| vec![50.0, 100.0]);
     read.keep("percentiles", check_percentiles(&found));
     found
+}
+
+/// Two components turned into one direction.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct RotateReport {
+    /// The direction, clockwise from north \[°\].
+    pub azimuth_deg: f64,
+    /// The motion in it.
+    #[serde(flatten)]
+    pub motion: Converted,
 }

@@ -3,6 +3,7 @@
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
+use freestand_output::answer_of;
 use freestand_study::places::{Place, near, places};
 
 use crate::files::Files;
@@ -10,6 +11,14 @@ use crate::request::{Question, Request as _, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.place/1";
+
+/// Places with their hazard.
+#[derive(Debug)]
+pub struct Found(pub Vec<&'static Place>);
+
+answer_of!(Found as found {
+    places: Vec<&'static Place> = found.0.clone();
+});
 
 request! { question
     /// All places, or those of a country or a code.

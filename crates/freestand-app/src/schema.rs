@@ -1,7 +1,9 @@
 //! JSON schemas (draft 2020-12) of requests and responses, from the structs that they describe.
 
 use clap::{Arg, ArgAction, Command};
-use freestand_output::answer::object;
+use schemars::generate::SchemaSettings;
+use schemars::transform::transform_subschemas;
+use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 
 use crate::request::{Request, names_of, unit_endings};
@@ -87,13 +89,43 @@ fn keys_in(help: &str, names: &[String]) -> String {
     })
 }
 
-/// The schema of a response of `command`: `results` describes what differs between its kinds.
-pub fn of_response(command: &str, schema: &str, results: &[Map<String, Value>]) -> Value {
+/// The schema of a struct whose keys are its fields, with their comments.
+pub fn of_fields<T: JsonSchema>() -> Value {
+    let mut settings = SchemaSettings::draft2020_12().for_serialize();
+    settings.inline_subschemas = true;
+    settings.meta_schema = None;
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    as_written(&mut schema);
+    schema.to_value()
+}
+
+/// Numbers as they are written: what is not finite is `null`; brackets as they are in plain text.
+fn as_written(schema: &mut Schema) {
+    schema.remove("title");
+    schema.remove("format");
+    if let Some(kind) = schema.get_mut("type") {
+        let is_number = |one: &Value| one == "number";
+        match kind {
+            Value::Array(kinds) if kinds.iter().any(is_number) => {
+                kinds.retain(|one| one != "null");
+                kinds.push("null".into());
+            }
+            kind if is_number(kind) => *kind = json!(["number", "null"]),
+            _ => {}
+        }
+    }
+    if let Some(Value::String(text)) = schema.get_mut("description") {
+        *text = text.replace("\\[", "[").replace("\\]", "]");
+    }
+    transform_subschemas(&mut as_written, schema);
+}
+
+/// The schema of a response of `command`: `kinds` are the results that it may have.
+pub fn of_response(command: &str, schema: &str, kinds: &[Value]) -> Value {
     let of_all = json!({
         "schema": {"const": schema},
         "warnings": {"type": "array", "items": {"type": "string"}},
     });
-    let kinds: Vec<Value> = results.iter().cloned().map(object).collect();
     json!({
         "$schema": DRAFT,
         "title": format!("What {command} answers"),

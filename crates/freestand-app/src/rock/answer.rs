@@ -64,7 +64,7 @@ pub struct OfMotion {
 
 impl Results {
     /// The values of a response, each with its schema: of one motion, then of several.
-    pub fn kinds() -> Vec<Map<String, Value>> {
+    pub fn kinds() -> Vec<Value> {
         let strings = json!({"type": "array", "items": {"type": "string"}});
         let mut kinds = Answer::kinds().to_vec();
         let motions: Vec<Value> = kinds
@@ -82,7 +82,7 @@ impl Results {
             kind.insert("plots".to_owned(), may_be_absent(strings.clone()));
             kind.insert("processing".to_owned(), strings.clone());
         }
-        kinds
+        kinds.into_iter().map(object).collect()
     }
 
     /// Results, each with the name of its motion.

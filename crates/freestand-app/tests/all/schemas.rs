@@ -3,24 +3,24 @@
 use std::path::PathBuf;
 
 use freestand_app::assess::Assess;
-use freestand_app::check_list::CheckList;
+use freestand_app::check_list::{self, CheckList, HeadingsReport};
 use freestand_app::code_spectrum::{self, CodeSpectrum};
 use freestand_app::cushion_curve::{self, CushionCurve};
 use freestand_app::drop_test::{self, DropTests};
 use freestand_app::floor::{self, Floor};
 use freestand_app::fragility::{self, Fragility};
-use freestand_app::inventory::{InventoryConvert, InventoryTemplate};
-use freestand_app::library::{Cushions, List, Search, Show, Tolerances};
+use freestand_app::inventory::{self, InventoryConvert, InventoryTemplate};
+use freestand_app::library::{Cushions, Library as _, List, Listed, Search, Show, Tolerances};
 use freestand_app::motion::{self, MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::{self, Object};
-use freestand_app::pair::{Rotate, Rotd};
-use freestand_app::places::{PlaceList, PlaceShow};
+use freestand_app::pair::{self, Rotate, RotateReport, Rotd};
+use freestand_app::places::{self, Found, PlaceList, PlaceShow};
 use freestand_app::recovery::{self, Recovery};
 use freestand_app::restrain::{self, Restrain};
 use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{self, CheckStudy, Run};
-use freestand_app::schema::{of_request, of_response};
+use freestand_app::schema::{of_fields, of_request, of_response};
 use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::{self, ShockSpectrum};
@@ -28,15 +28,18 @@ use freestand_app::simulate::{self, Simulate};
 use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::{self, StaticTests};
 use freestand_app::synth::{self, Match, Synth};
+use freestand_app::validate;
 use freestand_app::virtual_test::{self, VirtualTests};
 use freestand_assess::fragility::{FragilityReport, RunsReport};
+use freestand_assess::inventory::CheckReport;
+use freestand_assess::library::{CushionEntry, ToleranceEntry};
 use freestand_assess::one_object::ObjectReport;
 use freestand_assess::restrain::{RestrainListReport, RestrainReport};
 use freestand_assess::risk::RiskReport;
-use freestand_output::answer::Answer;
+use freestand_output::answer::{Answer, Described as _};
 use freestand_study::check::Check;
 use freestand_study::floor::FloorReport;
-use freestand_study::inspect::InfoReport;
+use freestand_study::inspect::{InfoReport, RotdReport};
 use freestand_study::laboratory::cushion_curve::CurveReport;
 use freestand_study::laboratory::drop_test::DropsReport;
 use freestand_study::laboratory::static_curve::StaticsReport;
@@ -46,11 +49,18 @@ use freestand_study::shock::ShockAnswer;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
 use freestand_study::simulated::SimulatedReport;
 use freestand_study::target::CodeSpectrumReport;
+use freestand_study::validate::Validation;
+use schemars::JsonSchema;
 use serde_json::Value;
 
 /// The schema of a response of one kind.
 fn of_answer<A: Answer>(command: &str, schema: &str) -> Value {
-    of_response(command, schema, &[A::properties()])
+    of_response(command, schema, &[A::schema()])
+}
+
+/// The schema of a response whose keys are the fields of its struct.
+fn of_struct<T: JsonSchema>(command: &str, schema: &str) -> Value {
+    of_response(command, schema, &[of_fields::<T>()])
 }
 
 #[test]
@@ -66,22 +76,19 @@ fn the_schemas_are_those_of_the_structs() {
             of_response(
                 "fragility",
                 fragility::SCHEMA,
-                &[FragilityReport::properties(), RunsReport::properties()],
+                &[FragilityReport::schema(), RunsReport::schema()],
             ),
         ),
         (
             "object.response.json",
-            of_response("object", object::SCHEMA, &[ObjectReport::properties()]),
+            of_response("object", object::SCHEMA, &[ObjectReport::schema()]),
         ),
         (
             "restrain.response.json",
             of_response(
                 "restrain",
                 restrain::SCHEMA,
-                &[
-                    RestrainReport::properties(),
-                    RestrainListReport::properties(),
-                ],
+                &[RestrainReport::schema(), RestrainListReport::schema()],
             ),
         ),
         (
@@ -283,6 +290,74 @@ fn the_schemas_are_those_of_the_structs() {
         (
             "restrain.request.json",
             of_request::<Restrain>("restrain", &[]),
+        ),
+        (
+            "place-list.response.json",
+            of_answer::<Found>("place list", places::SCHEMA),
+        ),
+        (
+            "place-show.response.json",
+            of_answer::<Found>("place show", places::SCHEMA),
+        ),
+        (
+            "tolerance-list.response.json",
+            of_struct::<Listed<'_, ToleranceEntry>>("tolerance list", Tolerances::SCHEMA),
+        ),
+        (
+            "cushion-list.response.json",
+            of_struct::<Listed<'_, CushionEntry>>("cushion list", Cushions::SCHEMA),
+        ),
+        (
+            "tolerance-show.response.json",
+            of_struct::<Listed<'_, ToleranceEntry>>("tolerance show", Tolerances::SCHEMA),
+        ),
+        (
+            "cushion-show.response.json",
+            of_struct::<Listed<'_, CushionEntry>>("cushion show", Cushions::SCHEMA),
+        ),
+        (
+            "tolerance-search.response.json",
+            of_struct::<Listed<'_, ToleranceEntry>>("tolerance search", Tolerances::SCHEMA),
+        ),
+        (
+            "cushion-search.response.json",
+            of_struct::<Listed<'_, CushionEntry>>("cushion search", Cushions::SCHEMA),
+        ),
+        (
+            "inventory-check.response.json",
+            of_response(
+                "inventory check",
+                check_list::SCHEMA,
+                &[of_fields::<CheckReport>(), of_fields::<HeadingsReport>()],
+            ),
+        ),
+        (
+            "inventory-template.response.json",
+            of_struct::<inventory::TemplateReport>("inventory template", check_list::SCHEMA),
+        ),
+        (
+            "inventory-convert.response.json",
+            of_struct::<inventory::ConvertReport>("inventory convert", check_list::SCHEMA),
+        ),
+        (
+            "validate.response.json",
+            of_struct::<Validation>("validate", validate::SCHEMA),
+        ),
+        (
+            "motion-spectrum.response.json",
+            of_struct::<motion::SpectrumAnswer<'_>>("motion spectrum", motion::SPECTRUM),
+        ),
+        (
+            "motion-convert.response.json",
+            of_struct::<motion::ConvertReport>("motion convert", motion::CONVERT),
+        ),
+        (
+            "motion-rotate.response.json",
+            of_struct::<RotateReport>("motion rotate", pair::ROTATE),
+        ),
+        (
+            "motion-rotd.response.json",
+            of_struct::<RotdReport>("motion rotd", pair::ROTD),
         ),
         ("rock.request.json", of_request::<Rock>("rock", &[])),
         (

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::library::Lookup;
@@ -76,7 +77,7 @@ impl<'a> ReadOptions<'a> {
 }
 
 /// A known column, as it was understood; the columns of the document of `freestand inventory check`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ColumnRead {
     /// Its letter in a spreadsheet: `F`.
     #[serde(rename = "column")]

@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand_input::keys::KeyStyle;
 use freestand_study::cushion::cushion_words;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{COLUMNS, Casters, ColumnRead, ColumnSpec, Finding, Item, Rating, Reading};
@@ -11,7 +12,7 @@ use super::{COLUMNS, Casters, ColumnRead, ColumnSpec, Finding, Item, Rating, Rea
 pub const SHOWN: usize = 10;
 
 /// How a list was understood: the document of `freestand inventory check`.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -41,7 +42,7 @@ pub struct CheckReport {
 }
 
 /// A column of the file.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[expect(missing_docs, reason = "the names are those of the JSON document")]
 pub struct HeadingReport {
     /// Its letter.
@@ -57,7 +58,7 @@ pub struct HeadingReport {
 }
 
 /// What a column can be taken for.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[expect(missing_docs, reason = "the names are those of the JSON document")]
 pub struct SenseReport {
     pub name: &'static str,
@@ -79,7 +80,7 @@ pub fn senses() -> Vec<SenseReport> {
 }
 
 /// How many rows have each kind of value.
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -97,7 +98,7 @@ pub struct Counts {
 }
 
 /// One of the first rows.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -120,7 +121,7 @@ pub struct RowReport {
 }
 
 /// An object, in SI; what the list does not say is `null`.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -159,7 +160,7 @@ pub struct ObjectReport {
 }
 
 /// A row that is not an object.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -171,7 +172,7 @@ pub struct LeftOutReport {
 }
 
 /// The cells of a list as they were read.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(missing_docs, reason = "the names are those of the JSON document")]
 pub struct CellsReport {
     pub columns: Vec<String>,
@@ -183,7 +184,7 @@ pub struct CellsReport {
 }
 
 /// A problem, with all its cells.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"

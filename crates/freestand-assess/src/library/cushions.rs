@@ -1,5 +1,6 @@
 //! The cushion library: likely stiffnesses of pads, feet and floors, as ranges.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use freestand_input::keys::Words;
@@ -39,7 +40,7 @@ const PADS_PER_EDGE: u32 = 2;
 
 /// An estimate for one pad, foot or patch of floor under a foot: a range, never a measurement. The
 /// keys are those of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CushionEntry {
     /// Unique, in lower case.
     pub id: String,

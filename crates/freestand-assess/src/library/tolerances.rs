@@ -2,6 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::shock_response::{Pulse, PulseShape};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use freestand_input::problem::Problems;
@@ -82,7 +83,7 @@ impl ToleranceLibrary {
 }
 
 /// What the numbers of an entry are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
@@ -108,7 +109,7 @@ impl Kind {
 }
 
 /// The state of the object to which the tolerance applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
@@ -134,7 +135,7 @@ impl State {
 
 /// An entry of the tolerance library; `None` where its source gives no value. The keys are those of
 /// the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ToleranceEntry {
     /// Unique, in lower case.
     pub id: String,
@@ -158,6 +159,7 @@ pub struct ToleranceEntry {
     pub duration_s: Option<f64>,
     /// Its shape; `None` without a duration.
     #[serde(serialize_with = "name_of_shape")]
+    #[schemars(with = "Option<String>")]
     pub shape: Option<PulseShape>,
     /// Velocity change of that pulse itself, 2AT/π for a half-sine \[m/s\]; not a tolerance by
     /// itself.

@@ -3,9 +3,8 @@
 
 use std::slice;
 
-use freestand_app::library::{Library, List, Meant, Search, Show, Wanted};
+use freestand_app::library::{Library, List, Listed, Meant, Search, Show, Wanted};
 use freestand_input::words::counted;
-use serde::Serialize;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -19,7 +18,6 @@ pub(crate) type Fields = Vec<(&'static str, Option<String>)>;
 /// How the entries of a library are printed.
 #[derive(Debug)]
 pub(crate) struct Layout<E> {
-    pub(crate) schema: &'static str,
     /// A list: its headings, the cells of an entry, and a remark after the count.
     pub(crate) headings: [&'static str; 6],
     pub(crate) cells: fn(&E) -> [String; 6],
@@ -29,13 +27,8 @@ pub(crate) struct Layout<E> {
     pub(crate) notice: fn(&E) -> &str,
 }
 
-#[derive(Debug, Serialize)]
-struct Listed<'a, E> {
-    entries: &'a [&'a E],
-}
-
 /// A library whose entries are printed.
-pub(crate) trait Printed: Library<Entry: Serialize> {
+pub(crate) trait Printed: Library {
     /// How they are printed.
     const LAYOUT: Layout<Self::Entry>;
 }
@@ -67,8 +60,9 @@ fn print<L: Printed>(
         Wanted::WithId(id) => vec![library.get(id)?],
         Wanted::WithWords(words) => library.search(words),
     };
+    let listed = Listed { entries };
     let files = Files::begin(global, inputs)?;
-    let text = || match (wanted, entries.as_slice()) {
+    let text = || match (wanted, listed.entries.as_slice()) {
         (Wanted::WithId(_), entries) => entries.iter().map(|entry| shown(*entry, layout)).collect(),
         (_, []) => "no entry contains all of these words\n".to_owned(),
         (_, entries) => {
@@ -80,13 +74,7 @@ fn print<L: Printed>(
                 + &format!("{}; {}\n", counted(rows.len(), "entry"), layout.remark)
         }
     };
-    files.print(
-        printer,
-        layout.schema,
-        &Listed { entries: &entries },
-        &library.warnings,
-        text,
-    )?;
+    files.print(printer, L::SCHEMA, &listed, &library.warnings, text)?;
     Ok(Done::OK)
 }
 

@@ -1,9 +1,8 @@
 //! `freestand place`: the places whose hazard is known.
 
 use clap::{Args, Subcommand};
-use freestand_app::places::{PlaceList, PlaceShow, SCHEMA};
+use freestand_app::places::{Found, PlaceList, PlaceShow, SCHEMA};
 use freestand_input::words::counted;
-use freestand_output::facts::Facts;
 use freestand_study::places::{Confidence, Place};
 
 use super::{Done, Tell};
@@ -71,7 +70,7 @@ impl Tell for PlaceList {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        print(&found, &[], list, (global, printer))
+        print(found, &[], list, (global, printer))
     }
 }
 
@@ -85,19 +84,19 @@ impl Tell for PlaceShow {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let doubts: Vec<String> = place.doubt().into_iter().collect();
-        print(&[place], &doubts, |_| one(place), (global, printer))
+        print(vec![place], &doubts, |_| one(place), (global, printer))
     }
 }
 
 fn print(
-    found: &[&Place],
+    found: Vec<&'static Place>,
     warnings: &[String],
-    text: impl FnOnce(&[&Place]) -> String,
+    text: impl FnOnce(&[&'static Place]) -> String,
     (global, printer): (&GlobalArgs, &Printer),
 ) -> Result<Done, Failure> {
-    let document = Facts::default().key("places", found);
+    let found = Found(found);
     let files = Files::begin(global, &[])?;
-    files.print(printer, SCHEMA, &document, warnings, || text(found))?;
+    files.print(printer, SCHEMA, &found, warnings, || text(&found.0))?;
     Ok(Done::OK)
 }
 

@@ -70,7 +70,6 @@ Examples:
 
 impl Printed for Tolerances {
     const LAYOUT: Layout<ToleranceEntry> = Layout {
-        schema: "freestand.tolerance/1",
         headings: ["id", "withstands", "state", "confidence", "class", "source"],
         cells: |entry| {
             let (state, confidence) = (

@@ -2,6 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::signal::rotate::{Pair, directional_spectrum};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::pair::ReadPair;
@@ -23,7 +24,10 @@ pub struct RotdRequest {
 }
 
 /// Response spectra of two horizontal components over all directions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(extend("patternProperties" = {
+    r"^rotd\d+(\.\d+)?_g$": {"description": "RotDnn, one value for each period.", "type": "array"}
+}))]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -35,6 +39,7 @@ pub struct RotdReport {
     pub periods_s: Vec<f64>,
     /// In the order requested; the document has `rotd50_g` and so on next to the periods.
     #[serde(flatten, serialize_with = "by_name")]
+    #[schemars(skip)]
     pub rotd: Vec<PercentileSpectrum>,
     pub first_g: Vec<f64>,
     pub second_g: Vec<f64>,

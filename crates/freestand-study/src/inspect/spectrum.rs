@@ -4,6 +4,7 @@ use freestand::G0_M_S2;
 use freestand::oscillator::{ResponseSpectrum, response_spectrum};
 use freestand::signal::resample::{MAX_LENGTH, upsampled_sinc};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::inspect::{Words, response_spectrum_figure};
@@ -28,7 +29,7 @@ pub struct SpectrumRequest {
 }
 
 /// The response spectra of one motion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"
@@ -51,7 +52,7 @@ pub struct SpectrumReport {
 }
 
 /// A response spectrum at one damping.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[expect(
     missing_docs,
     reason = "the names are those of the JSON document and state the units"

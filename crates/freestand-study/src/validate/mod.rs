@@ -15,6 +15,7 @@ use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::rocking::Base;
 use freestand::shock_response::{HalfSine, half_sine_maximax_ratio, half_sine_severity_ratio};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,7 +28,7 @@ use freestand_input::words::name_of;
 pub const TABLE_ONE_GRAVITY_M_S2: f64 = 9.81;
 
 /// One row of Table I of Al Abadi et al.: a cabinet of 2.3 m × 0.6 m and 140 kg on 4380 N/mm.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct TableOneRow {
     /// Number of the test.
     pub test: u32,
@@ -51,7 +52,7 @@ pub struct TableOneRow {
 }
 
 /// A computed number and its expected value.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Check {
     /// What is compared.
     pub name: String,
@@ -68,7 +69,7 @@ pub struct Check {
 }
 
 /// The result of [`validate`].
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Validation {
     /// g of `table_one` \[m/s²\].
     pub table_one_gravity_m_s2: f64,

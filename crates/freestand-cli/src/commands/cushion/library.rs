@@ -51,7 +51,6 @@ pub(crate) struct SearchArgs {
 
 impl Printed for Cushions {
     const LAYOUT: Layout<CushionEntry> = Layout {
-        schema: "freestand.cushion-library/1",
         headings: [
             "id",
             "stiffness range",

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_app::check_list::{CheckList, Meant, SCHEMA};
+use freestand_app::check_list::{CheckList, HeadingsReport, Meant, SCHEMA};
 use freestand_assess::inventory::{
-    CheckReport, HeadingReport, Inventory, Item, Kind, SHOWN, SenseReport, check_report,
-    console_lines, mapping_of_headings, senses,
+    CheckReport, Inventory, Item, Kind, SHOWN, check_report, console_lines, mapping_of_headings,
+    senses,
 };
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
@@ -14,7 +14,6 @@ use freestand_input::quantity::{Dimension, UnitSystem, format_si, shorten};
 use freestand_input::words::counted;
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
-use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
@@ -84,14 +83,6 @@ impl Tell for CheckList {
             criterion_met: !inventory.has_errors(),
         })
     }
-}
-
-/// The headings alone.
-#[derive(Debug, Serialize)]
-struct HeadingsReport {
-    path: String,
-    headings: Vec<HeadingReport>,
-    senses: Vec<SenseReport>,
 }
 
 fn headings(

@@ -4,10 +4,9 @@ use std::path::PathBuf;
 use std::slice;
 
 use clap::Args;
-use freestand_app::inventory::{Conversion, FORMATS, InventoryConvert};
+use freestand_app::inventory::{Conversion, ConvertReport, FORMATS, InventoryConvert};
 use freestand_assess::inventory::convert_inventory;
 use freestand_input::words::name_of;
-use serde::Serialize;
 
 use super::{SCHEMA, check_place, place};
 use crate::args::GlobalArgs;
@@ -40,17 +39,6 @@ pub(crate) struct OutFile {
     /// File to write; one that exists is replaced with --force alone
     #[arg(value_name = "OUTFILE")]
     to_file: Option<PathBuf>,
-}
-
-#[derive(Debug, Serialize)]
-struct ConvertReport {
-    source: String,
-    format: &'static str,
-    path: Option<String>,
-    rows: usize,
-    columns: usize,
-    /// The text, if it was not written to a file.
-    text: Option<String>,
 }
 
 impl Tell for InventoryConvert {

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_app::inventory::{FORMATS, InventoryTemplate};
+use freestand_app::inventory::{ColumnReport, FORMATS, InventoryTemplate, TemplateReport};
 use freestand_assess::inventory::{COLUMNS, Target, template_csv, template_xlsx};
 use freestand_input::words::name_of;
-use serde::Serialize;
 
 use super::{SCHEMA, check_place, format_of, place};
 use crate::args::GlobalArgs;
@@ -37,23 +36,6 @@ pub(crate) struct NewFile {
     /// --force alone
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
-}
-
-#[derive(Debug, Serialize)]
-struct TemplateReport {
-    format: &'static str,
-    path: Option<String>,
-    columns: Vec<ColumnReport>,
-    /// The text, if it was not written to a file.
-    text: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct ColumnReport {
-    name: &'static str,
-    unit: Option<&'static str>,
-    required: bool,
-    meaning: &'static str,
 }
 
 impl Tell for InventoryTemplate {

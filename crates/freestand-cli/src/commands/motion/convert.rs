@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::Args;
 use freestand::measures::{Integrals, integrals};
 use freestand::motion::Motion;
-use freestand_app::motion::{CONVERT, Format, Meant, MotionConvert};
+use freestand_app::motion::{CONVERT, ConvertReport, Converted, Format, Meant, MotionConvert};
 use freestand_records::formats::{write_at2, write_csv};
 use freestand_records::notes::grouped;
 use freestand_study::recorded::ReadMotion;
@@ -31,27 +31,6 @@ Examples:
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(super) request: MotionConvert,
-}
-
-#[derive(Debug, Serialize)]
-struct ConvertReport {
-    motions: Vec<Converted>,
-}
-
-/// A motion that was written.
-#[derive(Debug, Serialize)]
-pub(super) struct Converted {
-    source: String,
-    path: Option<String>,
-    format: &'static str,
-    dt_s: f64,
-    npts: usize,
-    /// The processing, one entry for each step.
-    processing: Vec<String>,
-    /// The factor applied to the samples, with all digits.
-    scale_ratio: f64,
-    /// The text of the file, if it was not written to `--out`.
-    text: Option<String>,
 }
 
 /// The velocity and the displacement of a motion, for a program that draws it.
@@ -127,7 +106,7 @@ impl Tell for MotionConvert {
         let report = ConvertReport { motions };
         files.finish(CONVERT, &report, &warnings)?;
         printer.result(CONVERT, &report, &warnings, || {
-            report.motions.iter().map(Converted::shown).collect()
+            report.motions.iter().map(shown).collect()
         })?;
         Ok(Done::OK)
     }
@@ -159,13 +138,11 @@ pub(super) fn write(
     })
 }
 
-impl Converted {
-    /// What is printed: the text of the file, or its path.
-    pub(super) fn shown(&self) -> String {
-        match (&self.text, &self.path) {
-            (Some(text), _) => text.clone(),
-            (None, Some(path)) => format!("{path}\n"),
-            (None, None) => String::new(),
-        }
+/// What is printed: the text of the file, or its path.
+pub(super) fn shown(converted: &Converted) -> String {
+    match (&converted.text, &converted.path) {
+        (Some(text), _) => text.clone(),
+        (None, Some(path)) => format!("{path}\n"),
+        (None, None) => String::new(),
     }
 }

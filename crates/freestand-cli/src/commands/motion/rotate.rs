@@ -2,11 +2,10 @@
 
 use clap::Args;
 use freestand_app::motion::Meant;
-use freestand_app::pair::{ROTATE, Rotate};
+use freestand_app::pair::{ROTATE, Rotate, RotateReport};
 use freestand_study::pair::rotate;
-use serde::Serialize;
 
-use super::convert::{Converted, write};
+use super::convert::{shown, write};
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
@@ -25,13 +24,6 @@ Examples:
 pub(crate) struct RotateArgs {
     #[command(flatten)]
     pub(super) request: Rotate,
-}
-
-#[derive(Debug, Serialize)]
-struct RotateReport {
-    azimuth_deg: f64,
-    #[serde(flatten)]
-    motion: Converted,
 }
 
 impl Tell for Rotate {
@@ -62,7 +54,7 @@ impl Tell for Rotate {
             motion,
         };
         files.finish(ROTATE, &report, &turned.warnings)?;
-        printer.result(ROTATE, &report, &turned.warnings, || report.motion.shown())?;
+        printer.result(ROTATE, &report, &turned.warnings, || shown(&report.motion))?;
         Ok(Done::OK)
     }
 }

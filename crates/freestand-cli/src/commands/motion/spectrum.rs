@@ -1,9 +1,8 @@
 //! `freestand motion spectrum`: the response spectrum of a record.
 
 use clap::Args;
-use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM};
+use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM, SpectrumAnswer};
 use freestand_study::inspect::{SpectrumReport, spectrum};
-use serde::Serialize;
 
 use super::info::Output;
 use super::plot::place;
@@ -25,14 +24,6 @@ pub(crate) struct SpectrumArgs {
     pub(super) request: MotionSpectrum,
     #[command(flatten)]
     pub(super) output: Output,
-}
-
-#[derive(Debug, Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    report: &'a SpectrumReport,
-    /// The figures that were written.
-    plots: Vec<String>,
 }
 
 impl Tell for MotionSpectrum {
@@ -57,7 +48,7 @@ impl Tell for MotionSpectrum {
             let figures = vec![(figure.name.clone(), figure)];
             plots = place(&target, figures, &files, &inputs)?;
         }
-        let document = Document {
+        let document = SpectrumAnswer {
             report: &report,
             plots,
         };
