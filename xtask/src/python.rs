@@ -14,9 +14,10 @@ const CRATE: &str = "crates/freestand-py";
 /// What builds a wheel.
 const BUILD: [&str; 1] = ["maturin>=1.16,<2"];
 /// What its tests use.
-const TEST: [&str; 7] = [
+const TEST: [&str; 8] = [
     "numpy>=1.26",
     "pytest>=8",
+    "jsonschema>=4.18",
     "mypy>=1.15,<3",
     "pandas>=2.1",
     "pyarrow>=15",
