@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
-use crate::quantity::{Dimension, parse, parse_grid, shorten};
+use crate::quantity::{Dimension, TOO_LARGE, is_possible, parse, parse_grid, shorten};
 use crate::words::{Choices, nearest};
 
 /// Words, and their problems so far. A method returns `None` if the key is missing or its value is
@@ -134,14 +134,17 @@ impl<'w> WordReader<'w> {
         }
     }
 
-    /// A finite quantity: a text with its unit, or a bare number in SI of a program.
+    /// A quantity: a text with its unit, or a bare number in SI of a program.
     pub fn quantity(&mut self, key: &'static str, dimension: Dimension) -> Option<f64> {
         let text = self.one(key)?;
         match *self.words.numbers(key) {
-            [number] if number.is_finite() => Some(number),
+            [number] if is_possible(number) => Some(number),
             [number] => {
-                let message = format!("`{key}` must be a finite number, not {number}");
-                self.note(&[key], message, "give a finite number");
+                self.note(
+                    &[key],
+                    format!("`{key}` must be a number, not {number}"),
+                    TOO_LARGE,
+                );
                 None
             }
             _ => self.keep(key, parse(text, dimension)),
@@ -237,7 +240,7 @@ impl<'w> WordReader<'w> {
     /// A grid or a list of quantities.
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
         let numbers = self.words.numbers(key);
-        if numbers.is_empty() || numbers.iter().any(|number| !number.is_finite()) {
+        if numbers.is_empty() || !numbers.iter().copied().all(is_possible) {
             let text = self.text(key)?;
             return self.keep(key, parse_grid(text, dimension));
         }

@@ -224,9 +224,6 @@ struct ObjectKind {
     base_width_m: Option<f64>,
 }
 
-/// More than anything that stands in a building \[kg\].
-const HEAVIEST_KG: f64 = 1e9;
-
 fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Result<Case, Problems> {
     let mut problems = Problems::default();
     let kind = problems.keep(kind);
@@ -235,10 +232,6 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     let floor = problems.keep(floor(&request));
     if let Some(target) = &target {
         check_factors(&request, target.as_ref(), &mut problems);
-    }
-    if request.mass_kg > HEAVIEST_KG {
-        let message = "`mass` is larger than that of any object";
-        problems.push(Problem::value(message, "check the unit: 1 t is 1000 kg").of(&["mass"]));
     }
     let found = blocks.zip(target).zip(floor).zip(kind);
     let sizes = Sizes {

@@ -63,22 +63,22 @@ impl Quantity {
     /// bare number.
     ///
     /// # Errors
-    /// A value that is not finite.
+    /// A value that is larger than [`LARGEST_SI`].
     pub fn si(&self, other: Option<&Unit>) -> Result<f64, Problem> {
         let unit = self.unit.or(other);
         self.number
             .in_unit(unit)
-            .ok_or_else(|| value_problem("the number is too large"))
+            .ok_or_else(|| value_problem("the number is too large").hint(TOO_LARGE))
     }
 
     /// The number as it was written, without its unit; feet and inches in inches.
     ///
     /// # Errors
-    /// A number that is not finite.
+    /// A number that is larger than [`LARGEST_SI`].
     pub fn bare(&self) -> Result<f64, Problem> {
         self.number
             .in_unit(None)
-            .ok_or_else(|| value_problem("the number is too large"))
+            .ok_or_else(|| value_problem("the number is too large").hint(TOO_LARGE))
     }
 }
 /// A quantity such as `"2.3 m"`, `2300mm`, `6'2"`, `11 1/2 in`, `0.35g` or `5 %`, in SI.
@@ -88,7 +88,7 @@ impl Quantity {
 ///
 /// # Errors
 /// No number, a number without its unit, a unit that is unknown or measures something else, or a
-/// value that is not finite.
+/// value that is larger than [`LARGEST_SI`].
 ///
 /// # Example
 /// ```
@@ -108,7 +108,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
     let Split { number, unit } = split(plain.trim(), text)?;
     if unit.is_empty() {
         return if dimension == Dimension::Ratio {
-            finite(number.in_unit(None), text)
+            possible(number.in_unit(None), text)
         } else {
             let text = shorten(text);
             let mut written = dimension
@@ -129,7 +129,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
     if unit.dimension != dimension {
         return Err(wrong_dimension(text, unit, dimension));
     }
-    finite(number.in_unit(Some(unit)), text)
+    possible(number.in_unit(Some(unit)), text)
 }
 
 /// A bare number in a place whose key or column header states the unit: `("200", "mm")`, in SI.
@@ -148,11 +148,23 @@ pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
             )),
         );
     }
-    finite(found.number.in_unit(Some(unit)), text)
+    possible(found.number.in_unit(Some(unit)), text)
 }
 
-fn finite(value: Option<f64>, text: &str) -> Result<f64, Problem> {
-    value.ok_or_else(|| value_problem(format!("\"{}\" is too large for a number", shorten(text))))
+fn possible(value: Option<f64>, text: &str) -> Result<f64, Problem> {
+    value
+        .ok_or_else(|| value_problem(format!("\"{}\" is too large", shorten(text))).hint(TOO_LARGE))
+}
+
+/// No quantity is larger, in SI: what is written larger is a slip, and its powers would overflow.
+pub const LARGEST_SI: f64 = 1e18;
+
+/// The remedy for a larger one.
+pub const TOO_LARGE: &str = "check the number and its unit: no quantity is above 1e18 in SI units";
+
+/// Whether a quantity may have this value in SI.
+pub fn is_possible(value_si: f64) -> bool {
+    value_si.abs() <= LARGEST_SI
 }
 
 /// As [`parse`], and positive; `name` is what the message calls it ("the height").

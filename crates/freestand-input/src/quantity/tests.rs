@@ -477,18 +477,8 @@ fn what_is_refused_and_what_is_said() {
         ("-inf", Ratio, "\"-inf\" is not a quantity", ""),
         ("--2 m", Length, "\"--2 m\" is not a quantity", ""),
         (". m", Length, "\". m\" is not a quantity", ""),
-        (
-            "1e999 m",
-            Length,
-            "\"1e999 m\" is too large for a number",
-            "",
-        ),
-        (
-            "1e307 kN/m",
-            Stiffness,
-            "\"1e307 kN/m\" is too large for a number",
-            "",
-        ),
+        ("1e999 m", Length, "\"1e999 m\" is too large", ""),
+        ("1e307 kN/m", Stiffness, "\"1e307 kN/m\" is too large", ""),
         (
             "2,3 m",
             Length,

@@ -25,7 +25,8 @@ use factor::{factor, factor_words, target_notes};
 use raw::without_mean;
 
 pub use pair::{
-    Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths,
+    Bearing, azimuth_of, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned,
+    with_azimuths,
 };
 pub use short_period::short_period_warning;
 pub use short_period::{few_steps, samples_needed};

@@ -51,7 +51,8 @@ pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), 
         .hint("use freestand motion rotate with two files, or two components of one, and their azimuths"))
 }
 
-fn azimuth_of(component: &Component) -> Option<f64> {
+/// The azimuth that the file states \[degrees clockwise from north\].
+pub fn azimuth_of(component: &Component) -> Option<f64> {
     match component.direction {
         Some(Direction::Azimuth(azimuth_deg)) => Some(azimuth_deg),
         _ => None,

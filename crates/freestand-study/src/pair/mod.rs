@@ -8,7 +8,9 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
 use freestand_records::notes::Note;
-use freestand_records::processing::{Processed, pair_of_one, turned, with_azimuths};
+use freestand_records::processing::{
+    Bearing, Processed, azimuth_of, pair_of_one, turned, with_azimuths,
+};
 
 /// Record files with two horizontal components.
 #[derive(Debug, Clone, PartialEq)]
@@ -228,6 +230,7 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
         |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
     warnings.extend(read.files.iter().filter_map(start));
     warnings.extend(processed.notes.iter().map(Note::to_string));
+    warnings.extend([first, second].into_iter().filter_map(contradicted));
     let name = format!(
         "{}-{}deg",
         name_of(&path),
@@ -241,6 +244,23 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
         warnings,
     })
 }
+
+/// What a file says of a direction, where the request says otherwise.
+fn contradicted((component, used_deg): Bearing<'_>) -> Option<String> {
+    let stated_deg = azimuth_of(component)?;
+    let turn_deg = (stated_deg - used_deg).rem_euclid(360.0);
+    (turn_deg.min(360.0 - turn_deg) > AZIMUTH_TOLERANCE_DEG).then(|| {
+        format!(
+            "{}: the file states {}°, and the given {}° is used",
+            component.name,
+            number(stated_deg, 6),
+            number(used_deg, 6)
+        )
+    })
+}
+
+/// Files round the azimuths of their components to whole degrees.
+const AZIMUTH_TOLERANCE_DEG: f64 = 0.5;
 
 #[cfg(test)]
 mod tests;
