@@ -89,8 +89,31 @@ fn keys_in(help: &str, names: &[String]) -> String {
 
 /// The schema of a response of `command`: `results` describes what differs between its kinds.
 pub fn of_response(command: &str, schema: &str, results: &[Map<String, Value>]) -> Value {
+    answered(command, json!({"const": schema}), results)
+}
+
+/// As [`of_response`], of a command whose kinds of responses have schemas of their own.
+pub fn of_responses(command: &str, results: [(&str, Map<String, Value>); 2]) -> Value {
+    let names = results.each_ref().map(|(schema, _)| *schema);
+    let kinds = results.map(|(schema, mut kind)| {
+        kind.insert("schema".to_owned(), json!({"const": schema}));
+        kind
+    });
+    answered(command, json!({"enum": names}), &kinds)
+}
+
+/// The values of a response with rows, and `others` beside them.
+pub fn with_rows(row: Value, others: Map<String, Value>) -> Map<String, Value> {
+    let rows = json!({"type": "array", "items": row});
+    [("rows".to_owned(), rows)]
+        .into_iter()
+        .chain(others)
+        .collect()
+}
+
+fn answered(command: &str, schema: Value, results: &[Map<String, Value>]) -> Value {
     let of_all = json!({
-        "schema": {"const": schema},
+        "schema": schema,
         "warnings": {"type": "array", "items": {"type": "string"}},
     });
     let kinds: Vec<Value> = results.iter().cloned().map(object).collect();

@@ -37,6 +37,7 @@ mod risk;
 mod rocking_cases;
 mod run;
 mod same_answer;
+mod schemas;
 #[cfg(feature = "page")]
 mod serve;
 #[cfg(unix)]
