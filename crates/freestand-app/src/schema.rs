@@ -1,6 +1,7 @@
 //! JSON schemas (draft 2020-12) of requests and responses, from the structs that they describe.
 
 use clap::{Arg, ArgAction, Command};
+use freestand_output::answer::object;
 use schemars::generate::SchemaSettings;
 use schemars::transform::transform_subschemas;
 use schemars::{JsonSchema, Schema};
@@ -122,8 +123,31 @@ fn as_written(schema: &mut Schema) {
 
 /// The schema of a response of `command`: `kinds` are the results that it may have.
 pub fn of_response(command: &str, schema: &str, kinds: &[Value]) -> Value {
+    answered(command, json!({"const": schema}), kinds)
+}
+
+/// As [`of_response`], of a command whose kinds of responses have schemas of their own.
+pub fn of_responses(command: &str, kinds: [(&str, Map<String, Value>); 2]) -> Value {
+    let names = kinds.each_ref().map(|(schema, _)| *schema);
+    let kinds = kinds.map(|(schema, mut kind)| {
+        kind.insert("schema".to_owned(), json!({"const": schema}));
+        object(kind)
+    });
+    answered(command, json!({"enum": names}), &kinds)
+}
+
+/// The values of a response with rows, and `others` beside them.
+pub fn with_rows(row: Value, others: Map<String, Value>) -> Map<String, Value> {
+    let rows = json!({"type": "array", "items": row});
+    [("rows".to_owned(), rows)]
+        .into_iter()
+        .chain(others)
+        .collect()
+}
+
+fn answered(command: &str, schema: Value, kinds: &[Value]) -> Value {
     let of_all = json!({
-        "schema": {"const": schema},
+        "schema": schema,
         "warnings": {"type": "array", "items": {"type": "string"}},
     });
     json!({

@@ -7,6 +7,7 @@ use freestand_assess::job::check_shards;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_output::answer;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
@@ -135,6 +136,19 @@ impl Question for ShardMerge {
         let mut read = reader::<Self>(&words, &self.unknown);
         let dir = folder(&mut read, files);
         read.problems.finish(dir)
+    }
+}
+
+/// The schema of the document that lists missing shards.
+pub const MERGE_SCHEMA: &str = "freestand.shard-merge/1";
+
+answer! {
+    /// What a merge lacks.
+    pub struct MissingShards {
+        /// The numbers of the shards that are not finished.
+        missing: Vec<usize>,
+        /// A command that runs each of them.
+        commands: Vec<String>,
     }
 }
 

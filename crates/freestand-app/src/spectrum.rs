@@ -12,14 +12,14 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_input::written::Written;
+use freestand_output::answer;
 use freestand_records::notes::{Note, grouped};
 use freestand_study::at_place::{LastGround, motions_at};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
-use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest};
+use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming};
 use freestand_study::unsolved::rocking_problem;
-use serde::Serialize;
 
 use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
@@ -181,13 +181,24 @@ pub struct Shaken {
     pub warnings: Vec<String>,
 }
 
-/// What was done to a motion.
-#[derive(Debug, Clone, Serialize)]
-pub struct Processed {
-    /// The motion.
-    pub motion: String,
-    /// Each step.
-    pub steps: Vec<String>,
+answer! {
+    /// What was done to a motion.
+    pub struct Processed {
+        /// The motion.
+        motion: String,
+        /// Each step.
+        steps: Vec<String>,
+    }
+}
+
+answer! {
+    /// What follows the rows in the document.
+    pub struct Others {
+        /// What was done to each motion.
+        processing: Vec<Processed>,
+        /// Time in the solver alone, and its work.
+        timing: SpectrumTiming,
+    }
 }
 
 /// Synthetic motions are made later, see [`Shaking::motions`].

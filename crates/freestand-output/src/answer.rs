@@ -3,6 +3,7 @@
 //! schema of its document.
 
 use freestand_input::file::InputFile;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use crate::answer;
@@ -137,6 +138,7 @@ described! {
     &'static str = {"type": "string"},
     String = {"type": "string"},
     [f64; 2] = {"type": "array", "items": {"type": ["number", "null"]}},
+    [usize; 4] = {"type": "array", "items": {"type": "integer"}},
 }
 
 impl<A: Answer> Described for Vec<A> {
@@ -189,8 +191,8 @@ impl From<&InputFile> for Input {
 }
 
 /// Defines a result as a struct. After `=` stands the label of a field for people; `flat` puts the fields of a
-/// part on the same level; a field with neither is for programs only. With `if` people read it where another field
-/// has a value.
+/// part on the same level, `skip` leaves a field out; a field with none of them is for programs only. With `if`
+/// people read it where another field has a value.
 ///
 /// # Example
 /// ```
@@ -255,11 +257,13 @@ macro_rules! answer {
     (@name __) => { "" };
     (@name $name:ident) => { stringify!($name) };
     (@doc flat) => { "Values on the same level." };
+    (@doc skip) => { "Not in the document." };
     (@doc $label:literal) => { $label };
     (@add $facts:ident, $name:expr, $value:expr, ) => { $facts.key($name, $value.clone()) };
     (@add $facts:ident, $name:expr, $value:expr, flat) => {
         $facts.and($crate::answer::Answer::facts(&$value))
     };
+    (@add $facts:ident, $name:expr, $value:expr, skip) => { $facts };
     (@add $facts:ident, $name:expr, $value:expr, $label:literal) => {
         $facts.fact($name, $label, $value.clone())
     };
@@ -274,6 +278,7 @@ macro_rules! answer {
     (@describe $all:ident, $name:ident, $type:ty, $doc:expr, flat) => {
         $all.extend($crate::answer::flattened::<$type>());
     };
+    (@describe $all:ident, $name:ident, $type:ty, $doc:expr, skip) => {};
     (@describe $all:ident, $name:ident, $type:ty, $doc:expr, ($label:expr)) => {
         $crate::answer!(@describe $all, $name, $type, $doc,)
     };
@@ -356,18 +361,22 @@ macro_rules! answer_of {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ByName<A>(pub Vec<(&'static str, A)>);
 
-impl<A: Answer> Described for ByName<A> {
+impl<A: Described> Described for ByName<A> {
     fn schema() -> Json {
         json!({"type": "object", "additionalProperties": A::schema()})
     }
 }
 
-impl<A: Answer> From<ByName<A>> for Value<'static> {
+impl<A: Into<Value<'static>>> From<ByName<A>> for Value<'static> {
     fn from(named: ByName<A>) -> Self {
-        let each = named.0.iter();
-        Self::Facts(each.fold(Facts::default(), |facts, (name, one)| {
-            facts.key(name, one.facts())
-        }))
+        let each = named.0.into_iter();
+        Self::Facts(each.fold(Facts::default(), |facts, (name, one)| facts.key(name, one)))
+    }
+}
+
+impl<A: Into<Value<'static>> + Clone> Serialize for ByName<A> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Value::from(self.clone()).serialize(serializer)
     }
 }
 

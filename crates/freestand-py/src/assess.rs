@@ -19,6 +19,7 @@ use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::run::{Stage, Step, run as run_study};
+use freestand_study::summary::{RunAnswer, Summary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -150,16 +151,16 @@ pub(crate) fn run(
         if stop.load(Ordering::Relaxed) {
             return Err(Problem::stopped().into());
         }
-        let mut body = write_outputs(folder, &study, &result)?.body;
-        if let serde_json::Value::Object(keys) = &mut body {
-            keys.insert(
-                "out".to_owned(),
-                serde_json::Value::from(out.display().to_string()),
-            );
-        }
-        Ok::<_, Problems>((body, result.warnings))
+        let files = write_outputs(folder, &study, &result)?.files;
+        Ok::<_, Problems>((files, result))
     };
-    let (body, warnings) =
+    let (files, result) =
         watched_with(py, threads, work, |_| told_step.tell(progress))?.map_err(of_study)?;
-    told(schema, &body, &warnings)
+    let summary = Summary {
+        study: &study,
+        result: &result,
+        files: &files,
+    };
+    let out = out.display().to_string();
+    told(schema, &RunAnswer { summary, out }, &result.warnings)
 }

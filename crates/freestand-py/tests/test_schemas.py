@@ -13,6 +13,8 @@ CABINET = "--height 1.8m --thickness 0.4m --mass 150kg --stiffness '4380 N/mm'"
 SMALL = "crates/freestand-cli/tests/same_answer/study.toml --inventory crates/freestand-cli/tests/same_answer/list.csv"
 RECORD = "validation/rocking/records/synthfloor.csv"
 PAIR = "validation/rocking/records/synthfloor_hv.csv"
+GRID = f"--motion {RECORD} --heights '1 m:2 m:3' --thicknesses '0.3 m, 0.4 m'"
+SYNTHETIC = "[ground]\ncount = 2\n{source}[objects]\nheights = '1 m'\nthicknesses = '200 mm'\n[outputs]\nfigures = false\nreport = false\n"
 #: One line for each kind of document; the command is what precedes the first operand.
 ASKED = f"""
 object | {CABINET} --place Wellington
@@ -49,10 +51,14 @@ risk | --fragility examples/risk/curves.csv --hazard examples/risk/hazard.csv --
 rock | --height 1.8m --thickness 0.4m --motion {RECORD} --scale 3
 rock | {CABINET} --motion {RECORD} validation/rocking/records/onesine_T1.0.csv --scale 3
 run | {SMALL.split()[0]} --out results
+run | synthetic.toml --out results --vary damping
+run | simulated.toml --out results
 shock | --height 1.8m --thickness 0.4m --mass 150kg --stiffness '4380 N/mm' --uplift 20mm
 shock-spectrum | {RECORD}
-spectrum | --motion {RECORD} --heights '1 m:2 m:3' --thicknesses '0.3 m, 0.4 m'
-spectrum | --motion {RECORD} --heights '1 m:2 m:3' --thicknesses '0.3 m, 0.4 m' --mass 150kg --stiffness '4380 N/mm'
+spectrum | {GRID}
+spectrum | {GRID} --sensitivity --wall-gap 20mm
+spectrum | {GRID} --mass 150kg --stiffness '4380 N/mm' --wall-gap 20mm --wall-stiffness '1000 N/mm'
+spectrum | {GRID} --casters --brakes --friction 0.25
 tolerance-list |
 tolerance-search | server
 tolerance-show | museum-fragile
@@ -62,16 +68,32 @@ validate |
 FILES = {
     "drops.csv": "static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\n"
     + "".join(f"{kpa},600,50,{peak}\n" for kpa, peak in ((1, 75), (2, 52), (4, 38), (6, 41), (8, 55))),
+    "synthetic.toml": SYNTHETIC.format(source=""),
+    "simulated.toml": SYNTHETIC.format(source="point_source = { magnitude = 6.0, distance = '30 km' }\n"),
     "press.csv": "displacement [mm],force [N]\n" + "".join(f"{n / 100},{9.0 * n}\n" for n in range(101)),
 }
 LINES = [line.split(" | ") for line in ASKED.replace(" |\n", " | \n").strip("\n").split("\n")]
 #: The operands of these are written with them.
-TWO_WORDS = ("cushion", "inventory", "motion", "place", "tolerance")
+TWO_WORDS = ("cushion", "inventory", "motion", "place", "shard", "tolerance")
+
+
+def strict(schema):
+    """A schema that refuses keys which it does not describe."""
+    if not isinstance(schema, dict):
+        return schema
+    schema = {key: [strict(one) for one in value] if isinstance(value, list) else strict(value) for key, value in schema.items()}
+    if "properties" in schema and "additionalProperties" not in schema:
+        schema["unevaluatedProperties"] = False
+    return schema
 
 
 @cache
 def validator(name):
-    return Draft202012Validator(json.loads((SCHEMAS / f"{name}.response.json").read_text("utf-8")))
+    schema = strict(json.loads((SCHEMAS / f"{name}.response.json").read_text("utf-8")))
+    # The keys of every document are beside those of its kind.
+    for kind in schema["anyOf"]:
+        kind.pop("unevaluatedProperties", None)
+    return Draft202012Validator(schema)
 
 
 def command(name, line):
@@ -81,14 +103,29 @@ def command(name, line):
     return words + shlex.split(line)
 
 
+def check(name, line, folder):
+    for file, text in FILES.items():
+        (folder / file).write_text(text, "utf-8")
+        line = line.replace(file, shlex.quote(str(folder / file)))
+    line = line.replace("--out ", f"--out {shlex.quote(str(folder))}/")
+    document = told(*command(name, line))
+    problems = sorted(validator(name).iter_errors(document), key=str)
+    assert not problems, problems[0]
+    return document
+
+
 @pytest.mark.parametrize(("name", "line"), LINES, ids=lambda text: text[:30])
 def test_a_document_is_as_described(name, line, tmp_path):
-    for file, text in FILES.items():
-        (tmp_path / file).write_text(text, "utf-8")
-        line = line.replace(file, shlex.quote(str(tmp_path / file)))
-    line = line.replace("--out ", f"--out {shlex.quote(str(tmp_path))}/")
-    problems = sorted(validator(name).iter_errors(told(*command(name, line))), key=str)
-    assert not problems, problems[0]
+    check(name, line, tmp_path)
+
+
+def test_the_documents_of_shards_are_as_described(tmp_path):
+    plan = str(tmp_path / "plan")
+    check("shard-plan", f"{SMALL} --shards 2 --out plan", tmp_path)
+    check("shard-run", f"{plan} --shard 0", tmp_path)
+    assert check("shard-merge", f"{plan} --out merged", tmp_path)["missing"] == [1]
+    check("shard-run", f"{plan} --shard 1", tmp_path)
+    assert check("shard-merge", f"{plan} --out merged", tmp_path)["rows"]
 
 
 def test_every_document_is_described():

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use serde_json::Value;
 
 use crate::figures::figures;
 use crate::report::{Provenance, provenance, report};
@@ -13,7 +12,7 @@ use crate::rerun::{
 };
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
-use crate::summary::{SCHEMA, summary};
+use crate::summary::{SCHEMA, Summary};
 use crate::tables::{profile_table, srs_table, statistics_table, urs_table};
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::problem::{Problem, Problems};
@@ -33,8 +32,6 @@ pub struct Written {
     pub files: Vec<String>,
     /// The files of an earlier run that were removed from it.
     pub removed: Vec<String>,
-    /// `summary.json` without its schema and warnings.
-    pub body: Value,
 }
 
 /// The names of the files that a run of `study` will write, with variations or without. The figures
@@ -101,10 +98,14 @@ pub fn write_outputs(
     let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     names.push("summary.json".to_owned());
     names.sort_unstable();
-    let body = summary(study, result, &names);
+    let summary = Summary {
+        study,
+        result,
+        files: &names,
+    };
     files.push((
         "summary.json".to_owned(),
-        document(SCHEMA, &body, &result.warnings)?.into_bytes(),
+        document(SCHEMA, &summary, &result.warnings)?.into_bytes(),
     ));
 
     files.sort_unstable_by(|a, b| a.0.cmp(&b.0));
@@ -116,7 +117,6 @@ pub fn write_outputs(
         folder,
         files: names,
         removed,
-        body,
     })
 }
 

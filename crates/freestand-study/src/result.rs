@@ -7,8 +7,8 @@ use freestand::motion::Motion;
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
+use freestand_output::{answer, answer_of};
 use freestand_records::horizontal::HorizontalMotion;
-use serde::Serialize;
 
 use crate::study::Level;
 use crate::target::CodeParts;
@@ -180,7 +180,7 @@ pub struct ExampleHistory {
 }
 
 /// One row of `vary.csv`: a level under one variation, or under the unchanged study.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct VariedLevel {
     /// The key that was changed; `base` for the unchanged study.
     pub parameter: String,
@@ -233,11 +233,29 @@ impl std::fmt::Display for NoResult {
     }
 }
 
-impl Serialize for NoResult {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
+answer_of!(VariedLevel as row {
+    /// The key that was changed; `base` for the unchanged study.
+    parameter: String = row.parameter.clone();
+    /// Its value, as a study writes it; empty for `base`.
+    value: String = row.value.clone();
+    level: String = row.level.clone();
+    /// Height as a share of the building's, if it is known.
+    level_ratio: Option<f64> = row.level_ratio;
+    pfa_g_median: Option<f64> = row.pfa_g_median;
+    uplift_share: Option<f64> = row.uplift_share;
+    overturned_share: Option<f64> = row.overturned_share;
+    overturned_objects: Option<usize> = row.overturned_objects;
+    edge_acceleration_g_median: Option<f64> = row.edge_acceleration_g_median;
+    edge_acceleration_g_max: Option<f64> = row.edge_acceleration_g_max;
+    /// Sum of the median shocks of the objects, divided by that of the unchanged study.
+    edge_acceleration_ratio: Option<f64> = row.edge_acceleration_ratio;
+    /// Number of objects in these sums.
+    compared_objects: Option<usize> = row.compared_objects;
+    /// Why there is no result.
+    reason: Option<String> = row.reason.as_ref().map(ToString::to_string);
+    /// Warnings that the unchanged study does not have.
+    warnings: Option<String> = row.warnings.clone();
+});
 
 impl VariedLevel {
     /// A short form for tables and axes, `α₀ 20`.
@@ -252,12 +270,12 @@ impl VariedLevel {
     }
 }
 
-/// What each variation did to each level, compared with the unchanged study.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sensitivity {
-    /// The unchanged study first, then change by change; in each the levels in the order of the
-    /// study.
-    pub rows: Vec<VariedLevel>,
-    /// What could not be varied, and why: one sentence each.
-    pub left_out: Vec<String>,
+answer! {
+    /// What each variation did to each level, compared with the unchanged study.
+    pub struct Sensitivity {
+        /// The unchanged study first, then change by change; in each the levels in the order of the study.
+        rows: Vec<VariedLevel>,
+        /// What could not be varied, and why: one sentence each.
+        left_out: Vec<String>,
+    }
 }

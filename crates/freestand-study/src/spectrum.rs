@@ -10,7 +10,7 @@ use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::respond::{RigidPlane, Settings};
-use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError, RockingSummary};
+use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError};
 use freestand::sliding::{Sliding, SlidingOutcome};
 use freestand::spectra::{
     PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity,
@@ -18,7 +18,6 @@ use freestand::spectra::{
 };
 use freestand::wall::{Contact, Walls};
 use rayon::prelude::*;
-use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
@@ -26,6 +25,8 @@ use crate::shape::{Sizes, squat_warning};
 use crate::sliding::{Surface, slide_under};
 use crate::walls::{WallStiffness, acceleration_g, speed_m_s};
 use freestand_input::problem::Problem;
+use freestand_output::answer;
+use freestand_output::answer::Answer;
 use freestand_output::facts::Facts;
 use freestand_output::parquet::ColumnType;
 
@@ -259,16 +260,100 @@ pub struct SpectrumMotion {
     pub vertical: Option<Motion>,
 }
 
-/// Time in the solver alone, and its work.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct SpectrumTiming {
-    /// For the spectrum \[s\].
-    pub solve_s: f64,
-    /// Objects × intervals of their motions, including skipped ones.
-    pub block_steps: u64,
-    /// For the spectrum under the changed motion \[s\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sensitivity_s: Option<f64>,
+answer! {
+    /// Time in the solver alone, and its work.
+    #[derive(Copy, Default)]
+    pub struct SpectrumTiming {
+        /// For the spectrum.
+        solve_s: f64,
+        /// Objects × intervals of their motions, including skipped ones.
+        block_steps: u64,
+        sensitivity: Option<SensitivityTiming> = flat,
+    }
+}
+
+answer! {
+    /// Time for the sensitivities.
+    #[derive(Copy, Default)]
+    pub struct SensitivityTiming {
+        /// For the spectrum under the changed motion.
+        sensitivity_s: f64,
+    }
+}
+
+answer! {
+    /// One object under a motion. Values are missing if there is no cushion, the object overturns or the history
+    /// failed.
+    pub struct SpectrumRow {
+        /// The motion.
+        motion: String,
+        /// Height.
+        height_m: f64,
+        /// Thickness.
+        thickness_m: f64,
+        /// How the history ended.
+        outcome: &'static str,
+        /// Largest rotation.
+        peak_rotation_rad: Option<f64>,
+        /// Impacts on the floor.
+        impact_count: Option<usize>,
+        /// Of the edge that rises.
+        uplift_m: Option<f64>,
+        /// Of the centre of gravity.
+        cg_rise_m: Option<f64>,
+        /// Shock from the uplift.
+        edge_acceleration_g: Option<f64>,
+        /// Shock from the impact velocity.
+        edge_acceleration_impact_velocity_g: Option<f64>,
+        /// Shock at the largest uplift without overturning.
+        ceiling_g: Option<f64>,
+        walls: Option<AtWalls> = flat,
+        sensitivity: Option<SensitivityCells> = flat,
+        slide: Option<SlideCells> = flat,
+        /// Why there is no result.
+        reason: Option<String>,
+    }
+}
+
+answer! {
+    /// What an object does at its walls.
+    pub struct AtWalls {
+        /// Fastest impact on a wall.
+        wall_speed_max_m_s: Option<f64>,
+        shock: Option<WallShock> = flat,
+    }
+}
+
+answer! {
+    /// The shock on a wall of known stiffness.
+    pub struct WallShock {
+        /// Shock of the fastest impact on a wall.
+        wall_acceleration_g: Option<f64>,
+    }
+}
+
+answer! {
+    /// How strongly an object amplifies an error of the motion.
+    pub struct SensitivityCells {
+        /// Change of the peak rotation, divided by that of the motion.
+        sensitivity_ratio: Option<f64>,
+        /// Whether an error of the motion makes the result uncertain.
+        sensitive: Option<bool>,
+    }
+}
+
+answer! {
+    /// How an object slides or rolls.
+    pub struct SlideCells {
+        /// Largest slide.
+        slide_peak_m: Option<f64>,
+        /// Largest speed over the floor.
+        slide_speed_max_m_s: Option<f64>,
+        /// When it reaches the end of its clearance.
+        clearance_time_s: Option<f64>,
+        /// Its speed then.
+        clearance_speed_m_s: Option<f64>,
+    }
 }
 
 /// Some objects under one motion, solved.
@@ -357,70 +442,53 @@ impl SpectrumChunk<'_> {
             .filter(ShockCell::is_beyond_numbers)
             .map(|_| BOTTOMED.to_owned());
         let shock = shock.filter(|shock| !shock.is_beyond_numbers());
-        let by_velocity_g = shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g);
-        let mut row = Facts::default()
-            .key("motion", self.name)
-            .key("height_m", block.height_m())
-            .key("thickness_m", block.thickness_m())
-            .key("outcome", outcome)
-            .key(
-                "peak_rotation_rad",
-                rocking.map(|rocking| rocking.peak_rotation_rad).or(level),
-            )
-            .key(
-                "impact_count",
-                rocking
-                    .map(|rocking| rocking.impact_count)
-                    .or(level.map(|_| 0)),
-            )
-            .key(
-                "uplift_m",
-                rocking.map(|rocking| rocking.uplift_m).or(level),
-            )
-            .key(
-                "cg_rise_m",
-                rocking.map(|rocking| rocking.cg_rise_m).or(level),
-            )
-            .key(
-                "edge_acceleration_g",
-                shock.and_then(|shock| shock.edge_acceleration_g),
-            )
-            .key("edge_acceleration_impact_velocity_g", by_velocity_g)
-            .key("ceiling_g", shock.map(|shock| shock.ceiling_g));
-        if !self.walls.is_none() {
+        let walls = (!self.walls.is_none()).then(|| {
             let contacts = self.contacts(block);
-            let of_walls =
-                |quantity: &dyn Fn(&RockingSummary) -> Option<f64>| rocking.and_then(quantity);
-            row = row.key(
-                "wall_speed_max_m_s",
-                of_walls(&|found| speed_m_s(block, contacts, found.sides)),
-            );
-            if self.wall.stiffness_n_m.is_some() {
-                let shock_g = |found: &RockingSummary| {
-                    acceleration_g(block, contacts, found.sides, self.wall)
-                };
-                row = row.key("wall_acceleration_g", of_walls(&shock_g));
+            let sides = rocking.map(|found| found.sides);
+            AtWalls {
+                wall_speed_max_m_s: sides.and_then(|sides| speed_m_s(block, contacts, sides)),
+                shock: self.wall.stiffness_n_m.map(|_| WallShock {
+                    wall_acceleration_g: sides
+                        .and_then(|sides| acceleration_g(block, contacts, sides, self.wall)),
+                }),
             }
-        }
-        if let Some(sensitivities) = &self.sensitivities {
-            let Sensitivity { ratio, sensitive } = sensitivities[index];
+        });
+        let sensitivity = self.sensitivities.as_ref().map(|all| {
+            let Sensitivity { ratio, sensitive } = all[index];
             let followed = rocking.is_some() && bottomed.is_none();
-            row = row
-                .key("sensitivity_ratio", ratio)
-                .key("sensitive", followed.then_some(sensitive));
+            SensitivityCells {
+                sensitivity_ratio: ratio,
+                sensitive: followed.then_some(sensitive),
+            }
+        });
+        let contact = slid.and_then(|slid| slid.contact);
+        let slide = self.slide.as_ref().map(|_| SlideCells {
+            slide_peak_m: slid.map(|slid| slid.peak_m),
+            slide_speed_max_m_s: slid.map(|slid| slid.speed_max_m_s),
+            clearance_time_s: contact.map(|(time_s, _)| time_s),
+            clearance_speed_m_s: contact.map(|(_, velocity_m_s)| velocity_m_s),
+        });
+        SpectrumRow {
+            motion: self.name.to_owned(),
+            height_m: block.height_m(),
+            thickness_m: block.thickness_m(),
+            outcome,
+            peak_rotation_rad: rocking.map(|rocking| rocking.peak_rotation_rad).or(level),
+            impact_count: rocking
+                .map(|rocking| rocking.impact_count)
+                .or(level.map(|_| 0)),
+            uplift_m: rocking.map(|rocking| rocking.uplift_m).or(level),
+            cg_rise_m: rocking.map(|rocking| rocking.cg_rise_m).or(level),
+            edge_acceleration_g: shock.and_then(|shock| shock.edge_acceleration_g),
+            edge_acceleration_impact_velocity_g: shock
+                .and_then(|shock| shock.edge_acceleration_impact_velocity_g),
+            ceiling_g: shock.map(|shock| shock.ceiling_g),
+            walls,
+            sensitivity,
+            slide,
+            reason: reason.or(bottomed),
         }
-        if self.slide.is_some() {
-            let contact = slid.and_then(|slid| slid.contact);
-            row = row
-                .key("slide_peak_m", slid.map(|slid| slid.peak_m))
-                .key("slide_speed_max_m_s", slid.map(|slid| slid.speed_max_m_s))
-                .key("clearance_time_s", contact.map(|(time_s, _)| time_s))
-                .key(
-                    "clearance_speed_m_s",
-                    contact.map(|(_, velocity_m_s)| velocity_m_s),
-                );
-        }
-        row.key("reason", reason.or(bottomed))
+        .facts()
     }
 
     /// All rows.
@@ -550,7 +618,7 @@ pub fn spectrum<E>(
     mut each: impl FnMut(&SpectrumChunk) -> Result<(), E>,
 ) -> Result<SpectrumTiming, E> {
     let mut timing = SpectrumTiming {
-        sensitivity_s: request.sensitivity.then_some(0.0),
+        sensitivity: request.sensitivity.then(SensitivityTiming::default),
         ..SpectrumTiming::default()
     };
     let objects = request.grid.objects();
@@ -587,11 +655,11 @@ pub fn spectrum<E>(
             let mut solved = uplift_spectrum(&rocking, base, &request.settings).into_iter();
             timing.solve_s += began.elapsed().as_secs_f64();
             timing.block_steps += rocking.len() as u64 * intervals as u64;
-            let sensitivities = timing.sensitivity_s.as_mut().map(|seconds| {
+            let sensitivities = timing.sensitivity.as_mut().map(|timing| {
                 let began = Instant::now();
                 let sensitivities =
                     uplift_sensitivity(&rocking, solved.as_slice(), base, &request.settings);
-                *seconds += began.elapsed().as_secs_f64();
+                timing.sensitivity_s += began.elapsed().as_secs_f64();
                 sensitivities
             });
             let cell = |block: &Block| match carried(block) {

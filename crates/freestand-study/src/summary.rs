@@ -1,60 +1,63 @@
 //! `summary.json`: the key figures of each level, and their provenance.
 
-use freestand::rocking::Outcome;
+use freestand::G0_M_S2;
+use freestand::building::Building;
+use freestand::rocking::{Accuracy, Outcome, Restitution};
 use freestand::synthesis::{self, Misfit};
-use serde::Serialize;
-use serde_json::{Value, json};
+use freestand_input::file::sha256_hex;
+use freestand_output::answer::{Described, Input};
+use freestand_output::facts::Value;
+use freestand_output::{answer, answer_of};
+use serde_json::{Value as Json, json};
 
 use crate::building::{ModeReport, model_words};
 use crate::cushion::cushion_words;
+use crate::matched::Matched;
 use crate::places::Place;
-use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
+use crate::result::{GroundMotion, LevelResult, ObjectResponse, Ranked, Sensitivity, StudyResult};
 use crate::simulated::{FoundEarthquake, Parameters};
 use crate::statistics::ranked_quantile;
 use crate::study::{
-    BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround,
+    BuildingInput, Ground, Level, Objects, RecordedMotion, SecondComponent, SimulatedGround, Study,
+    SyntheticGround,
 };
+use crate::suite::Suite;
 use crate::target::{HazardOf, NamedFact, Target};
-use freestand::G0_M_S2;
-use freestand::building::Building;
-use freestand::rocking::{Accuracy, Restitution};
-use freestand_input::file::sha256_hex;
-use freestand_output::answer::Input;
-use freestand_output::answer_of;
 
 /// Name and version of the document.
 pub const SCHEMA: &str = "freestand.run/1";
 
-/// The key figures of one level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LevelSummary {
-    /// Name of the level.
-    pub level: String,
-    /// Height as a share of the building's, if it is known.
-    pub level_ratio: Option<f64>,
-    /// Median over the motions of the peak floor acceleration \[g\].
-    pub pfa_g_median: Option<f64>,
-    /// Histories on this level: objects × motions.
-    pub histories: usize,
-    /// Histories that failed.
-    pub failed: usize,
-    /// Share of the histories in which the object uplifts.
-    pub uplift_share: f64,
-    /// Share of the histories in which the object overturns.
-    pub overturned_share: f64,
-    /// Objects that exceed the study's tolerance ([`crate::result::ObjectStatistics::exceeds`]);
-    /// `None` without one.
-    pub exceeded_objects: Option<usize>,
-    /// Objects that half or more of the motions overturn.
-    pub overturned_objects: usize,
-    /// Largest shock of any history without overturning \[g\].
-    pub edge_acceleration_g_max: Option<f64>,
-    /// Largest median shock over the motions, of all objects whose median is a number \[g\].
-    pub edge_acceleration_g_median: Option<f64>,
-    /// Largest shock from the impact velocity of any history without overturning \[g\].
-    pub edge_acceleration_impact_velocity_g_max: Option<f64>,
-    /// The same median, of the shock from the impact velocity \[g\].
-    pub edge_acceleration_impact_velocity_g_median: Option<f64>,
+answer! {
+    /// The key figures of one level.
+    pub struct LevelSummary {
+        /// Name of the level.
+        level: String,
+        /// Height as a share of the building's, if it is known.
+        level_ratio: Option<f64>,
+        /// Median over the motions of the peak floor acceleration.
+        pfa_g_median: Option<f64>,
+        /// Histories on this level: objects × motions.
+        histories: usize,
+        /// Histories that failed.
+        failed: usize,
+        /// Share of the histories in which the object uplifts.
+        uplift_share: f64,
+        /// Share of the histories in which the object overturns.
+        overturned_share: f64,
+        /// Objects whose median shock exceeds the study's tolerance, or that half or more of the motions overturn;
+        /// missing without a tolerance.
+        exceeded_objects: Option<usize>,
+        /// Objects that half or more of the motions overturn.
+        overturned_objects: usize,
+        /// Largest shock of any history without overturning.
+        edge_acceleration_g_max: Option<f64>,
+        /// Largest median shock over the motions, of all objects whose median is a number.
+        edge_acceleration_g_median: Option<f64>,
+        /// Largest shock from the impact velocity of any history without overturning.
+        edge_acceleration_impact_velocity_g_max: Option<f64>,
+        /// The same median, of the shock from the impact velocity.
+        edge_acceleration_impact_velocity_g_median: Option<f64>,
+    }
 }
 
 /// The key figures of every level.
@@ -125,120 +128,190 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
 }
 
 /// The whole document.
-pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
-    let motions: Vec<Value> = result
-        .ground
-        .iter()
-        .map(|ground| {
-            json!({
-                "motion": ground.name,
-                "dt_s": ground.motion.along.dt_s(),
-                "npts": ground.motion.along.accel_m_s2().len(),
-                "components": if ground.motion.across.is_some() { 2 } else { 1 },
-                "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
-                "vertical_pga_g": ground.vertical.as_ref().map(|vertical| vertical.peak_m_s2() / G0_M_S2),
-                "misfit": ground.misfit.as_ref().map(OfMisfit),
-            })
-        })
-        .collect();
-    let objects = &study.objects;
-    json!({
-        "levels": level_summaries(study, result),
-        "vary": result.sensitivity.as_ref().map(|sensitivity| json!({
-            "rows": sensitivity.rows,
-            "left_out": sensitivity.left_out,
-        })),
-        "definitions": {
-            "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
-            "overturned_share": "histories in which the object overturns, as a share of all histories (object × \
-                                 motion) that did not fail",
-            "direction_deg": "for motions with two components: the direction, counted from the first component, in \
-                              which the centre of gravity rises most, or the first direction that overturns the \
-                              object; the shock from the impact velocity is the largest of all directions",
-            "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the \
-                                 tolerance, or that half or more of the motions overturn; null without a tolerance",
-            "edge_acceleration_g_max": "largest shock of all histories without overturning, calculated from the uplift",
-            "edge_acceleration_g_median": "largest median shock over all motions (no uplift counts as 0, overturned \
-                as larger than any number), of all objects whose median is a number",
-        },
-        "inputs": {
-            "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
-            "study_sha256": sha256_hex(study.toml.as_bytes()),
-            "ground": ground_inputs(&study.ground),
-            "suite": study.ground.suite(),
-            "floor_motions": floor_inputs(study),
-            "vertical": study.ground.vertical_words(),
-            "vertical_amplification_ratio": study.vertical_amplification_ratio,
-            "motions": motions,
-            "directions_deg": study.directions_deg,
-            "building": study.building.as_ref().map(|building| building_inputs(study.building_name.as_deref(), building)),
-            "objects": {
-                "heights_m": objects.heights_m,
-                "thicknesses_m": objects.thicknesses_m,
-                "mass_kg": objects.mass_kg,
-                "stiffness_n_m": objects.cushion.cushion.linear_stiffness_n_m(),
-                "law": objects.cushion.cushion.law().name(),
-                "cushion": cushion_words(&objects.cushion.cushion),
-                "cushion_notes": objects.cushion.notes,
-                "cushion_file": objects.cushion_file.as_ref().map(|(file, _)| Input::from(file)),
-                "restitution": restitution_words(objects.restitution),
-                "accuracy": accuracy_words(objects.accuracy),
-                "tolerance_m_s2": objects.tolerance_m_s2,
-                "gravity_m_s2": G0_M_S2,
-                "model": "paper",
-            },
-        },
-        "seeds": study.ground.seed().map(|seed| json!({"ground": seed, "generator": synthesis::GENERATOR})),
-        "versions": {"freestand": env!("CARGO_PKG_VERSION")},
-        "files": files,
-    })
+#[derive(Debug, Clone, Copy)]
+pub struct Summary<'r> {
+    /// What was run.
+    pub study: &'r Study,
+    /// What came out.
+    pub result: &'r StudyResult,
+    /// The names of the files that are written.
+    pub files: &'r [String],
 }
 
-fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
-    let axis = |axis: &Building, note: Option<&str>| {
-        json!({
-            "model": model_words(axis),
-            "period_s": axis.period_s(),
-            "period_from": note,
-            "damping_ratio": axis.damping_ratio(),
-            "shear_flexure_ratio": axis.shear_flexure_ratio(),
-            "modes": axis.modes().iter().map(ModeReport::from).collect::<Vec<_>>(),
-        })
-    };
-    let mut inputs = json!({
-        "name": name,
-        "storeys": building.storeys,
-        "storey_height_m": building.storey_height_m,
-        "height_m": building.height_m,
-    });
-    if let (Some(inputs), Value::Object(along)) = (
-        inputs.as_object_mut(),
-        axis(&building.along, Some(&building.period_note)),
-    ) {
-        inputs.extend(along);
-        let across = building
-            .across
-            .as_ref()
-            .map(|across| axis(across, building.across_note.as_deref()));
-        inputs.insert("across".to_owned(), across.unwrap_or_default());
-        inputs.insert(
-            "tables".to_owned(),
-            building
-                .tables
-                .iter()
-                .map(|(_, table)| json!(Input::from(&table.file)))
-                .collect(),
-        );
+answer_of!(Summary<'_> as of {
+    levels: Vec<LevelSummary> = level_summaries(of.study, of.result);
+    /// What each change did, where one value was changed at a time.
+    vary: Option<Sensitivity> = of.result.sensitivity.clone();
+    definitions: Definitions = Definitions;
+    inputs: Inputs<'_> = Inputs(of.study, of.result);
+    /// Of motions that were made.
+    seeds: Option<Seeds> = of.study.ground.seed().map(Seeds);
+    versions: Versions = Versions;
+    files: Vec<String> = of.files.to_vec();
+});
+
+/// What a run answers: its summary, and where its files are.
+#[derive(Debug, Clone)]
+pub struct RunAnswer<'r> {
+    /// The document that is among its files.
+    pub summary: Summary<'r>,
+    /// The folder.
+    pub out: String,
+}
+
+answer_of!(RunAnswer<'_> as of {
+    summary: Summary<'_> = of.summary => flat;
+    /// The folder.
+    out: String = of.out.clone();
+});
+
+/// What the names of key figures mean.
+#[derive(Clone, Copy)]
+struct Definitions;
+
+answer_of!(Definitions as _of {
+    pfa_g_median: &'static str =
+        "median over the motions of the peak floor acceleration, at the samples";
+    overturned_share: &'static str =
+        "histories in which the object overturns, as a share of all histories (object × motion) that did not fail";
+    direction_deg: &'static str =
+        "for motions with two components: the direction, counted from the first component, in which the centre of \
+         gravity rises most, or the first direction that overturns the object; the shock from the impact velocity \
+         is the largest of all directions";
+    exceeded_objects: &'static str =
+        "objects whose median shock, by the larger of the two sources, is above the tolerance, or that half or more \
+         of the motions overturn; null without a tolerance";
+    edge_acceleration_g_max: &'static str =
+        "largest shock of all histories without overturning, calculated from the uplift";
+    edge_acceleration_g_median: &'static str =
+        "largest median shock over all motions (no uplift counts as 0, overturned as larger than any number), of \
+         all objects whose median is a number";
+});
+
+/// The seed of synthetic or simulated motions.
+#[derive(Clone, Copy)]
+struct Seeds(u64);
+
+answer_of!(Seeds as of {
+    ground: u64 = of.0;
+    generator: &'static str = synthesis::GENERATOR;
+});
+
+/// Of the program.
+#[derive(Clone, Copy)]
+struct Versions;
+
+answer_of!(Versions as _of {
+    freestand: &'static str = env!("CARGO_PKG_VERSION");
+});
+
+/// What a study was run with.
+#[derive(Clone, Copy)]
+struct Inputs<'r>(&'r Study, &'r StudyResult);
+
+answer_of!(Inputs<'_> as of {
+    study: String =
+        of.0.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string());
+    study_sha256: String = sha256_hex(of.0.toml.as_bytes());
+    /// Parameters of motions that were made, or each record; null where the motions of floors are given.
+    ground: GroundInputs<'_> = GroundInputs(&of.0.ground);
+    suite: Option<&Suite> = of.0.ground.suite();
+    /// The files of each level, where the motions of floors are given.
+    floor_motions: Option<Vec<FloorInputs<'_>>> =
+        matches!(of.0.ground, Ground::OnFloors).then(|| of.0.levels.iter().map(FloorInputs).collect());
+    vertical: String = of.0.ground.vertical_words();
+    vertical_amplification_ratio: f64 = of.0.vertical_amplification_ratio;
+    motions: Vec<OfMotion<'_>> = of.1.ground.iter().map(OfMotion).collect();
+    /// In which every object is tried.
+    directions_deg: Vec<f64> = of.0.directions_deg.clone();
+    building: Option<BuildingInputs<'_>> =
+        of.0.building.as_ref().map(|building| BuildingInputs(of.0.building_name.as_deref(), building));
+    objects: ObjectInputs<'_> = ObjectInputs(&of.0.objects);
+});
+
+/// A ground motion as used.
+#[derive(Clone, Copy)]
+struct OfMotion<'r>(&'r GroundMotion);
+
+answer_of!(OfMotion<'_> as of {
+    motion: String = of.0.name.clone();
+    dt_s: f64 = of.0.motion.along.dt_s();
+    npts: usize = of.0.motion.along.accel_m_s2().len();
+    components: usize = if of.0.motion.across.is_some() { 2 } else { 1 };
+    pga_g: f64 = of.0.motion.peak_m_s2() / G0_M_S2;
+    vertical_pga_g: Option<f64> = of.0.vertical.as_ref().map(|vertical| vertical.peak_m_s2() / G0_M_S2);
+    /// How well it fits its target, if it has one.
+    misfit: Option<OfMisfit<'_>> = of.0.misfit.as_ref().map(OfMisfit);
+});
+
+/// The grid of objects.
+#[derive(Clone, Copy)]
+struct ObjectInputs<'s>(&'s Objects);
+
+answer_of!(ObjectInputs<'_> as of {
+    heights_m: Vec<f64> = of.0.heights_m.clone();
+    thicknesses_m: Vec<f64> = of.0.thicknesses_m.clone();
+    mass_kg: f64 = of.0.mass_kg;
+    stiffness_n_m: Option<f64> = of.0.cushion.cushion.linear_stiffness_n_m();
+    law: &'static str = of.0.cushion.cushion.law().name();
+    cushion: String = cushion_words(&of.0.cushion.cushion);
+    cushion_notes: Vec<String> = of.0.cushion.notes.clone();
+    cushion_file: Option<Input> = of.0.cushion_file.as_ref().map(|(file, _)| Input::from(file));
+    restitution: String = restitution_words(of.0.restitution);
+    accuracy: String = accuracy_words(of.0.accuracy);
+    tolerance_m_s2: Option<f64> = of.0.tolerance_m_s2;
+    gravity_m_s2: f64 = G0_M_S2;
+    model: &'static str = "paper";
+});
+
+/// The building, with its name.
+#[derive(Clone, Copy)]
+struct BuildingInputs<'s>(Option<&'s str>, &'s BuildingInput);
+
+answer_of!(BuildingInputs<'_> as of {
+    name: Option<String> = of.0.map(str::to_owned);
+    storeys: usize = of.1.storeys;
+    storey_height_m: Option<f64> = of.1.storey_height_m;
+    height_m: f64 = of.1.height_m;
+    along: AxisInputs<'_> = AxisInputs(&of.1.along, Some(&of.1.period_note)) => flat;
+    /// Along its second axis, if that differs.
+    across: Option<AxisInputs<'_>> =
+        of.1.across.as_ref().map(|across| AxisInputs(across, of.1.across_note.as_deref()));
+    tables: Vec<Input> = of.1.tables.iter().map(|(_, table)| Input::from(&table.file)).collect();
+});
+
+/// A building along an axis, and what its period is from.
+#[derive(Clone, Copy)]
+struct AxisInputs<'s>(&'s Building, Option<&'s str>);
+
+answer_of!(AxisInputs<'_> as of {
+    model: String = model_words(of.0);
+    period_s: f64 = of.0.period_s();
+    period_from: Option<String> = of.1.map(str::to_owned);
+    damping_ratio: Option<f64> = of.0.damping_ratio();
+    shear_flexure_ratio: Option<f64> = of.0.shear_flexure_ratio();
+    modes: Vec<ModeReport> = of.0.modes().iter().map(ModeReport::from).collect();
+});
+
+/// Where the motions of a study are from.
+#[derive(Clone, Copy)]
+struct GroundInputs<'s>(&'s Ground);
+
+impl Described for GroundInputs<'_> {
+    fn schema() -> Json {
+        let recorded = Option::<Vec<RecordedInput<'_>>>::schema();
+        json!({"anyOf": [SyntheticInputs::schema(), SimulatedInputs::schema(), recorded]})
     }
-    inputs
 }
 
-fn ground_inputs(ground: &Ground) -> Value {
-    match ground {
-        Ground::Synthetic(synthetic) => json!(SyntheticInputs(synthetic)),
-        Ground::Simulated(simulated) => json!(SimulatedInputs(simulated)),
-        Ground::Recorded(records) => records.iter().map(recorded_input).collect(),
-        Ground::OnFloors => Value::Null,
+impl From<GroundInputs<'_>> for Value<'static> {
+    fn from(GroundInputs(ground): GroundInputs<'_>) -> Self {
+        match ground {
+            Ground::Synthetic(synthetic) => SyntheticInputs(synthetic).into(),
+            Ground::Simulated(simulated) => SimulatedInputs(simulated).into(),
+            Ground::Recorded(records) => recorded(records).into(),
+            Ground::OnFloors => Self::Missing,
+        }
     }
 }
 
@@ -292,41 +365,57 @@ answer_of!(SimulatedInputs<'_> as of {
     generator: &'static str = synthesis::GENERATOR;
 });
 
-/// The files of each level, if the motions of floors are given.
-fn floor_inputs(study: &Study) -> Value {
-    if !matches!(study.ground, Ground::OnFloors) {
-        return Value::Null;
-    }
-    let level = |level: &Level| json!({"level": level.name, "motions": level.motions.iter().map(recorded_input).collect::<Vec<_>>()});
-    study.levels.iter().map(level).collect()
+/// The files of a level.
+#[derive(Clone, Copy)]
+struct FloorInputs<'s>(&'s Level);
+
+answer_of!(FloorInputs<'_> as of {
+    level: String = of.0.name.clone();
+    motions: Vec<RecordedInput<'_>> = recorded(&of.0.motions);
+});
+
+fn recorded(records: &[RecordedMotion]) -> Vec<RecordedInput<'_>> {
+    records.iter().map(RecordedInput).collect()
 }
 
-fn recorded_input(record: &RecordedMotion) -> Value {
-    let across = record
-        .across
-        .as_ref()
-        .map(|second| second.file.as_ref().map(Input::from));
-    json!({
-        "motion": record.name,
-        "path": record.path.display().to_string(),
-        "sha256": record.sha256,
-        "description": record.description,
-        "across": across,
-        "vertical": record.vertical.as_ref().map(|vertical| vertical.file.as_ref().map(Input::from)),
-        "scale_ratio": record.scale_ratio,
-        "station_xml": record.station_xml.iter().map(Input::from).collect::<Vec<_>>(),
-        "scale_target": record.scale_target.as_ref().map(Input::from),
-        "processing": record.processing,
-        "matched": record.matched.as_ref().map(|matched| json!({
-            "method": matched.method.name(),
-            "target": matched.target.one_line(),
-            "facts": matched.target.named_facts(),
-            "spectrum_file": matched.target.file.as_ref().map(Input::from),
-            "correlation_ratio": matched.resemblance.correlation_ratio,
-            "husid_difference_ratio": matched.resemblance.husid_difference_ratio,
-        })),
-    })
+/// A record of a study.
+#[derive(Clone, Copy)]
+struct RecordedInput<'s>(&'s RecordedMotion);
+
+answer_of!(RecordedInput<'_> as of {
+    motion: String = of.0.name.clone();
+    path: String = of.0.path.display().to_string();
+    sha256: String = of.0.sha256.clone();
+    description: String = of.0.description.clone();
+    /// The file of its second component, if that is another.
+    across: Option<Input> = file(of.0.across.as_ref());
+    /// The file of its vertical component, if that is another.
+    vertical: Option<Input> = file(of.0.vertical.as_ref());
+    scale_ratio: f64 = of.0.scale_ratio;
+    station_xml: Vec<Input> = of.0.station_xml.iter().map(Input::from).collect();
+    scale_target: Option<Input> = of.0.scale_target.as_ref().map(Input::from);
+    processing: Vec<String> = of.0.processing.clone();
+    matched: Option<MatchedInputs<'_>> = of.0.matched.as_ref().map(MatchedInputs);
+});
+
+fn file(component: Option<&SecondComponent>) -> Option<Input> {
+    component?.file.as_ref().map(Input::from)
 }
+
+/// The spectrum that a record was matched to.
+#[derive(Clone, Copy)]
+struct MatchedInputs<'s>(&'s Matched);
+
+answer_of!(MatchedInputs<'_> as of {
+    method: &'static str = of.0.method.name();
+    target: String = of.0.target.one_line();
+    facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
+    spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
+    /// Of the accelerations before and after.
+    correlation_ratio: f64 = of.0.resemblance.correlation_ratio;
+    /// The largest difference of the shares of energy that have arrived.
+    husid_difference_ratio: f64 = of.0.resemblance.husid_difference_ratio;
+});
 
 /// A restitution in outputs.
 pub fn restitution_words(restitution: Restitution) -> String {

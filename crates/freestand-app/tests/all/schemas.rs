@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use freestand_app::assess::Assess;
+use freestand_app::assess::{self, Assess};
 use freestand_app::check_list::{self, CheckList, HeadingsReport};
 use freestand_app::code_spectrum::{self, CodeSpectrum};
 use freestand_app::cushion_curve::{self, CushionCurve};
@@ -20,23 +20,25 @@ use freestand_app::restrain::{self, Restrain};
 use freestand_app::risk::{self, Risk};
 use freestand_app::rock::{Results, Rock, SCHEMA};
 use freestand_app::run::{self, CheckStudy, Run};
-use freestand_app::schema::{of_fields, of_request, of_response};
-use freestand_app::shard::{ShardMerge, ShardPlan, ShardRun};
+use freestand_app::schema::{of_fields, of_request, of_response, of_responses, with_rows};
+use freestand_app::shard::{MERGE_SCHEMA, MissingShards, ShardMerge, ShardPlan, ShardRun};
 use freestand_app::shock::{self, Shock};
 use freestand_app::shock_spectrum::{self, ShockSpectrum};
 use freestand_app::simulate::{self, Simulate};
-use freestand_app::spectrum::Spectrum;
+use freestand_app::spectrum::{self, Others, Spectrum};
 use freestand_app::static_test::{self, StaticTests};
 use freestand_app::synth::{self, Match, Synth};
 use freestand_app::validate;
 use freestand_app::virtual_test::{self, VirtualTests};
 use freestand_assess::fragility::{FragilityReport, RunsReport};
 use freestand_assess::inventory::CheckReport;
+use freestand_assess::job::{JobReport, PLAN_SCHEMA, PlanReport, SHARD_SCHEMA, ShardReport};
 use freestand_assess::library::{CushionEntry, ToleranceEntry};
 use freestand_assess::one_object::ObjectReport;
+use freestand_assess::output::row_schema;
 use freestand_assess::restrain::{RestrainListReport, RestrainReport};
 use freestand_assess::risk::RiskReport;
-use freestand_output::answer::{Answer, Described as _};
+use freestand_output::answer::{Answer, Described as _, object};
 use freestand_study::check::Check;
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
@@ -48,10 +50,12 @@ use freestand_study::matched::FitReport;
 use freestand_study::shock::ShockAnswer;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
 use freestand_study::simulated::SimulatedReport;
+use freestand_study::spectrum::SpectrumRow;
+use freestand_study::summary::{self, RunAnswer};
 use freestand_study::target::CodeSpectrumReport;
 use freestand_study::validate::Validation;
 use schemars::JsonSchema;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// The schema of a response of one kind.
 fn of_answer<A: Answer>(command: &str, schema: &str) -> Value {
@@ -61,6 +65,11 @@ fn of_answer<A: Answer>(command: &str, schema: &str) -> Value {
 /// The schema of a response whose keys are the fields of its struct.
 fn of_struct<T: JsonSchema>(command: &str, schema: &str) -> Value {
     of_response(command, schema, &[of_fields::<T>()])
+}
+
+/// The values of an assessment: a row for each object, and the summary.
+fn assessed() -> Map<String, Value> {
+    with_rows(row_schema(), JobReport::properties())
 }
 
 #[test]
@@ -101,17 +110,46 @@ fn the_schemas_are_those_of_the_structs() {
             of_request::<ShardPlan>("shard plan", &["seed"]),
         ),
         (
+            "shard-plan.response.json",
+            of_answer::<PlanReport>("shard plan", PLAN_SCHEMA),
+        ),
+        (
             "shard-run.request.json",
             of_request::<ShardRun>("shard run", &[]),
+        ),
+        (
+            "shard-run.response.json",
+            of_answer::<ShardReport>("shard run", SHARD_SCHEMA),
         ),
         (
             "shard-merge.request.json",
             of_request::<ShardMerge>("shard merge", &[]),
         ),
+        (
+            "shard-merge.response.json",
+            of_responses(
+                "shard merge",
+                [
+                    (assess::SCHEMA, assessed()),
+                    (MERGE_SCHEMA, MissingShards::properties()),
+                ],
+            ),
+        ),
         ("shock.request.json", of_request::<Shock>("shock", &[])),
         (
             "spectrum.request.json",
             of_request::<Spectrum>("spectrum", &["seed"]),
+        ),
+        (
+            "spectrum.response.json",
+            of_response(
+                "spectrum",
+                spectrum::SCHEMA,
+                &[object(with_rows(
+                    SpectrumRow::schema(),
+                    Others::properties(),
+                ))],
+            ),
         ),
         (
             "shock.response.json",
@@ -234,7 +272,15 @@ fn the_schemas_are_those_of_the_structs() {
             "assess.request.json",
             of_request::<Assess>("assess", &["seed"]),
         ),
+        (
+            "assess.response.json",
+            of_response("assess", assess::SCHEMA, &[object(assessed())]),
+        ),
         ("run.request.json", of_request::<Run>("run", &["seed"])),
+        (
+            "run.response.json",
+            of_answer::<RunAnswer<'_>>("run", summary::SCHEMA),
+        ),
         (
             "check.request.json",
             of_request::<CheckStudy>("check", &["seed"]),

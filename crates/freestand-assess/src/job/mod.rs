@@ -19,7 +19,6 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use portfolio::{Portfolio, assess, shake};
-use serde::Serialize;
 use serde_json::json;
 use store::part_size;
 
@@ -33,6 +32,8 @@ use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::{counted, number};
+use freestand_output::answer;
+use freestand_output::answer::ByName;
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
@@ -72,68 +73,65 @@ pub struct Job {
     pub part_rows: Option<usize>,
 }
 
-/// The summary of a job; its fields are the keys of the JSON document.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct JobReport {
-    /// Rows of the inventory.
-    pub objects: usize,
-    /// Objects that an earlier run finished.
-    pub resumed: usize,
-    /// Objects that this run assessed.
-    pub computed: usize,
-    /// Whether this run was stopped before its end; a run with `resume` continues it.
-    pub interrupted: bool,
-    /// Objects by decision.
-    pub decisions: serde_json::Value,
-    /// Objects by the tier that decided.
-    pub tiers: [usize; 4],
-    /// Objects with a history that failed.
-    pub failed: usize,
-    /// Rocking histories that this run computed.
-    pub histories: u64,
-    /// The folder.
-    pub out: String,
-    /// The files in it.
-    pub files: Vec<String>,
-    /// The files of an earlier run that were removed from it.
-    pub removed: Vec<String>,
-    /// The sentence that says whose building this is, where no study was given.
-    pub no_study: Option<String>,
-    /// Whether nobody stated the place, or the hazard in another way.
-    pub place_is_assumed: bool,
-    /// Whether nobody stated the building.
-    pub building_is_assumed: bool,
-    /// What was assumed, one sentence each.
-    pub assumptions: Vec<String>,
-    /// For how many objects the list leaves a column empty, so that something is assumed.
-    pub assumed_columns: serde_json::Value,
-    /// What the study calls the building.
-    pub building_name: Option<String>,
-    /// The place whose hazard was used.
-    pub place_name: Option<String>,
-    /// Place and building in words.
-    #[serde(skip)]
-    pub place: String,
-    /// Objects that are left as they are, assessed for falling alone.
-    pub only_falling: usize,
-    /// The most urgent objects.
-    #[serde(skip)]
-    pub first: Vec<First>,
-    /// What is wrong or doubtful in the list, a line for each kind and column.
-    #[serde(skip)]
-    pub problems: Vec<String>,
-    /// Other warnings.
-    #[serde(skip)]
-    pub warnings: Vec<String>,
+answer! {
+    /// The summary of a job; its fields are the keys of the JSON document.
+    #[derive(Default)]
+    pub struct JobReport {
+        /// Rows of the inventory.
+        objects: usize,
+        /// Objects that an earlier run finished.
+        resumed: usize,
+        /// Objects that this run assessed.
+        computed: usize,
+        /// Whether this run was stopped before its end; a run with `resume` continues it.
+        interrupted: bool,
+        /// Objects by decision.
+        decisions: ByName<usize>,
+        /// Objects by the tier that decided.
+        tiers: [usize; 4],
+        /// Objects with a history that failed.
+        failed: usize,
+        /// Rocking histories that this run computed.
+        histories: u64,
+        /// The folder.
+        out: String,
+        /// The files in it.
+        files: Vec<String>,
+        /// The files of an earlier run that were removed from it.
+        removed: Vec<String>,
+        /// The sentence that says whose building this is, where no study was given.
+        no_study: Option<String>,
+        /// Whether nobody stated the place, or the hazard in another way.
+        place_is_assumed: bool,
+        /// Whether nobody stated the building.
+        building_is_assumed: bool,
+        /// What was assumed, one sentence each.
+        assumptions: Vec<String>,
+        /// For how many objects the list leaves a column empty, so that something is assumed.
+        assumed_columns: ByName<usize>,
+        /// What the study calls the building.
+        building_name: Option<String>,
+        /// The place whose hazard was used.
+        place_name: Option<String>,
+        /// Place and building in words.
+        place: String = skip,
+        /// Objects that are left as they are, assessed for falling alone.
+        only_falling: usize,
+        /// The most urgent objects.
+        first: Vec<First> = skip,
+        /// What is wrong or doubtful in the list, a line for each kind and column.
+        problems: Vec<String> = skip,
+        /// Other warnings.
+        warnings: Vec<String> = skip,
+    }
 }
 
 impl JobReport {
     /// Objects with this decision.
     pub fn count(&self, decision: Decision) -> u64 {
-        self.decisions
-            .get(decision.name())
-            .and_then(serde_json::Value::as_u64)
-            .unwrap_or(0)
+        let mut all = self.decisions.0.iter();
+        all.find(|(name, _)| *name == decision.name())
+            .map_or(0, |(_, objects)| *objects as u64)
     }
 
     /// What a JSON document says beside the result: whose building it is, the problems of the list,
@@ -474,11 +472,13 @@ fn report(
         resumed: portfolio.resumed,
         computed: portfolio.computed,
         interrupted: portfolio.interrupted,
-        decisions: Decision::ALL
-            .iter()
-            .zip(portfolio.decisions)
-            .map(|(one, n)| (one.name().to_owned(), json!(n)))
-            .collect(),
+        decisions: ByName(
+            Decision::ALL
+                .map(Decision::name)
+                .into_iter()
+                .zip(portfolio.decisions)
+                .collect(),
+        ),
         tiers: portfolio.tiers,
         failed: portfolio.failed,
         histories: portfolio.histories,
@@ -495,11 +495,7 @@ fn report(
 pub(crate) fn said(study: &Study, head: &Head) -> JobReport {
     JobReport {
         assumptions: head.assumptions.clone(),
-        assumed_columns: head
-            .assumed_columns
-            .iter()
-            .map(|(column, objects)| ((*column).to_owned(), json!(objects)))
-            .collect(),
+        assumed_columns: ByName(head.assumed_columns.clone()),
         no_study: head.no_study.clone(),
         place_is_assumed: study.place_is_assumed,
         building_is_assumed: study.building_is_assumed,
@@ -596,12 +592,17 @@ fn finished(
     if !files.iter().all(|name| is_there(name)) || !has_all {
         return None;
     }
+    let decided = |one: &Decision| {
+        let objects = manifest.get("decisions")?.get(one.name())?;
+        Some((one.name(), serde_json::from_value(objects.clone()).ok()?))
+    };
+    let decisions: Option<Vec<(&'static str, usize)>> = Decision::ALL.iter().map(decided).collect();
     Some(JobReport {
         objects: inventory.items.len(),
         resumed: inventory.items.len(),
         computed: 0,
         interrupted: false,
-        decisions: manifest.get("decisions")?.clone(),
+        decisions: ByName(decisions?),
         tiers: serde_json::from_value(manifest.get("tiers")?.clone()).ok()?,
         failed: serde_json::from_value(manifest.get("failed")?.clone()).ok()?,
         histories: 0,

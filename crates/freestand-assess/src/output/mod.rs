@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) use head::{Head, head};
 pub(crate) use outcomes::{OUTCOMES_NAME, OutcomeRow, outcomes_head, outcomes_rows};
 pub(crate) use rows::JsonRows;
-pub use rows::object_rows;
+pub use rows::{object_rows, row_schema};
 pub(crate) use worklist::WORKLIST_NAME;
 pub(crate) use worlds::{Lived, WORLDS_NAME, write_worlds};
 

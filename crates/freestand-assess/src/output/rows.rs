@@ -9,10 +9,12 @@ use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
 use freestand_input::formula::unguarded;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::answer::{Described, explained, object};
 use freestand_output::paths::io_problem;
+use freestand_study::result::Ranked;
 
 use super::csv::{CSV_NAME, OVERTURNED};
-use super::table::{COLUMNS, Cell, Kind, Line, ROW, carried_cells, carried_names};
+use super::table::{COLUMNS, Cell, Column, Kind, Line, ROW, carried_cells, carried_names};
 
 /// Calls `each` with every row of the `objects.csv` in `folder`: an object with the columns as keys,
 /// and the number of its row in the inventory.
@@ -62,6 +64,27 @@ pub fn object_rows<E: From<Problem>>(
     } else {
         Ok(())
     }
+}
+
+/// The schema of a row; columns that only the inventory has are carried through as texts.
+pub fn row_schema() -> Value {
+    let column = |column: &Column| {
+        let schema = match column.kind {
+            Kind::Text | Kind::Decision => Option::<String>::schema(),
+            Kind::Number | Kind::Share => f64::schema(),
+            Kind::Count => Option::<usize>::schema(),
+            Kind::Ranked => Ranked::schema(),
+            Kind::Flag => Option::<bool>::schema(),
+        };
+        (
+            column.name.to_owned(),
+            explained(schema, column.meaning, ""),
+        )
+    };
+    let row = (ROW.to_owned(), usize::schema());
+    let mut schema = object(COLUMNS.iter().map(column).chain([row]).collect());
+    schema["additionalProperties"] = Option::<String>::schema();
+    schema
 }
 
 /// Rows of `objects.csv` as JSON, before there is a file.

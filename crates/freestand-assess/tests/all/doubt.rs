@@ -367,13 +367,9 @@ fn what_was_assumed_is_listed() {
     ] {
         assert!(all.contains(said), "{said}: {all}");
     }
-    assert_eq!(
-        (
-            &report.assumed_columns["cg_height"],
-            &report.assumed_columns["width"]
-        ),
-        (&3.into(), &serde_json::Value::Null)
-    );
+    let assumed = &report.assumed_columns.0;
+    assert!(assumed.contains(&("cg_height", 3)), "{assumed:?}");
+    assert!(assumed.iter().all(|(column, _)| *column != "width"));
     assert!(
         listed.of("roof", "assumed").contains("mass, stiffness")
             && !listed.of("roof", "assumed").contains("width")

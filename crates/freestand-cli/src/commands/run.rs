@@ -15,9 +15,8 @@ use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::summary::{LevelSummary, level_summaries};
+use freestand_study::summary::{LevelSummary, RunAnswer, Summary, level_summaries};
 use freestand_study::vary::vary;
-use serde_json::Value;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -137,16 +136,17 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
     }
     let levels = level_summaries(&study, &result);
     let failed: usize = levels.iter().map(|level| level.failed).sum();
-    let mut body = written.body;
-    if let Value::Object(keys) = &mut body {
-        keys.insert(
-            "out".to_owned(),
-            Value::from(written.folder.display().to_string()),
-        );
-    }
+    let answer = RunAnswer {
+        summary: Summary {
+            study: &study,
+            result: &result,
+            files: &written.files,
+        },
+        out: written.folder.display().to_string(),
+    };
     printer.result(
         freestand_study::summary::SCHEMA,
-        &body,
+        &answer,
         &result.warnings,
         || {
             let files = written

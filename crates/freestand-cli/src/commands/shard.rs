@@ -3,14 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use freestand_app::shard::{PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun};
+use freestand_app::shard::{
+    MERGE_SCHEMA, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
+};
 use freestand_assess::job::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
     plan_shards, run_shard,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
-use serde_json::json;
 
 use super::assess::{print, watched};
 use super::fragility::stopped;
@@ -272,7 +273,7 @@ impl Tell for ShardMerge {
                     .map(|shard| format!("freestand shard run {dir} --shard {shard}"))
                     .collect();
                 if printer.json() {
-                    let body = json!({"missing": missing, "commands": commands});
+                    let body = MissingShards { missing, commands };
                     printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
                 } else {
                     printer.print(&format!(
@@ -299,9 +300,6 @@ impl Tell for ShardMerge {
         }
     }
 }
-
-/// Schema of the document that lists missing shards.
-const MERGE_SCHEMA: &str = "freestand.shard-merge/1";
 
 /// A command for each missing shard, or one loop where they are many.
 fn listed(commands: &[String], missing: &[usize], dir: &str) -> String {

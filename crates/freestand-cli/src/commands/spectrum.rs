@@ -6,15 +6,13 @@ use std::sync::LazyLock;
 use clap::Args;
 use freestand::respond::{HistoryOptions, RigidHistory};
 use freestand::rocking::Base;
-use freestand_app::spectrum::{Meant, Processed, SCHEMA, Spectrum};
+use freestand_app::spectrum::{Meant, Others, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_study::at_place::LastGround;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::rock::edge_landings;
-use freestand_study::spectrum::{
-    SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum,
-};
+use freestand_study::spectrum::{SpectrumMotion, SpectrumRequest, chunk_objects, spectrum};
 use freestand_study::unsolved;
 use serde::Serialize;
 
@@ -74,13 +72,6 @@ pub(crate) struct Output {
 
 /// The ground of the last request of the page.
 static LAST: LazyLock<LastGround> = LazyLock::new(LastGround::default);
-
-/// The keys that follow the rows in the document.
-#[derive(Debug, Serialize)]
-struct Others {
-    processing: Vec<Processed>,
-    timing: SpectrumTiming,
-}
 
 impl Tell for Spectrum {
     type Output = Output;

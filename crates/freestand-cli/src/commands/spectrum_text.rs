@@ -132,7 +132,7 @@ impl Seen {
             "\n{steps} block-steps in {} s",
             significant(timing.solve_s, 3)
         );
-        if let Some(seconds) = timing.sensitivity_s {
+        if let Some(seconds) = timing.sensitivity.map(|timing| timing.sensitivity_s) {
             text += &format!(", sensitivity in {} s", significant(seconds, 3));
         }
         text + "\n"

@@ -185,8 +185,10 @@ fn vertical_records_are_scaled_used_and_written() {
         urs_table(&again, &second).unwrap(),
         urs_table(&study, &result).unwrap()
     );
+    let summary = std::fs::read(out.join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
     assert_eq!(
-        written.body["inputs"]["vertical"],
+        summary["inputs"]["vertical"],
         "the vertical components of the records"
     );
 }

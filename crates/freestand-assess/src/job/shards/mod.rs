@@ -24,6 +24,7 @@ use crate::output::head;
 use crate::two_spectra::refuse_outcomes;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::answer;
 use freestand_output::folder::write_file;
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
@@ -41,26 +42,27 @@ const OUT: &str = "out";
 /// The folder of the ground motions of worlds.
 const MOTIONS: &str = "motions";
 
-/// A finished shard; its fields are the keys of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ShardReport {
-    /// Its number, counted from 0.
-    pub index: usize,
-    /// Its rows.
-    pub rows: usize,
-    /// SHA-256 of its rows as they were planned.
-    pub input_sha256: String,
-    /// SHA-256 of its results.
-    pub sha256: String,
-    /// Time that the run which finished it took \[s\].
-    pub seconds: f64,
-    /// Rocking histories that that run computed.
-    pub histories: u64,
-    /// Objects with a history that failed.
-    pub failed: usize,
-    /// Whether it was finished before this run began.
-    #[serde(default)]
-    pub was_finished: bool,
+answer! {
+    /// A finished shard; its fields are the keys of the JSON document.
+    #[derive(Deserialize)]
+    pub struct ShardReport {
+        /// Its number, counted from 0.
+        index: usize,
+        /// Its rows.
+        rows: usize,
+        /// SHA-256 of its rows as they were planned.
+        input_sha256: String,
+        /// SHA-256 of its results.
+        sha256: String,
+        /// Time that the run which finished it took.
+        seconds: f64,
+        /// Rocking histories that that run computed.
+        histories: u64,
+        /// Objects with a history that failed.
+        failed: usize,
+        /// Whether it was finished before this run began.
+        was_finished: bool,
+    }
 }
 
 /// A finished shard, as it is on disk.

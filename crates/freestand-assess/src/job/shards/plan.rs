@@ -17,6 +17,7 @@ use crate::output::head;
 use freestand_input::file::{load, sha256_hex};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
+use freestand_output::answer;
 use freestand_output::folder::{OutputFolder, PLAN};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
@@ -61,30 +62,28 @@ pub struct PlanRequest<'r> {
     pub outcomes: bool,
 }
 
-/// The summary of a plan; its fields are the keys of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PlanReport {
-    /// The folder.
-    pub out: String,
-    /// Number of shards, counted from 0.
-    pub shards: usize,
-    /// Rows of the inventory.
-    pub rows: usize,
-    /// Rows of the largest shard.
-    pub rows_most: usize,
-    /// Whether the folder had this plan already: nothing was written.
-    pub was_planned: bool,
-    /// The sentence that says whose building this is, where no study was given.
-    pub no_study: Option<String>,
-    /// Place and building in words.
-    #[serde(skip)]
-    pub place: String,
-    /// What is wrong or doubtful in the list, a line for each kind and column.
-    #[serde(skip)]
-    pub problems: Vec<String>,
-    /// Other warnings.
-    #[serde(skip)]
-    pub warnings: Vec<String>,
+answer! {
+    /// The summary of a plan; its fields are the keys of the JSON document.
+    pub struct PlanReport {
+        /// The folder.
+        out: String,
+        /// Number of shards, counted from 0.
+        shards: usize,
+        /// Rows of the inventory.
+        rows: usize,
+        /// Rows of the largest shard.
+        rows_most: usize,
+        /// Whether the folder had this plan already: nothing was written.
+        was_planned: bool,
+        /// The sentence that says whose building this is, where no study was given.
+        no_study: Option<String>,
+        /// Place and building in words.
+        place: String = skip,
+        /// What is wrong or doubtful in the list, a line for each kind and column.
+        problems: Vec<String> = skip,
+        /// Other warnings.
+        warnings: Vec<String> = skip,
+    }
 }
 
 /// `plan.json`.
