@@ -83,10 +83,11 @@ const ROWS: [[&[Check]; 2]; 2] = [
         &[Check::Tests, Check::Examples, Check::Documentation],
     ],
     [
-        &[Check::Formatting, Check::PageBuilt, Check::PageTypes],
+        &[Check::Formatting, Check::PageBuilt],
         &[
             Check::PageBrowsed,
             Check::Python,
+            Check::PageTypes,
             Check::Shock,
             Check::RiskTools,
         ],
