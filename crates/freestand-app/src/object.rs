@@ -509,7 +509,7 @@ pub(crate) fn ratios(text: &str) -> Result<(f64, f64), Problem> {
 }
 
 fn range(low: f64, high: f64) -> Result<(f64, f64), Problem> {
-    if !(low > 0.0 && high.is_finite()) {
+    if !(low > 0.0 && quantity::is_possible(high)) {
         let message = format!("{low} to {high} is not a range of finite ratios above 0");
         return Err(Problem::value(message, "give ratios such as 0.3 to 0.5"));
     }

@@ -116,7 +116,10 @@ fn as_written(schema: &mut Schema) {
         }
     }
     if let Some(Value::String(text)) = schema.get_mut("description") {
-        *text = text.replace("\\[", "[").replace("\\]", "]");
+        *text = text
+            .replace("\\[", "[")
+            .replace("\\]", "]")
+            .replace('\n', " ");
     }
     transform_subschemas(&mut as_written, schema);
 }

@@ -7,8 +7,8 @@ use std::str::FromStr;
 
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
-use crate::quantity::{Dimension, TOO_LARGE, is_possible, parse, parse_grid, shorten};
-use crate::words::{Choices, nearest};
+use crate::quantity::{Dimension, is_possible, parse, parse_grid, shorten, too_large};
+use crate::words::{Choices, nearest, shortest};
 
 /// Words, and their problems so far. A method returns `None` if the key is missing or its value is
 /// wrong.
@@ -139,14 +139,7 @@ impl<'w> WordReader<'w> {
         let text = self.one(key)?;
         match *self.words.numbers(key) {
             [number] if is_possible(number) => Some(number),
-            [number] => {
-                self.note(
-                    &[key],
-                    format!("`{key}` must be a number, not {number}"),
-                    TOO_LARGE,
-                );
-                None
-            }
+            [number] => self.keep(key, Err(impossible(number))),
             _ => self.keep(key, parse(text, dimension)),
         }
     }
@@ -240,7 +233,11 @@ impl<'w> WordReader<'w> {
     /// A grid or a list of quantities.
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
         let numbers = self.words.numbers(key);
-        if numbers.is_empty() || !numbers.iter().copied().all(is_possible) {
+        if let Some(number) = numbers.iter().find(|number| !is_possible(**number)) {
+            let problem = impossible(*number);
+            return self.keep(key, Err(problem));
+        }
+        if numbers.is_empty() {
             let text = self.text(key)?;
             return self.keep(key, parse_grid(text, dimension));
         }
@@ -351,9 +348,41 @@ impl<'w> WordReader<'w> {
     }
 }
 
+/// What is said of a number that no quantity has.
+fn impossible(number: f64) -> Problem {
+    if number.is_finite() {
+        too_large(&shortest(number))
+    } else {
+        Problem::value(format!("{number} is not a finite number"), "give a number")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::written::Written;
+
+    #[test]
+    fn a_number_that_no_quantity_has() {
+        let mut words = Words::default();
+        words.write("height", &Written::Number(1e20));
+        words.write("width", &Written::Number(f64::NAN));
+        words.write("heights", &Written::List(vec![Written::Number(1e300)]));
+        let mut reader = WordReader::new(&words);
+        assert_eq!(reader.quantity("height", Dimension::Length), None);
+        assert_eq!(reader.quantity("width", Dimension::Length), None);
+        assert_eq!(reader.grid("heights", Dimension::Length), None);
+        let found = reader.problems.problems.iter();
+        let found: Vec<&str> = found.map(|one| one.message.as_str()).collect();
+        assert_eq!(
+            found,
+            [
+                "`height`: \"1e20\" is too large",
+                "`width`: NaN is not a finite number",
+                "`heights`: \"1e300\" is too large"
+            ]
+        );
+    }
 
     #[test]
     fn every_wrong_value_is_a_problem_under_its_key() {

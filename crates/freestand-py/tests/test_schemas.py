@@ -15,7 +15,7 @@ RECORD = "validation/rocking/records/synthfloor.csv"
 PAIR = "validation/rocking/records/synthfloor_hv.csv"
 GRID = f"--motion {RECORD} --heights '1 m:2 m:3' --thicknesses '0.3 m, 0.4 m'"
 SYNTHETIC = "[ground]\ncount = 2\n{source}[objects]\nheights = '1 m'\nthicknesses = '200 mm'\n[outputs]\nfigures = false\nreport = false\n"
-#: One line for each kind of document; the command is what precedes the first operand.
+#: One line for each kind of document: the name of its schema, then the arguments of the command.
 ASKED = f"""
 object | {CABINET} --place Wellington
 assess | {SMALL} --out assessment
@@ -73,7 +73,7 @@ FILES = {
     "press.csv": "displacement [mm],force [N]\n" + "".join(f"{n / 100},{9.0 * n}\n" for n in range(101)),
 }
 LINES = [line.split(" | ") for line in ASKED.replace(" |\n", " | \n").strip("\n").split("\n")]
-#: The operands of these are written with them.
+#: Commands of two words; the name of their schema joins them with a hyphen.
 TWO_WORDS = ("cushion", "inventory", "motion", "place", "shard", "tolerance")
 
 
@@ -97,6 +97,7 @@ def validator(name):
 
 
 def command(name, line):
+    # The only schema without the first word of its command.
     if name == "code-spectrum":
         return shlex.split(line)
     words = name.split("-", 1) if name.startswith(TWO_WORDS) else [name]

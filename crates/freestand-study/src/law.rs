@@ -1,7 +1,9 @@
 //! Reads the stiffness of a contact law.
 
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
+use freestand_input::quantity::{
+    Dimension, is_possible, parse, parse_coefficient, shorten, too_large,
+};
 use freestand_input::words::number;
 
 /// Largest difference between an exponent in a unit and the same exponent under its key.
@@ -29,7 +31,7 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
     let text = text.trim();
     let (plain, stated) = split_exponent(text)?;
     let stiffness_n_m =
-        parse_positive(&plain, Dimension::Stiffness, "the stiffness").map_err(|problem| {
+        parse_coefficient(&plain, Dimension::Stiffness, "the stiffness").map_err(|problem| {
             if exponent == 1.0 {
                 problem
             } else {
@@ -48,7 +50,8 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
                 "give the same exponent in both places",
             ))
         }
-        _ if is_one => Ok((stiffness_n_m, None)),
+        _ if is_one && is_possible(stiffness_n_m) => Ok((stiffness_n_m, None)),
+        _ if is_one => Err(too_large(text)),
         _ => {
             // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ; without an exponent in the unit its
             // length is a millimetre.
@@ -56,6 +59,10 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
                 stated.is_none() || plain.trim_end().to_ascii_lowercase().ends_with("/mm");
             let lengths_in_m: f64 = if is_per_mm { 1e3 } else { 1.0 };
             let coefficient_n_mn = stiffness_n_m * lengths_in_m.powf(exponent - 1.0);
+            // Of the secant at 1 mm: the coefficient itself may have any number.
+            if !is_possible(coefficient_n_mn * 1e-3_f64.powf(exponent - 1.0)) {
+                return Err(too_large(text));
+            }
             let note = stated.is_none().then(|| {
                 let (written, power) = (shorten(text), number(exponent, 6));
                 let per_mm = number(stiffness_n_m / 1e3, 6);
@@ -104,6 +111,14 @@ mod tests {
             ("3 N/m²", 2.0, 3.0),
             ("632000 N/m", 1.5, 632.0 * 31_622.776_601_683_8),
             ("5 kN/m^1.2", 1.2, 5e3),
+            // The secant at 1 mm decides what is too large, and not the coefficient.
+            (
+                "2003966766634516700 N/m^4",
+                4.0,
+                2_003_966_766_634_516_700.0,
+            ),
+            ("1e5 N/mm^5", 5.0, 1e20),
+            ("1e20 N/m^5", 5.0, 1e20),
         ];
         for (text, exponent, expected) in cases {
             let (found, note) = contact_law_stiffness(text, exponent).unwrap();
@@ -119,6 +134,8 @@ mod tests {
             ("632 N/mm^1.5", 1.0),
             ("632", 1.5),
             ("-3 N/mm", 1.0),
+            ("1e19 N/m", 1.0),
+            ("1e20 N/mm^5", 5.0),
             ("3 N/mm^", 1.5),
             ("3 N/mm^x", 1.5),
             ("1 mm", 1.0),

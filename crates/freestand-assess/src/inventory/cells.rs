@@ -1,6 +1,6 @@
 //! One cell as a quantity in SI, or why it is none.
 
-use freestand_input::quantity::{Dimension, Quantity, lookup};
+use freestand_input::quantity::{Dimension, Quantity, is_possible, lookup};
 use freestand_input::words::canonical;
 
 use super::cell::Cell;
@@ -407,7 +407,7 @@ fn one(
                     let si = text
                         .parse::<f64>()
                         .ok()
-                        .filter(|si| si.is_finite())
+                        .filter(|si| is_possible(*si))
                         .ok_or_else(unreadable)?;
                     Ok(Measured {
                         si,

@@ -68,6 +68,7 @@ impl Quantity {
         let unit = self.unit.or(other);
         self.number
             .in_unit(unit)
+            .filter(|value_si| is_possible(*value_si))
             .ok_or_else(|| value_problem("the number is too large").hint(TOO_LARGE))
     }
 
@@ -78,6 +79,7 @@ impl Quantity {
     pub fn bare(&self) -> Result<f64, Problem> {
         self.number
             .in_unit(None)
+            .filter(|value| is_possible(*value))
             .ok_or_else(|| value_problem("the number is too large").hint(TOO_LARGE))
     }
 }
@@ -103,12 +105,29 @@ impl Quantity {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
+    possible(read(text, dimension)?, text)
+}
+
+/// As [`parse`], but of any size: a coefficient whose unit has a power, such as N/mm⁵.
+///
+/// # Errors
+/// As [`parse`], and a value that is not above zero; `name` is what the message calls it.
+pub fn parse_coefficient(text: &str, dimension: Dimension, name: &str) -> Result<f64, Problem> {
+    above_zero(
+        read(text, dimension)?.ok_or_else(|| too_large(text))?,
+        text,
+        name,
+    )
+}
+
+/// The value in SI; `None` if it is not finite.
+fn read(text: &str, dimension: Dimension) -> Result<Option<f64>, Problem> {
     let text = text.trim();
     let plain = plain(text);
     let Split { number, unit } = split(plain.trim(), text)?;
     if unit.is_empty() {
         return if dimension == Dimension::Ratio {
-            possible(number.in_unit(None), text)
+            Ok(number.in_unit(None))
         } else {
             let text = shorten(text);
             let mut written = dimension
@@ -129,13 +148,13 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
     if unit.dimension != dimension {
         return Err(wrong_dimension(text, unit, dimension));
     }
-    possible(number.in_unit(Some(unit)), text)
+    Ok(number.in_unit(Some(unit)))
 }
 
 /// A bare number in a place whose key or column header states the unit: `("200", "mm")`, in SI.
 ///
 /// # Errors
-/// Anything but one finite number, or a unit that is unknown or measures something else.
+/// Anything but one number up to [`LARGEST_SI`], or a unit that is unknown or measures something else.
 pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
     let text = text.trim();
     let plain = plain(text);
@@ -152,15 +171,20 @@ pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
 }
 
 fn possible(value: Option<f64>, text: &str) -> Result<f64, Problem> {
-    value
-        .ok_or_else(|| value_problem(format!("\"{}\" is too large", shorten(text))).hint(TOO_LARGE))
+    let value = value.filter(|value_si| is_possible(*value_si));
+    value.ok_or_else(|| too_large(text))
 }
 
-/// No quantity is larger, in SI: what is written larger is a slip, and its powers would overflow.
+/// What is said of a quantity that is too large.
+pub fn too_large(written: &str) -> Problem {
+    value_problem(format!("\"{}\" is too large", shorten(written.trim()))).hint(TOO_LARGE)
+}
+
+/// No quantity is larger, in SI: a larger one is a slip, and its powers would overflow.
 pub const LARGEST_SI: f64 = 1e18;
 
 /// The remedy for a larger one.
-pub const TOO_LARGE: &str = "check the number and its unit: no quantity is above 1e18 in SI units";
+const TOO_LARGE: &str = "check the number and its unit: no quantity is above 1e18 in SI units";
 
 /// Whether a quantity may have this value in SI.
 pub fn is_possible(value_si: f64) -> bool {
@@ -172,7 +196,10 @@ pub fn is_possible(value_si: f64) -> bool {
 /// # Errors
 /// As [`parse`], or a value that is zero or negative.
 pub fn parse_positive(text: &str, dimension: Dimension, name: &str) -> Result<f64, Problem> {
-    let value = parse(text, dimension)?;
+    above_zero(parse(text, dimension)?, text, name)
+}
+
+fn above_zero(value: f64, text: &str, name: &str) -> Result<f64, Problem> {
     if value > 0.0 {
         Ok(value)
     } else {

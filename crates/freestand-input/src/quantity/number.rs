@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use super::units::Unit;
-use super::{is_possible, shorten, value_problem};
+use super::{shorten, value_problem};
 use crate::problem::Problem;
 
 /// A number as it was written: `±digits · 10^exponent / denominator`.
@@ -22,7 +22,7 @@ pub(super) struct Number {
 }
 
 impl Number {
-    /// The value in a unit, in SI; `None` if it is larger than any quantity.
+    /// The value in a unit, in SI; `None` if it is not finite.
     ///
     /// # Accuracy
     /// See [`Unit`]. Where digits and unit have more than 38 digits together, one rounding more.
@@ -43,7 +43,7 @@ impl Number {
             None => decimal(&self.digits)? * whole as f64,
         };
         let value = scaled / f64::from(self.denominator) / f64::from(divisor) * factor;
-        is_possible(value).then_some(value)
+        value.is_finite().then_some(value)
     }
 }
 

@@ -26,7 +26,7 @@ pub struct RotdRequest {
 /// Response spectra of two horizontal components over all directions.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(extend("patternProperties" = {
-    r"^rotd\d+(\.\d+)?_g$": {"description": "RotDnn, one value for each period.", "type": "array"}
+    r"^rotd\d+(\.\d+)?_g$": {"description": "RotDnn, one value for each period.", "type": "array", "items": {"type": ["number", "null"]}}
 }))]
 #[expect(
     missing_docs,

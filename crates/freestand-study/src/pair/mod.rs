@@ -230,7 +230,8 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
         |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
     warnings.extend(read.files.iter().filter_map(start));
     warnings.extend(processed.notes.iter().map(Note::to_string));
-    warnings.extend([first, second].into_iter().filter_map(contradicted));
+    let named = [(names.0, first), (names.1, second)];
+    warnings.extend(named.into_iter().filter_map(contradicted));
     let name = format!(
         "{}-{}deg",
         name_of(&path),
@@ -246,13 +247,13 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
 }
 
 /// What a file says of a direction, where the request says otherwise.
-fn contradicted((component, used_deg): Bearing<'_>) -> Option<String> {
+fn contradicted((name, (component, used_deg)): (&str, Bearing<'_>)) -> Option<String> {
     let stated_deg = azimuth_of(component)?;
     let turn_deg = (stated_deg - used_deg).rem_euclid(360.0);
     (turn_deg.min(360.0 - turn_deg) > AZIMUTH_TOLERANCE_DEG).then(|| {
         format!(
             "{}: the file states {}°, and the given {}° is used",
-            component.name,
+            shorten(name),
             number(stated_deg, 6),
             number(used_deg, 6)
         )

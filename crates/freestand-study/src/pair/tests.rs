@@ -130,6 +130,22 @@ fn a_pair_is_turned_and_processed() {
         azimuths_deg: Some((0.0, 270.0)),
     };
     let west = rotate(&read, &west).unwrap();
+    let said: Vec<&String> = west
+        .warnings
+        .iter()
+        .filter(|one| one.contains('°'))
+        .collect();
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(said[0].ends_with("the file states 90°, and the given 270° is used"));
+    for same in [(0.0, 90.0), (359.8, 90.5), (360.0, 450.0)] {
+        let request = RotateRequest {
+            azimuth_deg: 0.0,
+            azimuths_deg: Some(same),
+        };
+        let turned = rotate(&read, &request).map(|turned| turned.warnings);
+        // What is not perpendicular is refused.
+        assert!(!turned.is_ok_and(|all| all.iter().any(|one| one.contains("is used"))));
+    }
     assert_eq!(
         (west.name.as_str(), west.azimuth_deg),
         ("both-270deg", -90.0)
