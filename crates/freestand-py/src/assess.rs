@@ -151,15 +151,16 @@ pub(crate) fn run(
         if stop.load(Ordering::Relaxed) {
             return Err(Problem::stopped().into());
         }
-        let files = write_outputs(folder, &study, &result)?.files;
-        Ok::<_, Problems>((files, result))
+        let written = write_outputs(folder, &study, &result)?;
+        Ok::<_, Problems>((written, result))
     };
-    let (files, result) =
+    let (written, result) =
         watched_with(py, threads, work, |_| told_step.tell(progress))?.map_err(of_study)?;
     let summary = Summary {
         study: &study,
         result: &result,
-        files: &files,
+        levels: &written.levels,
+        files: &written.files,
     };
     let out = out.display().to_string();
     told(schema, &RunAnswer { summary, out }, &result.warnings)

@@ -12,7 +12,7 @@ use crate::rerun::{
 };
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
-use crate::summary::{SCHEMA, Summary};
+use crate::summary::{LevelSummary, SCHEMA, Summary, level_summaries};
 use crate::tables::{profile_table, srs_table, statistics_table, urs_table};
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::problem::{Problem, Problems};
@@ -30,6 +30,8 @@ pub struct Written {
     pub folder: PathBuf,
     /// The names of its files.
     pub files: Vec<String>,
+    /// The key figures of each level.
+    pub levels: Vec<LevelSummary>,
     /// The files of an earlier run that were removed from it.
     pub removed: Vec<String>,
 }
@@ -98,9 +100,11 @@ pub fn write_outputs(
     let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     names.push("summary.json".to_owned());
     names.sort_unstable();
+    let levels = level_summaries(study, result);
     let summary = Summary {
         study,
         result,
+        levels: &levels,
         files: &names,
     };
     files.push((
@@ -116,6 +120,7 @@ pub fn write_outputs(
     Ok(Written {
         folder,
         files: names,
+        levels,
         removed,
     })
 }

@@ -134,17 +134,19 @@ pub struct Summary<'r> {
     pub study: &'r Study,
     /// What came out.
     pub result: &'r StudyResult,
+    /// The key figures of each level.
+    pub levels: &'r [LevelSummary],
     /// The names of the files that are written.
     pub files: &'r [String],
 }
 
 answer_of!(Summary<'_> as of {
-    levels: Vec<LevelSummary> = level_summaries(of.study, of.result);
+    levels: Vec<LevelSummary> = of.levels.to_vec();
     /// What each change did, where one value was changed at a time.
     vary: Option<Sensitivity> = of.result.sensitivity.clone();
     definitions: Definitions = Definitions;
     inputs: Inputs<'_> = Inputs(of.study, of.result);
-    /// Of motions that were made.
+    /// The seed of motions that were made.
     seeds: Option<Seeds> = of.study.ground.seed().map(Seeds);
     versions: Versions = Versions;
     files: Vec<String> = of.files.to_vec();

@@ -15,7 +15,7 @@ use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::summary::{LevelSummary, RunAnswer, Summary, level_summaries};
+use freestand_study::summary::{LevelSummary, RunAnswer, Summary};
 use freestand_study::vary::vary;
 
 use super::{Done, Tell};
@@ -134,12 +134,13 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
     if let Some(note) = removed_note(&written.removed) {
         printer.note(&note);
     }
-    let levels = level_summaries(&study, &result);
+    let levels = &written.levels;
     let failed: usize = levels.iter().map(|level| level.failed).sum();
     let answer = RunAnswer {
         summary: Summary {
             study: &study,
             result: &result,
+            levels,
             files: &written.files,
         },
         out: written.folder.display().to_string(),
@@ -154,7 +155,7 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
                 .iter()
                 .filter(|name| !name.contains('/'))
                 .count();
-            text(&levels, result.motions.len(), start.elapsed().as_secs_f64())
+            text(levels, result.motions.len(), start.elapsed().as_secs_f64())
                 + &result
                     .sensitivity
                     .as_ref()
