@@ -1,8 +1,8 @@
 //! What must hold for all inventories: the check of the fuzz targets and of the mutation test of
 //! freestand-assess.
 
-use freestand_assess::inventory::{ReadOptions, Target, convert_bytes, parse_inventory};
-use freestand_assess::library::Lookup;
+use freestand_inventory::library::Lookup;
+use freestand_inventory::{ReadOptions, Target, convert_bytes, parse_inventory};
 use std::path::Path;
 
 /// Reads `bytes` as an inventory and converts them both ways.

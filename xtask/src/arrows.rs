@@ -26,6 +26,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "freestand-inventory",
+        &["freestand", "freestand-input", "freestand-study"],
+    ),
+    (
         "freestand-assess",
         &[
             "freestand",
@@ -33,6 +37,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-output",
             "freestand-records",
             "freestand-study",
+            "freestand-inventory",
         ],
     ),
     (
@@ -43,6 +48,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-output",
             "freestand-records",
             "freestand-study",
+            "freestand-inventory",
             "freestand-assess",
         ],
     ),
@@ -58,6 +64,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-output",
             "freestand-records",
             "freestand-study",
+            "freestand-inventory",
             "freestand-assess",
             "freestand-app",
             "freestand-page",
@@ -71,6 +78,7 @@ const SHELL: &[&str] = &[
     "freestand-output",
     "freestand-records",
     "freestand-study",
+    "freestand-inventory",
     "freestand-assess",
     "freestand-app",
 ];

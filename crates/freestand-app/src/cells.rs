@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::inventory::{CellsRequest, Edit};
 use freestand_input::problem::Problem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_inventory::{CellsRequest, Edit};
 
 use crate::files::Files;
 use crate::request::{one_or_many, path, request};

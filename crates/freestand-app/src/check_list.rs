@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::inventory::{
-    CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, SenseReport,
-    inspect_headings, inspect_inventory, marked_copy,
-};
 use freestand_assess::job::floors_of;
-use freestand_assess::library::Libraries;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_inventory::library::Libraries;
+use freestand_inventory::{
+    CellsRequest, Floors, HeadingReport, Mapping, ReadOptions, Reading, SenseReport,
+    inspect_headings, inspect_inventory, marked_copy,
+};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource};
 use schemars::JsonSchema;

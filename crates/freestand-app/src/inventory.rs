@@ -4,10 +4,10 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::inventory::Target;
 use freestand_input::problem::Problems;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use freestand_inventory::Target;
 use schemars::JsonSchema;
 use serde::Serialize;
 

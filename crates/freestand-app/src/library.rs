@@ -4,9 +4,11 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 use std::path::PathBuf;
 
-use freestand_assess::library::{CushionEntry, CushionLibrary, ToleranceEntry, ToleranceLibrary};
 use freestand_input::problem::Problems;
 use freestand_input::written::Written;
+use freestand_inventory::library::{
+    CushionEntry, CushionLibrary, ToleranceEntry, ToleranceLibrary,
+};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -22,7 +24,7 @@ pub trait Library: Debug + Clone + Default + PartialEq + 'static {
     const SCHEMA: &str;
 
     /// Its built-in entries.
-    fn builtin() -> freestand_assess::library::Library<Self::Entry>;
+    fn builtin() -> freestand_inventory::library::Library<Self::Entry>;
 }
 
 /// What objects withstand.

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::inventory::Inventory;
 use freestand_assess::job::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_inventory::Inventory;
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource, builtin};
 use freestand_study::study::Study;

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_assess::one_object::{
     self, Earthquake, FloorPlace, ObjectRequest, RestsOn, Withstood, check_place,
 };
@@ -11,6 +10,7 @@ use freestand_input::quantity::{self, Dimension, UnitSystem};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use freestand_inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::Overrides;
 

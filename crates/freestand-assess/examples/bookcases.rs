@@ -17,8 +17,8 @@ use freestand::measures::measures;
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock_many};
 use freestand::synthesis::{SynthesisOptions, synthesize};
-use freestand_assess::library::ToleranceLibrary;
-use freestand_assess::validate::FURNITURE;
+use freestand_inventory::library::ToleranceLibrary;
+use freestand_inventory::validate::FURNITURE;
 use rayon::prelude::*;
 
 const MOTIONS: u64 = 20;

@@ -3,8 +3,8 @@
 use freestand::G0_M_S2;
 use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J, Settings};
 
-use crate::inventory::{Consequences, Item, Rating};
 use crate::result::AcceptedFor;
+use freestand_inventory::{Consequences, Item, Rating};
 
 /// The accepted probability of an object, and what sets it.
 pub(crate) fn accepted(item: &Item, settings: &Settings) -> (f64, AcceptedFor) {

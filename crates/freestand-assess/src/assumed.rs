@@ -2,7 +2,7 @@
 
 use freestand::rocking::Restitution;
 
-use crate::inventory::{Casters, Column, Item};
+use freestand_inventory::{Casters, Column, Item};
 
 /// A column, whether it is empty for an object, and what is then assumed.
 type Assumption = (Column, fn(&Item) -> bool, &'static str);

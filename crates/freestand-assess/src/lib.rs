@@ -7,9 +7,7 @@
 
 pub mod export;
 pub mod fragility;
-pub mod inventory;
 pub mod job;
-pub mod library;
 pub mod one_object;
 pub mod output;
 mod rank;
@@ -17,12 +15,10 @@ pub mod restrain;
 mod restraint;
 pub mod result;
 pub mod risk;
-pub mod validate;
 
 mod accepted;
 mod assumed;
 mod kept_motions;
-mod too_mild;
 mod two_spectra;
 mod verdict;
 mod worlds;

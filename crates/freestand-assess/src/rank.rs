@@ -2,8 +2,8 @@
 
 use std::cmp::{Ordering, Reverse};
 
-use crate::inventory::{Item, Rating};
 use crate::result::{Assessment, Decision, Probability};
+use freestand_inventory::{Item, Rating};
 
 /// The rule of [`Urgency`] in words; every output that shows the list prints it.
 pub(crate) const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \

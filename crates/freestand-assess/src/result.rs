@@ -7,7 +7,7 @@ use strum::IntoStaticStr;
 pub use freestand_study::result::Ranked;
 pub use freestand_study::study::Unstated;
 
-pub use crate::too_mild::TooMild;
+pub use freestand_inventory::too_mild::TooMild;
 
 /// The verdict: what to do with an object.
 #[derive(

@@ -4,9 +4,9 @@ use freestand_input::problem::Problem;
 use freestand_study::study::Study;
 use freestand_study::target::Target;
 
-use crate::inventory::Item;
 use crate::rank::Urgency;
 use crate::result::Assessment;
+use freestand_inventory::Item;
 
 /// Whether the result by the other spectrum is the worse one: the more urgent by [`crate::rank::RULE`], which for one
 /// object compares the decision, the probability that it falls and the probability that its tolerance is exceeded.

@@ -6,10 +6,10 @@ use freestand_assess::export::{
     ExportFormat, ExportRequest, FORMATS, check_export, check_realizations,
 };
 use freestand_assess::fragility::HazardSource;
-use freestand_assess::inventory::CellsRequest;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
+use freestand_inventory::CellsRequest;
 
 /// The folders that are asked for, without the quantities and costs of objects.
 pub(super) struct Exports {

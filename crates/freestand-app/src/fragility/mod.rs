@@ -13,13 +13,13 @@ use freestand_assess::fragility::{
     At, FIT_METHODS, FitMethod, FragilityRequest, GivenObject, HazardSource, METHODS, Measure,
     Method, RunObjects, RunsRequest, ShockLimits, check_replicates,
 };
-use freestand_assess::inventory::CellsRequest;
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
+use freestand_inventory::CellsRequest;
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::block::GeneralBlock;

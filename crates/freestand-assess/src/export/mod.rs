@@ -64,7 +64,7 @@ pub struct ExportRequest {
     /// Quantities, costs, floors and coordinates (CSV).
     pub inventory: Option<PathBuf>,
     /// How the cells of that list are read.
-    pub list: crate::inventory::CellsRequest,
+    pub list: freestand_inventory::CellsRequest,
     /// The hazard curve, for a second job of OpenQuake.
     pub hazard: Option<HazardSource>,
 }

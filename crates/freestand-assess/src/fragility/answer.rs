@@ -10,7 +10,7 @@ use freestand_output::answer_of;
 
 use super::runs::Quality;
 use super::{FragilityReport, ObjectFragility, why_no_interval};
-use crate::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TOO_MILD;
 
 answer_of!(FragilityReport as report {
     version: &'static str = env!("CARGO_PKG_VERSION");

@@ -12,7 +12,7 @@ use freestand_input::words::{counted, shortest, significant, some};
 
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
-use crate::too_mild::{TOO_MILD, TooMild};
+use freestand_inventory::too_mild::{TOO_MILD, TooMild};
 
 /// The column of `fragility.csv` with [`capacities_text`].
 pub(crate) const CAPACITY: &str = "capacity";

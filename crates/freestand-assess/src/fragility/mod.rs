@@ -26,7 +26,7 @@ use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
-use crate::too_mild::{TOO_MILD, TooMild};
+use freestand_inventory::too_mild::{TOO_MILD, TooMild};
 
 use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};

@@ -15,7 +15,7 @@ use super::LEAST_ROTATION_RATIO;
 use super::curves::caution_of;
 use super::measure::{MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
-use crate::too_mild::TooMild;
+use freestand_inventory::too_mild::TooMild;
 
 const HINT: &str = "write one row per run under \"object,motion,pfv [m/s],outcome\", or counts under \
                     \"object,pfv [m/s],no_uplift,rocked,exceeded,overturned\"";

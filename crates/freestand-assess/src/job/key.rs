@@ -3,9 +3,9 @@
 
 use serde_json::{Value, json};
 
-use crate::inventory::Inventory;
 use freestand::motion::Motion;
 use freestand_input::file::{InputFile, sha256_hex};
+use freestand_inventory::Inventory;
 use freestand_study::study::assessment::{
     Accepted, Bracket, Questions, RestraintSettings, Settings, Spread, WorldSettings,
 };

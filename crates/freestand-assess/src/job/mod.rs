@@ -22,8 +22,6 @@ use portfolio::{Portfolio, assess, shake};
 use serde_json::json;
 use store::part_size;
 
-use crate::inventory::{CellsRequest, Floors, Inventory, Mapping, ReadOptions, read_inventory};
-use crate::library::{Libraries, Lookup};
 use crate::output::{
     First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all,
     write_worlds,
@@ -32,6 +30,8 @@ use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::{counted, number};
+use freestand_inventory::library::{Libraries, Lookup};
+use freestand_inventory::{CellsRequest, Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use freestand_output::answer;
 use freestand_output::answer::ByName;
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::inventory::{Inventory, Item};
 use crate::kept_motions::KeptMotions;
 use crate::output::words::listed;
 use crate::output::{JsonRows, Lived, Row};
@@ -13,6 +12,7 @@ use crate::two_spectra::{refuse_outcomes, worse};
 use crate::verdict::{Context, Member, Subject, assess_group, blank, restraint_of};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_inventory::{Inventory, Item};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;

@@ -8,9 +8,9 @@ use std::io::{self, BufRead, BufReader};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::inventory::Inventory;
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_inventory::Inventory;
 use freestand_output::folder::write_file;
 use freestand_output::paths::{io_problem, refuse_links_in};
 use freestand_study::study::Study;

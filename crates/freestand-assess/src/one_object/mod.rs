@@ -16,7 +16,6 @@ use freestand_study::places::Place;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 
-use crate::inventory::{Casters, Item, Surroundings};
 use crate::output::words::listed;
 use crate::result::Assessment;
 use crate::two_spectra::{decides, is_worse};
@@ -24,6 +23,7 @@ use crate::verdict::{Context, Member, Subject, Tally, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
+use freestand_inventory::{Casters, Item, Surroundings};
 
 pub use report::AtScale;
 pub use sentence::AnswerKind;

@@ -14,11 +14,11 @@ use super::row::Row;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
 use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
-use crate::inventory::{Casters, Surroundings};
 use crate::result::{
     Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict,
 };
 use crate::verdict::{Tally, middle};
+use freestand_inventory::{Casters, Surroundings};
 
 /// Makes the report; `scales` are the factors with what was found at each.
 pub(super) fn report(

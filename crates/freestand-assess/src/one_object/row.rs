@@ -6,9 +6,9 @@ use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::inventory::{Column, Finding, Item, Severity, Surroundings, Value, item_of};
 use crate::job::floors_of;
-use crate::library::Libraries;
+use freestand_inventory::library::Libraries;
+use freestand_inventory::{Column, Finding, Item, Severity, Surroundings, Value, item_of};
 
 /// Its identifier. Random numbers belong to identifiers: a list with this object has the same numbers.
 pub(super) const ID: &str = "object";
@@ -215,7 +215,7 @@ mod tests {
 
     use super::super::{Floor, Withstood};
     use super::*;
-    use crate::inventory::Kind;
+    use freestand_inventory::Kind;
 
     /// Values keep their bits. In a list, 2.125 could be 2125 too: a value has one meaning.
     #[test]

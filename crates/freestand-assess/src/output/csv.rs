@@ -2,10 +2,10 @@
 
 use std::mem;
 
-use crate::inventory::Inventory;
 use freestand_input::formula::guarded;
 use freestand_input::problem::Problem;
 use freestand_input::words::push_shortest;
+use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::rows::{broken, csv_writer};
 use freestand_output::streamed::StreamedFile;

@@ -9,8 +9,6 @@ use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Restitution;
 
-use crate::inventory::{Consequences, Inventory, Item, Rating};
-use crate::library::{Confidence, Tolerance};
 use crate::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
     Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
@@ -18,6 +16,8 @@ use crate::result::{
     SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
+use freestand_inventory::library::{Confidence, Tolerance};
+use freestand_inventory::{Consequences, Inventory, Item, Rating};
 use freestand_output::folder::OutputFolder;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::result::Ranked;

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use crate::accepted::accepted;
 use crate::assumed;
-use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number, percent_significant};
+use freestand_inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};

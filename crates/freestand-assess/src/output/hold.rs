@@ -3,8 +3,8 @@
 
 use freestand_input::words::{canonical, number};
 
-use crate::inventory::{Casters, Item};
 use crate::result::RestraintForce;
+use freestand_inventory::{Casters, Item};
 
 /// Words for things that are made to be moved, singular, in the form in which they are compared.
 const MOBILE: [&str; 26] = [

@@ -18,9 +18,9 @@ mod workbook;
 mod worklist;
 mod worlds;
 
-use crate::inventory::{Inventory, Item};
 use crate::result::{Assessment, Decision};
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_inventory::{Inventory, Item};
 use freestand_output::folder::OutputFolder;
 use serde::{Deserialize, Serialize};
 

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
-use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
 use freestand_input::formula::unguarded;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_inventory::{Inventory, Item};
 use freestand_output::answer::{Described, explained, object};
 use freestand_output::paths::io_problem;
 use freestand_study::result::Ranked;

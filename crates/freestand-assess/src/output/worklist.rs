@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 
-use crate::inventory::Item;
-use crate::library::Confidence;
 use crate::result::{Assessment, Decision, RestraintForce};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
+use freestand_inventory::Item;
+use freestand_inventory::library::Confidence;
 use freestand_output::folder::OutputFolder;
 use freestand_output::paths::io_problem;
 use freestand_output::rows::{broken, csv_writer};

@@ -15,11 +15,11 @@ use super::{
     Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
     assumed_hazard, case_of, floor_of_list,
 };
-use crate::inventory::{
+use crate::output::words::listed;
+use freestand_inventory::library::Libraries;
+use freestand_inventory::{
     CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory,
 };
-use crate::library::Libraries;
-use crate::output::words::listed;
 
 /// A list and what shakes it.
 #[derive(Debug, Clone, PartialEq)]

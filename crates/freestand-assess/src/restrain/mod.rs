@@ -28,10 +28,10 @@ use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 use freestand_study::target::Target;
 
-use crate::inventory::{Floors, level_of_floor};
 use crate::job::floors_of;
 use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
+use freestand_inventory::{Floors, level_of_floor};
 
 /// What is said where the force of a code lifts nothing.
 const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code may be \

@@ -3,10 +3,10 @@ use freestand_output::answer::Answer as _;
 use freestand_study::resolve::resolve;
 
 use super::*;
-use crate::inventory::{ReadOptions, parse_inventory};
-use crate::library::Lookup;
 use crate::result::reported_force;
 use crate::verdict::{Subject, restraint_of};
+use freestand_inventory::library::Lookup;
+use freestand_inventory::{ReadOptions, parse_inventory};
 
 const WEIGHT_N: f64 = 140.0 * 9.80665;
 

@@ -10,10 +10,10 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{
+use freestand_inventory::too_mild::TooMild;
+use freestand_inventory::{
     Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating,
 };
-use crate::too_mild::TooMild;
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \

@@ -32,8 +32,8 @@ use crate::fragility::{
     MeasuredHazard, ObjectCurves, ObjectFragility, cautions, contradictions, fragility_watched,
     go_on, hazard_of, load_curves, number_and_unit,
 };
-use crate::inventory::CellsRequest;
-use crate::too_mild::TooMild;
+use freestand_inventory::CellsRequest;
+use freestand_inventory::too_mild::TooMild;
 
 use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};

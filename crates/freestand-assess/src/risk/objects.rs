@@ -10,7 +10,7 @@ use freestand_output::answer_of;
 use freestand_output::facts::Facts;
 
 use crate::fragility::{ObjectCurves, ObjectFragility};
-use crate::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TOO_MILD;
 
 use super::costs::{CostRow, Effect};
 use super::rates::{Open, StateRates, least_fall, object_rates};
@@ -810,7 +810,7 @@ mod tests {
 
     use super::*;
     use crate::fragility::{At, Measure};
-    use crate::too_mild::TooMild;
+    use freestand_inventory::too_mild::TooMild;
 
     fn state(
         limit_state: LimitState,

@@ -10,7 +10,7 @@ use freestand_output::html::{
 };
 
 use crate::fragility::{At, Measure, cautions};
-use crate::inventory::Rating;
+use freestand_inventory::Rating;
 
 use super::costs::CostRow;
 use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};

@@ -15,7 +15,7 @@ use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::{RiskRequest, least};
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
-use crate::inventory::Rating;
+use freestand_inventory::Rating;
 
 /// Budgets of the frontier.
 const FRONTIER: u32 = 20;

@@ -6,9 +6,9 @@ use freestand::G0_M_S2;
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
-use crate::library::Tolerance;
 use crate::result::Criterion;
 use freestand_input::words::number;
+use freestand_inventory::library::Tolerance;
 
 /// The tolerance of an object as numbers that a demand is divided by.
 #[derive(Debug, Clone, PartialEq)]
@@ -247,7 +247,7 @@ pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::library::Confidence;
+    use freestand_inventory::library::Confidence;
 
     fn tolerance(
         peak_g: Option<f64>,

@@ -6,11 +6,11 @@ use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 
-use crate::inventory::{Item, Rating};
 use crate::restraint::components::Component;
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
 use crate::result::{Axis, FloorFacts, RestraintForce};
 use freestand_input::words::number;
+use freestand_inventory::{Item, Rating};
 use freestand_study::study::Study;
 
 use super::Context;

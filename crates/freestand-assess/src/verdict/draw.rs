@@ -338,8 +338,8 @@ mod tests {
     use std::fmt::Write as _;
 
     use super::*;
-    use crate::inventory::{Casters, Item, UpperBody};
     use crate::output::fixture::item;
+    use freestand_inventory::{Casters, Item, UpperBody};
 
     /// A change of these numbers changes every result: random numbers belong to the seed, the world,
     /// the group and the name of an object alone. To 12 digits, because the last ones differ between

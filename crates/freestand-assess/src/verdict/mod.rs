@@ -35,11 +35,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::accepted::accepted;
-use crate::inventory::{Casters, Consequences, Item, Rating};
 use crate::output::outcomes_rows;
 use crate::result::{Assessment, Decision};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_inventory::{Casters, Consequences, Item, Rating};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::{Questions, Settings};
 

@@ -21,11 +21,11 @@ use super::object::{AxisGeometry, Body, Model, Subject, Way, own_damping_ratio};
 use super::respond::responses;
 use super::response::{AxisMotion, Lived, ModelResponse, PadMotion, terms};
 use super::slip::slips;
-use crate::inventory::Item;
-use crate::library::Tolerance;
 use crate::output::words::listed;
 use crate::result::{Criterion, TooMild};
 use crate::worlds::FloorOfWorld;
+use freestand_inventory::Item;
+use freestand_inventory::library::Tolerance;
 
 /// An object as it is listed.
 #[derive(Debug, Clone)]
@@ -501,7 +501,7 @@ mod tests {
     use freestand::motion::Motion;
 
     use super::*;
-    use crate::library::Confidence;
+    use freestand_inventory::library::Confidence;
 
     fn cabinet(cushion: Cushion, tolerance: &Tolerance) -> Nominal {
         let block = Block::uniform(1.8, 0.4).unwrap();

@@ -14,9 +14,9 @@ use freestand::wall::{Wall, Walls};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
-use crate::inventory::{Casters, Item, Surroundings, UpperBody};
 use crate::output::words::listed;
 use crate::result::{Axis, TooMild};
+use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
 
 use super::capacity::Capacity;
 

@@ -1,6 +1,5 @@
 //! What an assessment says of an object besides its decision.
 
-use crate::inventory::{Casters, Surroundings};
 use crate::output::words::listed;
 use crate::result::{
     AtWall, InSpace, ModelAnswers, Ranked, Rolled, Slipped, Stacked, TooMild, Unstated,
@@ -8,6 +7,7 @@ use crate::result::{
 use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
+use freestand_inventory::{Casters, Surroundings};
 
 use super::Context;
 use super::decision::percent;

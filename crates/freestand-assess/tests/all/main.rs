@@ -4,8 +4,6 @@
 mod around;
 mod assess;
 mod doubt;
-mod lists;
-mod mutations;
 mod one_object;
 mod shards;
 mod space;

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
-use freestand_assess::inventory::{Casters, Surroundings};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_assess::one_object::{
     AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn,
@@ -16,6 +15,7 @@ use freestand_assess::one_object::{
 use freestand_input::keys::Words;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::shortest;
+use freestand_inventory::{Casters, Surroundings};
 use freestand_output::answer::Answer as _;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
 use freestand_study::resolve::StudySource;

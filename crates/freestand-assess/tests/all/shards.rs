@@ -8,12 +8,12 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use freestand_assess::inventory::Inventory;
 use freestand_assess::job::{
     Job, ListRequest, Merged, PlanReport, PlanRequest, assess_into, inventory_of, merge_shards,
     plan_shards, run_shard,
 };
 use freestand_input::problem::Problems;
+use freestand_inventory::Inventory;
 use freestand_study::resolve::{Overrides, load};
 use freestand_study::run::{Step, no_progress};
 use freestand_study::study::Study;

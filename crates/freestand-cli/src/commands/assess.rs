@@ -5,7 +5,6 @@ use std::path::Path;
 
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
-use freestand_assess::inventory::{Inventory, problem_reports};
 use freestand_assess::job::{Finished, Job, JobReport, assess_telling};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
@@ -15,6 +14,7 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::one_line;
 use freestand_input::words::counted;
+use freestand_inventory::{Inventory, problem_reports};
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};

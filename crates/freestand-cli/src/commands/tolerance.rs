@@ -2,9 +2,9 @@
 
 use clap::{Args, Subcommand};
 use freestand_app::library::{List, Search, Show, Tolerances};
-use freestand_assess::library::{ToleranceEntry, to_tolerance};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{name_of, number};
+use freestand_inventory::library::{ToleranceEntry, to_tolerance};
 use freestand_study::shock_spectrum::SHAPES;
 
 use super::library::{Fields, Layout, Printed};

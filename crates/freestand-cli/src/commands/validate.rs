@@ -2,7 +2,7 @@
 
 use clap::Args;
 use freestand_app::validate::{SCHEMA, Validate};
-use freestand_assess::validate::validate;
+use freestand_inventory::validate::validate;
 use freestand_study::validate::Validation;
 
 use super::{Done, Tell};

@@ -8,7 +8,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{number, shortest};
 use freestand_study::cushion::EdgeCushion;
 
-use crate::inventory::{Inventory, Item};
+use freestand_inventory::{Inventory, Item};
 
 /// What an option changes of an object; `None`: that stays.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

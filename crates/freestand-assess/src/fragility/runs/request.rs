@@ -15,8 +15,8 @@ use super::super::FitMethod;
 use super::super::hazard::HazardSource;
 use super::super::measure::{At, MEASURES, Measure};
 use super::{ChangedObject, FloorMotion, KeepRuns};
-use crate::inventory::Inventory;
-use crate::library::{Confidence, Tolerance};
+use freestand_inventory::Inventory;
+use freestand_inventory::library::{Confidence, Tolerance};
 
 /// How runs are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

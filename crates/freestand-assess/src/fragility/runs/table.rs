@@ -15,7 +15,7 @@ use super::super::outcomes::{RunRow, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
 use super::{Method, ObjectRuns, RunsReport};
-use crate::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TOO_MILD;
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
 /// `outcomes_sa_0.5.csv` by another one.

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{KeptFiles, absolute};
 use super::{MOTIONS, OUT};
-use crate::inventory::{CellsRequest, Edit, Inventory, lines_of_items};
 use crate::job::key::resume_key;
 use crate::job::store::part_size;
 use crate::job::{ListRequest, said};
@@ -17,6 +16,7 @@ use crate::output::head;
 use freestand_input::file::{load, sha256_hex};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
+use freestand_inventory::{CellsRequest, Edit, Inventory, lines_of_items};
 use freestand_output::answer;
 use freestand_output::folder::{OutputFolder, PLAN};
 use freestand_output::json::document;

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::inventory::{Item, Rating};
 use crate::result::{Assessment, Criterion, Decision};
+use freestand_inventory::{Item, Rating};
 use freestand_study::result::Ranked;
 
 use super::table::Line;

@@ -7,8 +7,8 @@ use std::fs::File;
 
 use serde_json::{Map, json};
 
-use crate::inventory::Inventory;
 use freestand_input::problem::Problem;
+use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::parquet::{ColumnType, ParquetColumn, ParquetFile, ParquetValue};
 use freestand_output::paths::io_problem;

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use crate::inventory::Item;
 use crate::output::overview::Counts;
 use crate::output::words::{colours, sign};
 use crate::result::Decision;
 use freestand_input::words::number;
+use freestand_inventory::Item;
 
 /// Width and height of a bar of counts \[px\].
 const BAR_PX: (f64, f64) = (180.0, 15.0);

@@ -2,9 +2,9 @@
 
 use freestand::G0_M_S2;
 
-use crate::inventory::Item;
 use crate::result::Chain;
 use freestand_input::words::number;
+use freestand_inventory::Item;
 use freestand_output::html::paragraph;
 
 use super::words;

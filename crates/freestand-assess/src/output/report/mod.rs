@@ -8,8 +8,8 @@ mod summary;
 
 use std::collections::BTreeMap;
 
-use crate::inventory::Inventory;
 use freestand_input::problem::Problem;
+use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{CLOSING, escape, opening};
 

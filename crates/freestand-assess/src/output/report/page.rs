@@ -3,7 +3,6 @@
 
 use std::fmt::Write;
 
-use crate::inventory::{Inventory, Item};
 use crate::output::overview::place;
 use crate::output::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
 use crate::result::{
@@ -11,6 +10,7 @@ use crate::result::{
     Shares,
 };
 use freestand_input::words::{counted, fixed, number, percent};
+use freestand_inventory::{Inventory, Item};
 use freestand_output::html::{
     Cell, classed_table, figure, heading, markup, paragraph, table, words as text,
 };

@@ -4,11 +4,11 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
 use crate::assumed;
-use crate::inventory::{Item, Rating};
 use crate::result::{
     Answers, Assessment, Cause, InSpace, ModelAnswers, ObjectModel, Probability, Ranked,
     RestraintForce, Rolled, Stacked, design_force, reported_force,
 };
+use freestand_inventory::{Item, Rating};
 use freestand_study::cushion::cushion_words;
 
 use super::{Cell, Column, Kind, Line};

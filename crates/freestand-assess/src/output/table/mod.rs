@@ -5,8 +5,8 @@ mod columns;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
-use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
+use freestand_inventory::{Inventory, Item};
 use freestand_study::result::Ranked;
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use freestand::G0_M_S2;
 use rust_xlsxwriter::{ColNum, RowNum, Workbook, Worksheet, XlsxError};
 
-use crate::inventory::{Inventory, Item};
 use crate::output::table::Line;
 use crate::result::{Chain, Criterion};
 use freestand_input::words::number;
+use freestand_inventory::{Inventory, Item};
 
 use super::cells::{Styles, put_formula, put_number, put_text};
 use super::sheet;
@@ -453,7 +453,7 @@ impl Writer<'_> {
         }
         self.step("larger", &format!("MAX({edge},{impact})"), shock_g)?;
         let tolerance = item.tolerance.as_ref();
-        let has = |value: fn(&crate::library::Tolerance) -> Option<f64>| {
+        let has = |value: fn(&freestand_inventory::library::Tolerance) -> Option<f64>| {
             tolerance.and_then(value).is_some()
         };
         // On a spring the velocity change is proportional to the shock.

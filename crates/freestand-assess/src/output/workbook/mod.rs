@@ -18,8 +18,8 @@ use cells::Styles;
 use objects::Objects;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet, XlsxError};
 
-use crate::inventory::Inventory;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 
 use super::Head;

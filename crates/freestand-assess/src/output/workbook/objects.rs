@@ -5,11 +5,11 @@ use rust_xlsxwriter::{
     ConditionalFormatTextRule, Format, RowNum, Workbook, Worksheet, XlsxError,
 };
 
-use crate::inventory::Inventory;
 use crate::output::csv::OVERTURNED;
 use crate::output::table::{COLUMNS, Column, Kind, Line, carried_cells, carried_names};
 use crate::output::words::colours;
 use crate::result::Decision;
+use freestand_inventory::Inventory;
 
 use super::cells::{Styles, put, put_text};
 use super::{SHEET_ROWS, sheet};

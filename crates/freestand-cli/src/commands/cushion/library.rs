@@ -2,9 +2,9 @@
 
 use clap::Args;
 use freestand_app::library::{Cushions, List, Search, Show};
-use freestand_assess::library::CushionEntry;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
+use freestand_inventory::library::CushionEntry;
 
 use crate::commands::library::{Fields, Layout, Printed};
 

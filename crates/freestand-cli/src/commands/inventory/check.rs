@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_app::check_list::{CheckList, HeadingsReport, Meant, SCHEMA};
-use freestand_assess::inventory::{
-    CheckReport, Inventory, Item, Kind, SHOWN, check_report, console_lines, mapping_of_headings,
-    senses,
-};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, UnitSystem, format_si, shorten};
 use freestand_input::words::counted;
+use freestand_inventory::{
+    CheckReport, Inventory, Item, Kind, SHOWN, check_report, console_lines, mapping_of_headings,
+    senses,
+};
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
 

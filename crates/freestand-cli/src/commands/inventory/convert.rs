@@ -5,8 +5,8 @@ use std::slice;
 
 use clap::Args;
 use freestand_app::inventory::{Conversion, ConvertReport, FORMATS, InventoryConvert};
-use freestand_assess::inventory::convert_inventory;
 use freestand_input::words::name_of;
+use freestand_inventory::convert_inventory;
 
 use super::{SCHEMA, check_place, place};
 use crate::args::GlobalArgs;

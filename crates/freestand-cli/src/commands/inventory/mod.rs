@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use freestand_app::check_list::SCHEMA;
 use freestand_app::inventory::FORMATS;
-use freestand_assess::inventory::Target;
 use freestand_input::words::name_of;
+use freestand_inventory::Target;
 use freestand_output::folder::write_file;
 
 use super::{Done, Tell};

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_app::inventory::{ColumnReport, FORMATS, InventoryTemplate, TemplateReport};
-use freestand_assess::inventory::{COLUMNS, Target, template_csv, template_xlsx};
 use freestand_input::words::name_of;
+use freestand_inventory::{COLUMNS, Target, template_csv, template_xlsx};
 
 use super::{SCHEMA, check_place, format_of, place};
 use crate::args::GlobalArgs;

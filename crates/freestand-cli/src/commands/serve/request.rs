@@ -23,13 +23,13 @@ use freestand_app::spectrum::Spectrum;
 use freestand_app::static_test::StaticTests;
 use freestand_app::typed::{self, Typed};
 use freestand_app::validate::Validate;
-use freestand_assess::inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
-use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::file::as_named;
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
+use freestand_inventory::library::{Libraries, ToleranceLibrary};
+use freestand_inventory::{COLUMNS, ReadOptions, inspect_inventory, template_csv};
 use freestand_page::{
     Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES,
     Program, Refusal, Reply, Request, Shape, Status, columns,

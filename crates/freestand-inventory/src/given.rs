@@ -10,7 +10,7 @@ use super::vocabulary::is_missing;
 
 /// A value as it is.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Value {
+pub enum Value {
     /// A quantity in SI.
     Number(f64),
     /// The ends of a range, in SI.

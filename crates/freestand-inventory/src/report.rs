@@ -6,7 +6,8 @@ use freestand_study::cushion::cushion_words;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::{COLUMNS, Casters, ColumnRead, ColumnSpec, Finding, Item, Rating, Reading};
+use super::columns_read::{ColumnRead, HeadingReport};
+use super::{COLUMNS, Casters, ColumnSpec, Finding, Item, Rating, Reading};
 
 /// The number of rows that people are shown.
 pub const SHOWN: usize = 10;
@@ -39,22 +40,6 @@ pub struct CheckReport {
     pub cells: Option<CellsReport>,
     pub problems: Vec<ProblemReport>,
     pub marked_copy: Option<String>,
-}
-
-/// A column of the file.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[expect(missing_docs, reason = "the names are those of the JSON document")]
-pub struct HeadingReport {
-    /// Its letter.
-    pub column: String,
-    pub heading: String,
-    /// What it was taken for; `None`: it is not read.
-    pub name: Option<&'static str>,
-    pub unit: Option<String>,
-    /// The row of its heading.
-    pub header_row: u32,
-    /// Up to five different texts of its cells.
-    pub samples: Vec<String>,
 }
 
 /// What a column can be taken for.

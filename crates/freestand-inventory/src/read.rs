@@ -4,8 +4,6 @@ use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use rayon::prelude::*;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
@@ -15,16 +13,16 @@ use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, letters};
-use super::costs::is_cost;
-use super::edits::{Edit, answer, edited};
+use super::columns_read::{ColumnRead, HeadingReport};
+use super::edit::Edit;
+use super::edits::{answer, edited};
 use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
 use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
-use super::mapping::Mapping;
+use super::mapping::{Mapping, cost_heading};
 use super::problems::{Findings, Kind, Place, RowFindings};
-use super::report::HeadingReport;
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
 use super::units::CellUnit;
@@ -76,31 +74,6 @@ impl<'a> ReadOptions<'a> {
     }
 }
 
-/// A known column, as it was understood; the columns of the document of `freestand inventory check`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct ColumnRead {
-    /// Its letter in a spreadsheet: `F`.
-    #[serde(rename = "column")]
-    pub letter: String,
-    /// Its heading in the file.
-    pub heading: String,
-    /// The row of its heading: a sheet may have several tables.
-    pub header_row: u32,
-    /// Its name in freestand.
-    pub name: &'static str,
-    /// The unit of its bare numbers; `None`: it has none, or each cell has its own.
-    pub unit: Option<String>,
-    /// Where the unit comes from: `mapping`, `heading`, `unit-row`, `sentence`, `cells`,
-    /// `plausibility`, or `cell` where each cell has its own.
-    pub unit_source: Option<&'static str>,
-    /// The decimal sign: `point`, `comma` or `mixed`; `None`: no number needs one.
-    pub dialect: Option<&'static str>,
-    /// Cells with a value.
-    pub values: usize,
-    /// Cells that are empty or say that the value is not known.
-    pub missing: usize,
-}
-
 /// The cells of an object as they were read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CellsRead {
@@ -146,8 +119,8 @@ pub struct Reading {
 ///
 /// # Example
 /// ```
-/// use freestand_assess::inventory::{ReadOptions, read_inventory};
-/// use freestand_assess::library::Lookup;
+/// use freestand_inventory::{ReadOptions, read_inventory};
+/// use freestand_inventory::library::Lookup;
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("objects.csv");
 /// std::fs::write(&path, "Inv.-Nr.;Bezeichnung;Höhe [mm];Tiefe (cm);Gewicht\n007;Schrank;2.300;60;0,14 t\n")?;
@@ -353,7 +326,7 @@ fn hidden_columns(
         .iter()
         .flat_map(|table| &table.header.headings)
         .map(|(index, heading)| (*index, heading));
-    let costs = headings.filter(|(_, heading)| is_cost(heading, mapping));
+    let costs = headings.filter(|(_, heading)| cost_heading(heading, mapping).is_some());
     let read = uses.chain(costs).filter(|(index, _)| is_hidden(*index));
     let mut named: Vec<String> = read
         .map(|(index, heading)| format!("{} ({})", letters(index as usize), shorten(heading)))

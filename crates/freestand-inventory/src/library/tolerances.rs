@@ -71,7 +71,7 @@ impl ToleranceLibrary {
     ///
     /// # Example
     /// ```
-    /// use freestand_assess::library::{ToleranceLibrary, to_tolerance};
+    /// use freestand_inventory::library::{ToleranceLibrary, to_tolerance};
     /// let library = ToleranceLibrary::builtin();
     /// let card = library.find("expansion-card-operating").and_then(to_tolerance).unwrap();
     /// assert!((card.peak_m_s2.unwrap() - 5.0 * 9.80665).abs() < 1e-12 && card.duration_s == Some(0.011));

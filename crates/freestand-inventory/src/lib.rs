@@ -1,4 +1,4 @@
-//! Inventories: the objects of a building, read from a list as people keep it.
+//! Lists of objects: what stands in a building, read from a list as people keep it.
 //!
 //! A file becomes a sheet of cells with their places (`source`); its headings are found, and the
 //! rows that are objects (`layout`); each column gets a name, a unit and a decimal sign, each with
@@ -13,9 +13,12 @@ mod archive;
 mod cell;
 mod cells;
 mod columns;
+mod columns_read;
 mod convert;
+mod cost_columns;
 mod costs;
 mod csv_file;
+mod edit;
 mod edits;
 mod encoding;
 mod floors;
@@ -25,6 +28,7 @@ mod implausible;
 mod item;
 mod kept;
 mod layout;
+pub mod library;
 mod mapping;
 mod marked;
 mod more_headings;
@@ -40,8 +44,10 @@ mod source;
 mod template;
 #[cfg(test)]
 mod tests;
+pub mod too_mild;
 mod understood;
 mod units;
+pub mod validate;
 mod values;
 mod vocabulary;
 mod wheels;
@@ -55,13 +61,15 @@ use freestand::rocking::Restitution;
 use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
+pub use columns_read::{ColumnRead, HeadingReport};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
+pub use cost_columns::{Amounts, Cost, cost_name};
 pub use costs::CellsRequest;
-pub(crate) use costs::{Amounts, Cost, cost_name, costs_of_list, is_list};
-pub use edits::Edit;
+pub use costs::{costs_of_list, is_list};
+pub use edit::Edit;
 pub use floors::Floors;
-pub(crate) use given::Value;
-pub(crate) use item::item_of;
+pub use given::Value;
+pub use item::item_of;
 pub use kept::{items_from_lines, lines_of_items};
 pub use layout::{LeftOut, RowKind};
 pub use mapping::Mapping;
@@ -70,15 +78,15 @@ pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{
-    CellsRead, ColumnRead, ReadOptions, Reading, inspect_headings, inspect_inventory,
-    mapping_of_headings, parse_inventory, read_inventory,
+    CellsRead, ReadOptions, Reading, inspect_headings, inspect_inventory, mapping_of_headings,
+    parse_inventory, read_inventory,
 };
 pub use report::{
-    CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport,
-    RowReport, SHOWN, SenseReport, check_report, problem_reports, senses,
+    CellsReport, CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN,
+    SenseReport, check_report, problem_reports, senses,
 };
 pub use template::{template_csv, template_xlsx};
-pub(crate) use vocabulary::rating;
+pub use vocabulary::rating;
 
 use crate::library::Tolerance;
 use freestand_input::words::{Choices, name_of};

@@ -10,7 +10,7 @@ use freestand_study::study::FirstFloor;
 use toml_edit::{Document, Item, Value};
 
 use super::columns::{COLUMNS, Column};
-use super::costs::{cost_name, mapped_cost};
+use super::cost_columns::{CostHeading, cost_name};
 use super::floors::Floors;
 use super::headings::{dimension, meaning};
 use super::numbers::Decimal;
@@ -75,7 +75,7 @@ impl Mapping {
     ///
     /// # Example
     /// ```
-    /// use freestand_assess::inventory::Mapping;
+    /// use freestand_inventory::Mapping;
     /// let text = "[columns]\n\"Hgt over all\" = { name = \"height\", unit = \"in\" }\n\"Cost\" = \"ignore\"\n";
     /// assert!(Mapping::parse(text).is_ok());
     /// assert!(Mapping::parse("[columns]\n\"Hgt\" = \"hight\"\n").is_err());
@@ -224,7 +224,7 @@ impl Mapping {
     }
 
     /// The column of costs that the file makes of a heading, and its currency.
-    pub(super) fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
+    fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
         let words = canonical(heading);
         self.costs
             .iter()
@@ -292,6 +292,16 @@ impl Mapping {
     }
 }
 
+/// What a heading says of costs, which stand beside the objects until money is asked for; a mapping
+/// file has the last word.
+pub(super) fn cost_heading(heading: &str, mapping: Option<&Mapping>) -> Option<CostHeading> {
+    match mapping.and_then(|mapping| mapping.cost(heading)) {
+        Some((name, unit)) => CostHeading::mapped(heading, name, unit),
+        None if mapping.is_some_and(|mapping| mapping.ignores(heading)) => None,
+        None => CostHeading::of(heading),
+    }
+}
+
 fn column(name: &str) -> Result<Column, Problem> {
     if let Some(spec) = COLUMNS.iter().find(|spec| spec.name == name) {
         return Ok(spec.column);
@@ -336,7 +346,7 @@ pub(super) fn written(
             None if used.is_some_and(|used| used.ignores(heading)) => None,
             None => used
                 .and_then(|used| used.cost(heading))
-                .or_else(|| mapped_cost(heading)),
+                .or_else(|| CostHeading::of(heading).map(|found| (found.column.name, found.unit))),
         };
         let value = match named {
             None => "\"ignore\"".to_owned(),

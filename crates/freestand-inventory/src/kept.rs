@@ -16,8 +16,8 @@ use super::Item;
 ///
 /// # Example
 /// ```
-/// use freestand_assess::inventory::{ReadOptions, items_from_lines, lines_of_items, parse_inventory};
-/// use freestand_assess::library::Lookup;
+/// use freestand_inventory::{ReadOptions, items_from_lines, lines_of_items, parse_inventory};
+/// use freestand_inventory::library::Lookup;
 /// let list = "id,height [m],thickness [mm],stiffness [N/mm]\nA-1,2.3,610,4380\n";
 /// let options = ReadOptions::new(&Lookup::NONE);
 /// let items = parse_inventory(list.into(), "list.csv".as_ref(), &options)?.inventory.items;
@@ -103,8 +103,8 @@ mod tests {
     use freestand_study::cushion::EdgeCushion;
 
     use super::*;
-    use crate::inventory::{ReadOptions, parse_inventory};
     use crate::library::Lookup;
+    use crate::{ReadOptions, parse_inventory};
 
     fn items() -> Vec<Item> {
         let list = "id,height [m],thickness [m],width [m],mass [kg],tolerance [g],stiffness [N/mm],restitution,\

@@ -345,7 +345,7 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
 }
 
 /// A rating by its word: 2 high, 1 medium, 0 low.
-pub(crate) fn rating(text: &str) -> Option<u8> {
+pub fn rating(text: &str) -> Option<u8> {
     let words = canonical(text.split(['(', '[']).next().unwrap_or_default());
     Some(match words.as_str() {
         "h" | "high" | "hi" | "hoch" | "eleve" | "elevee" | "haut" | "haute" | "fort" | "forte"

@@ -4,9 +4,11 @@ use std::path::Path;
 
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{canonical, some};
+use freestand_input::words::some;
 
 use super::columns::Column;
+use super::cost_columns::{Amounts, CostColumn, CostHeading, CostUnit, code, is_currency, is_of};
+use super::mapping::cost_heading;
 use super::numbers::{Number, Piece, pieces, plain};
 use super::vocabulary::is_no_value;
 use super::{Casters, Edit, Item, Mapping, ReadOptions, inspect_inventory};
@@ -31,314 +33,22 @@ impl CellsRequest {
     }
 }
 
-/// A number of the costs of an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cost {
-    Repair,
-    Replacement,
-    Downtime,
-    DowntimeDay,
-    CasualtyProbability,
-    Casualty,
-    AcceptedRate,
-    AcceptedExceedRate,
-    Longitude,
-    Latitude,
-}
-
-impl Cost {
-    /// Whether a number can be such a one.
-    fn holds(self, value: f64) -> bool {
-        match self {
-            Self::CasualtyProbability => (0.0..=1.0).contains(&value),
-            Self::AcceptedRate | Self::AcceptedExceedRate => value > 0.0,
-            Self::Longitude => (-360.0..=360.0).contains(&value),
-            Self::Latitude => (-90.0..=90.0).contains(&value),
-            Self::Repair
-            | Self::Replacement
-            | Self::Downtime
-            | Self::DowntimeDay
-            | Self::Casualty => value >= 0.0,
-        }
-    }
-}
-
-/// The costs of an object; `None`: an empty cell, or one that cannot be read.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Amounts([Option<f64>; COST_COLUMNS.len()]);
-
-impl Amounts {
-    pub(crate) fn of(&self, cost: Cost) -> Option<f64> {
-        self.0.get(cost as usize).copied().flatten()
-    }
-}
-
-/// The unit of a column of costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum CostUnit {
-    /// A currency, and this after it.
-    Money(&'static str),
-    /// One of these words, which may stand in the heading itself.
-    Named(&'static [&'static str]),
-    Bare,
-}
-
-/// A column of costs: its name, and its other headings in the form of [`canonical`].
-struct CostColumn {
-    cost: Cost,
-    name: &'static str,
-    unit: CostUnit,
-    headings: &'static [&'static str],
-}
-
-const DAYS: CostUnit = CostUnit::Named(&["day", "days", "d", "tage", "jours", "dias"]);
-const PER_YEAR: CostUnit = CostUnit::Named(&["1/yr", "/yr", "1/year"]);
-
-/// In the order of [`Cost`].
-const COST_COLUMNS: [CostColumn; 10] = [
-    CostColumn {
-        cost: Cost::Repair,
-        name: "repair_cost",
-        unit: CostUnit::Money(""),
-        headings: &[
-            "repair cost",
-            "cost of repair",
-            "repair",
-            "reparaturkosten",
-            "cout de reparation",
-            "costo de reparacion",
-        ],
-    },
-    CostColumn {
-        cost: Cost::Replacement,
-        name: "replacement_cost",
-        unit: CostUnit::Money(""),
-        headings: &[
-            "replacement cost",
-            "replacement value",
-            "cost of replacement",
-            "insured value",
-            "asset value",
-            "neuwert",
-            "wiederbeschaffungswert",
-            "valeur a neuf",
-            "valeur de remplacement",
-            "valor de reposicion",
-            "valore a nuovo",
-            "valor de reposicao",
-            "bedel",
-            "取得価額",
-            "重置价值",
-        ],
-    },
-    CostColumn {
-        cost: Cost::Downtime,
-        name: "downtime",
-        unit: DAYS,
-        headings: &["downtime", "downtime days", "ausfalltage"],
-    },
-    CostColumn {
-        cost: Cost::DowntimeDay,
-        name: "downtime_cost",
-        unit: CostUnit::Money("/day"),
-        headings: &["downtime cost", "cost of downtime", "ausfallkosten"],
-    },
-    CostColumn {
-        cost: Cost::CasualtyProbability,
-        name: "casualty_probability",
-        unit: CostUnit::Bare,
-        headings: &["casualty probability"],
-    },
-    CostColumn {
-        cost: Cost::Casualty,
-        name: "casualty_cost",
-        unit: CostUnit::Money(""),
-        headings: &["casualty cost"],
-    },
-    CostColumn {
-        cost: Cost::AcceptedRate,
-        name: "accepted_annual_rate",
-        unit: PER_YEAR,
-        headings: &["accepted annual rate"],
-    },
-    CostColumn {
-        cost: Cost::AcceptedExceedRate,
-        name: "accepted_exceed_annual_rate",
-        unit: PER_YEAR,
-        headings: &["accepted exceed annual rate"],
-    },
-    CostColumn {
-        cost: Cost::Longitude,
-        name: "longitude",
-        unit: CostUnit::Bare,
-        headings: &["longitude", "lon"],
-    },
-    CostColumn {
-        cost: Cost::Latitude,
-        name: "latitude",
-        unit: CostUnit::Bare,
-        headings: &["latitude", "lat"],
-    },
-];
-
-/// Whether a name is that of a column of costs; a mapping file may give it to a heading.
-pub(crate) fn cost_name(name: &str) -> Option<&'static str> {
-    COST_COLUMNS
-        .iter()
-        .find(|column| column.name == name)
-        .map(|column| column.name)
-}
-
-/// What a mapping file says about a heading of costs: its name, and its unit.
-pub(super) fn mapped_cost(heading: &str) -> Option<(&'static str, Option<String>)> {
-    CostHeading::new(heading, None).map(|found| (found.column.name, found.unit))
-}
-
-/// Whether a heading is one of costs, which stand beside the objects until money is asked for.
-pub(super) fn is_cost(heading: &str, mapping: Option<&Mapping>) -> bool {
-    CostHeading::new(heading, mapping).is_some()
-}
-
-/// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
-struct CostHeading {
-    column: &'static CostColumn,
-    /// Behind the name, or of the mapping file.
-    unit: Option<String>,
-}
-
-impl CostHeading {
-    fn new(heading: &str, mapping: Option<&Mapping>) -> Option<Self> {
-        let text = plain(heading);
-        let (name, inner) = match text.find(['[', '(']) {
-            Some(at) => (
-                text.get(..at)?.trim(),
-                Some(text.get(at + 1..)?.trim_end_matches([']', ')', ' '])),
-            ),
-            None => (text.as_str(), None),
-        };
-        let last = name.rsplit_once(' ').filter(|(_, last)| is_currency(last));
-        let (name, last) = last.map_or((name, None), |(name, last)| (name, Some(last)));
-        let unit = inner.or(last).map(str::to_owned);
-        if let Some((mapped, own)) = mapping.and_then(|mapping| mapping.cost(heading)) {
-            let column = COST_COLUMNS.iter().find(|column| column.name == mapped)?;
-            return Some(Self {
-                column,
-                unit: own.or(unit),
-            });
-        }
-        if mapping.is_some_and(|mapping| mapping.ignores(heading)) {
-            return None;
-        }
-        let words = canonical(name);
-        let is_it = |column: &&CostColumn| {
-            canonical(column.name) == words || column.headings.contains(&words.as_str())
-        };
-        COST_COLUMNS
-            .iter()
-            .find(is_it)
-            .map(|column| Self { column, unit })
-    }
-
-    /// The currency, where it is one of money.
-    ///
-    /// # Errors
-    /// A unit that is missing, or is another one.
-    fn currency(&self, heading: &str) -> Result<Option<String>, Problem> {
-        let unit = self.unit.as_deref().map(str::trim);
-        let name = self.column.name;
-        let refused = |what: &str, example: &str| {
-            let message = format!("the column \"{}\" {what}", shorten(heading));
-            let hint = format!(
-                "write {name} [{example}], or give the unit in a mapping file (`columns = \"FILE\"`)"
-            );
-            Err(Problem::value(message, hint))
-        };
-        match self.column.unit {
-            CostUnit::Bare => Ok(None),
-            CostUnit::Named(words) => {
-                let first = words.first().copied().unwrap_or_default();
-                let in_heading = canonical(heading);
-                match unit {
-                    Some(unit) if words.contains(&unit.to_lowercase().as_str()) => Ok(None),
-                    None if words
-                        .iter()
-                        .any(|word| word.len() > 3 && in_heading.ends_with(word)) =>
-                    {
-                        Ok(None)
-                    }
-                    _ => refused(&format!("is not in {first}"), first),
-                }
-            }
-            CostUnit::Money(per) => {
-                let currency = unit
-                    .and_then(|unit| unit.strip_suffix(per))
-                    .map(str::trim)
-                    .filter(|text| is_currency(text));
-                match currency {
-                    Some(currency) => Ok(Some(currency.to_owned())),
-                    None => refused("states no currency", &format!("AUD{per}")),
-                }
-            }
-        }
-    }
-}
-
-fn is_currency(text: &str) -> bool {
-    let letters = text.strip_suffix('$').unwrap_or(text);
-    let is_upper = letters.bytes().all(|byte| byte.is_ascii_uppercase());
-    matches!(text, "€" | "£" | "¥")
-        || is_upper
-            && if letters == text {
-                text.len() == 3
-            } else {
-                letters.len() <= 2
-            }
-}
-
-/// The code of a currency that is written otherwise; any other text as it is.
-fn code(currency: &str) -> &str {
-    match currency {
-        "€" => "EUR",
-        "£" => "GBP",
-        "A$" | "AU$" => "AUD",
-        "C$" | "CA$" => "CAD",
-        "HK$" => "HKD",
-        "MX$" => "MXN",
-        "NT$" => "TWD",
-        "NZ$" => "NZD",
-        "R$" => "BRL",
-        "S$" => "SGD",
-        "US$" => "USD",
-        _ => currency,
-    }
-}
-
-/// Whether a cell may state this currency in a column of that one: its code, or its sign.
-fn is_of(cell: &str, column: &str) -> bool {
-    const DOLLARS: [&str; 12] = [
-        "ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD",
-    ];
-    let (cell, column) = (code(cell), code(column));
-    match cell {
-        "$" => column == "$" || DOLLARS.contains(&column),
-        "¥" => matches!(column, "¥" | "JPY" | "CNY"),
-        _ => cell == column,
-    }
-}
-
 /// Whether a file reads as a list as people keep it.
-pub(crate) fn is_list(path: &Path) -> bool {
+pub fn is_list(path: &Path) -> bool {
     inspect_inventory(path, &ReadOptions::new(&Lookup::NONE)).is_ok()
 }
 
 /// The costs of a list as people keep it.
 #[derive(Debug)]
-pub(crate) struct ListedCosts {
-    pub(crate) currency: Option<String>,
-    pub(crate) objects: Vec<(Item, Amounts)>,
+pub struct ListedCosts {
+    /// The currency of its amounts.
+    pub currency: Option<String>,
+    /// Each object with its costs.
+    pub objects: Vec<(Item, Amounts)>,
     /// Objects whose runs would be too mild, by what the list says of them.
-    pub(crate) too_mild: Vec<(String, TooMild)>,
-    pub(crate) warnings: Vec<String>,
+    pub too_mild: Vec<(String, TooMild)>,
+    /// What the reader doubts.
+    pub warnings: Vec<String>,
 }
 
 /// The most rows that are named of one problem.
@@ -349,7 +59,7 @@ const NAMED_ROWS: usize = 5;
 /// # Errors
 /// A list or a mapping file that cannot be read; a column without its unit; two currencies, also of a cell and
 /// its column.
-pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts, Problems> {
+pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts, Problems> {
     let mapping = request.columns.as_deref().map(Mapping::load).transpose()?;
     let options = ReadOptions {
         sheet: request.sheet.as_deref(),
@@ -366,7 +76,7 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
             Some((
                 slot,
                 heading.as_str(),
-                CostHeading::new(heading, mapping.as_ref())?,
+                cost_heading(heading, mapping.as_ref())?,
             ))
         })
         .collect();
@@ -399,7 +109,7 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
         .carried
         .iter()
         .filter(is_ignored)
-        .filter(|heading| mapped_cost(heading).is_some());
+        .filter(|heading| CostHeading::of(heading).is_some());
     let ignored = ignored.map(|heading| {
         format!(
             "the column \"{}\" is not counted, because the mapping file says \"ignore\"",
@@ -532,7 +242,7 @@ fn amount(text: &str, unit: CostUnit) -> Option<f64> {
     })
 }
 
-/// An amount without its currency, and the currencies before and behind it.
+/// An amount without its currency, and the currencies before and after it.
 fn without_currency(text: &str) -> (&str, [Option<&str>; 2]) {
     let is_part = |c: char| c.is_alphabetic() || matches!(c, '$' | '€' | '£' | '¥');
     let text = text.trim();
@@ -544,19 +254,20 @@ fn without_currency(text: &str) -> (&str, [Option<&str>; 2]) {
         text
     };
     let (rest, last) = text.split_at(text.trim_end_matches(is_part).len());
-    let behind = Some(last).filter(|last| is_currency(last));
+    let after = Some(last).filter(|last| is_currency(last));
     (
-        if behind.is_some() {
+        if after.is_some() {
             rest.trim_end()
         } else {
             text
         },
-        [before, behind],
+        [before, after],
     )
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::cost_columns::{COST_COLUMNS, Cost};
     use super::*;
 
     #[test]
@@ -632,7 +343,7 @@ mod tests {
             ("downtime [day]", Cost::Downtime, None),
             ("Ausfalltage", Cost::Downtime, None),
         ] {
-            let found = CostHeading::new(heading, None).unwrap();
+            let found = CostHeading::of(heading).unwrap();
             assert_eq!(found.column.cost, cost, "{heading}");
             assert_eq!(
                 found.currency(heading).unwrap().as_deref(),
@@ -648,14 +359,11 @@ mod tests {
             "accepted_annual_rate",
         ] {
             assert!(
-                CostHeading::new(heading, None)
-                    .unwrap()
-                    .currency(heading)
-                    .is_err(),
+                CostHeading::of(heading).unwrap().currency(heading).is_err(),
                 "{heading}"
             );
         }
-        assert!(CostHeading::new("Notes", None).is_none());
+        assert!(CostHeading::of("Notes").is_none());
     }
 
     #[test]

@@ -7,7 +7,7 @@ use freestand_study::shape::{HEIGHT_M, SIDE_M};
 
 use super::Item;
 use super::columns::{Column, letters};
-use super::edits::Edit;
+use super::edit::Edit;
 use super::numbers::plain;
 use super::problems::{Findings, Kind, Place};
 use super::units::{CellUnit, find};

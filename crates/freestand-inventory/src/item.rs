@@ -39,7 +39,7 @@ pub(super) struct Reading<'a> {
 
 /// The object of these values, and what is wrong or doubtful about it; floors are found by their names
 /// unless the values have a [`Column::LevelRatio`].
-pub(crate) fn item_of(
+pub fn item_of(
     values: &[(Column, Value)],
     floors: &Floors,
     lookup: &Lookup<'_>,

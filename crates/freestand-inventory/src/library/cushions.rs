@@ -169,7 +169,7 @@ impl CushionLibrary {
     /// A hard rubber foot: √(300 · 3000) N/mm, half of ln 10 either way, two under each edge.
     /// ```
     /// use freestand_study::cushion::resolve;
-    /// let prior = freestand_assess::library::CushionLibrary::builtin().prior("rubber-foot")?;
+    /// let prior = freestand_inventory::library::CushionLibrary::builtin().prior("rubber-foot")?;
     /// let edge = resolve(&prior.words, None)?.cushion.linear_stiffness_n_m().unwrap();
     /// assert!((edge / (2.0 * 948.683e3) - 1.0).abs() < 1e-5 && (prior.log_sd - 1.151293).abs() < 1e-6);
     /// # Ok::<(), freestand_input::problem::Problems>(())

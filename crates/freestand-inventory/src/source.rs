@@ -344,7 +344,7 @@ fn no_headings() -> Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inventory::cell::Cell;
+    use crate::cell::Cell;
 
     /// Reading stops where there are too many cells, and not before.
     #[test]

@@ -15,7 +15,7 @@ pub enum TooMild {
 }
 
 /// The names of these reasons in tables, and their words.
-pub(crate) const TOO_MILD: Choices<TooMild> = &[
+pub const TOO_MILD: Choices<TooMild> = &[
     (
         TooMild::Round,
         "round",

@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
-use freestand_assess::inventory::{Floors, Item, Rating, ReadOptions, Reading, inspect_inventory};
-use freestand_assess::library::Lookup;
+use freestand_inventory::library::Lookup;
+use freestand_inventory::{Floors, Item, Rating, ReadOptions, Reading, inspect_inventory};
 
 /// The cells of an object as a list of true values has them.
 fn cells(item: &Item) -> BTreeMap<&'static str, String> {
@@ -179,7 +179,7 @@ fn what_is_wrong_in_the_lists_is_said_once() {
             .join("tests/lists")
             .join(name);
         let reading = read(&path, storeys);
-        let one = |finding: &freestand_assess::inventory::Finding| {
+        let one = |finding: &freestand_inventory::Finding| {
             format!("{} {}", finding.kind.name(), finding.cells().join(" "))
         };
         let mut all: Vec<String> = reading.inventory.findings.iter().map(one).collect();

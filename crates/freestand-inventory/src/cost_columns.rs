@@ -1,0 +1,315 @@
+//! The columns of costs: their names, headings and units, and the currencies.
+
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::canonical;
+
+use super::numbers::plain;
+
+/// A number of the costs of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cost {
+    /// Of its repair.
+    Repair,
+    /// Of a new object.
+    Replacement,
+    /// How long it is missing \[day\].
+    Downtime,
+    /// Of a day on which it is missing.
+    DowntimeDay,
+    /// The probability that somebody is hurt if it overturns.
+    CasualtyProbability,
+    /// Of somebody who is hurt.
+    Casualty,
+    /// The accepted yearly rate of falls.
+    AcceptedRate,
+    /// The accepted yearly rate at which a tolerance is exceeded.
+    AcceptedExceedRate,
+    /// Where its site is \[°E\].
+    Longitude,
+    /// Where its site is \[°N\].
+    Latitude,
+}
+
+impl Cost {
+    /// Whether a number can be such a one.
+    pub(super) fn holds(self, value: f64) -> bool {
+        match self {
+            Self::CasualtyProbability => (0.0..=1.0).contains(&value),
+            Self::AcceptedRate | Self::AcceptedExceedRate => value > 0.0,
+            Self::Longitude => (-360.0..=360.0).contains(&value),
+            Self::Latitude => (-90.0..=90.0).contains(&value),
+            Self::Repair
+            | Self::Replacement
+            | Self::Downtime
+            | Self::DowntimeDay
+            | Self::Casualty => value >= 0.0,
+        }
+    }
+}
+
+/// The costs of an object; `None`: an empty cell, or one that cannot be read.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Amounts(pub(super) [Option<f64>; COST_COLUMNS.len()]);
+
+impl Amounts {
+    /// One of them.
+    pub fn of(&self, cost: Cost) -> Option<f64> {
+        self.0.get(cost as usize).copied().flatten()
+    }
+}
+
+/// The unit of a column of costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum CostUnit {
+    /// A currency, and this after it.
+    Money(&'static str),
+    /// One of these words, which may stand in the heading itself.
+    Named(&'static [&'static str]),
+    Bare,
+}
+
+/// A column of costs: its name, and its other headings in the form of [`canonical`].
+pub(super) struct CostColumn {
+    pub(super) cost: Cost,
+    pub(super) name: &'static str,
+    pub(super) unit: CostUnit,
+    headings: &'static [&'static str],
+}
+
+const DAYS: CostUnit = CostUnit::Named(&["day", "days", "d", "tage", "jours", "dias"]);
+const PER_YEAR: CostUnit = CostUnit::Named(&["1/yr", "/yr", "1/year"]);
+
+/// In the order of [`Cost`].
+pub(super) const COST_COLUMNS: [CostColumn; 10] = [
+    CostColumn {
+        cost: Cost::Repair,
+        name: "repair_cost",
+        unit: CostUnit::Money(""),
+        headings: &[
+            "repair cost",
+            "cost of repair",
+            "repair",
+            "reparaturkosten",
+            "cout de reparation",
+            "costo de reparacion",
+        ],
+    },
+    CostColumn {
+        cost: Cost::Replacement,
+        name: "replacement_cost",
+        unit: CostUnit::Money(""),
+        headings: &[
+            "replacement cost",
+            "replacement value",
+            "cost of replacement",
+            "insured value",
+            "asset value",
+            "neuwert",
+            "wiederbeschaffungswert",
+            "valeur a neuf",
+            "valeur de remplacement",
+            "valor de reposicion",
+            "valore a nuovo",
+            "valor de reposicao",
+            "bedel",
+            "取得価額",
+            "重置价值",
+        ],
+    },
+    CostColumn {
+        cost: Cost::Downtime,
+        name: "downtime",
+        unit: DAYS,
+        headings: &["downtime", "downtime days", "ausfalltage"],
+    },
+    CostColumn {
+        cost: Cost::DowntimeDay,
+        name: "downtime_cost",
+        unit: CostUnit::Money("/day"),
+        headings: &["downtime cost", "cost of downtime", "ausfallkosten"],
+    },
+    CostColumn {
+        cost: Cost::CasualtyProbability,
+        name: "casualty_probability",
+        unit: CostUnit::Bare,
+        headings: &["casualty probability"],
+    },
+    CostColumn {
+        cost: Cost::Casualty,
+        name: "casualty_cost",
+        unit: CostUnit::Money(""),
+        headings: &["casualty cost"],
+    },
+    CostColumn {
+        cost: Cost::AcceptedRate,
+        name: "accepted_annual_rate",
+        unit: PER_YEAR,
+        headings: &["accepted annual rate"],
+    },
+    CostColumn {
+        cost: Cost::AcceptedExceedRate,
+        name: "accepted_exceed_annual_rate",
+        unit: PER_YEAR,
+        headings: &["accepted exceed annual rate"],
+    },
+    CostColumn {
+        cost: Cost::Longitude,
+        name: "longitude",
+        unit: CostUnit::Bare,
+        headings: &["longitude", "lon"],
+    },
+    CostColumn {
+        cost: Cost::Latitude,
+        name: "latitude",
+        unit: CostUnit::Bare,
+        headings: &["latitude", "lat"],
+    },
+];
+
+/// Whether a name is that of a column of costs; a mapping file may give it to a heading.
+pub fn cost_name(name: &str) -> Option<&'static str> {
+    COST_COLUMNS
+        .iter()
+        .find(|column| column.name == name)
+        .map(|column| column.name)
+}
+
+/// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
+pub(super) struct CostHeading {
+    pub(super) column: &'static CostColumn,
+    /// After the name, or of the mapping file.
+    pub(super) unit: Option<String>,
+}
+
+impl CostHeading {
+    /// A heading that says what it is.
+    pub(super) fn of(heading: &str) -> Option<Self> {
+        let text = plain(heading);
+        let (name, unit) = name_and_unit(&text);
+        let words = canonical(name);
+        let is_it = |column: &&CostColumn| {
+            canonical(column.name) == words || column.headings.contains(&words.as_str())
+        };
+        COST_COLUMNS.iter().find(is_it).map(|column| Self {
+            column,
+            unit: unit.map(str::to_owned),
+        })
+    }
+
+    /// A heading that a mapping file takes for one of this name, and may give a unit.
+    pub(super) fn mapped(heading: &str, name: &str, unit: Option<String>) -> Option<Self> {
+        let text = plain(heading);
+        let own = || name_and_unit(&text).1.map(str::to_owned);
+        COST_COLUMNS
+            .iter()
+            .find(|column| column.name == name)
+            .map(|column| Self {
+                column,
+                unit: unit.or_else(own),
+            })
+    }
+
+    /// The currency, where it is one of money.
+    ///
+    /// # Errors
+    /// A unit that is missing, or is another one.
+    pub(super) fn currency(&self, heading: &str) -> Result<Option<String>, Problem> {
+        let unit = self.unit.as_deref().map(str::trim);
+        let name = self.column.name;
+        let refused = |what: &str, example: &str| {
+            let message = format!("the column \"{}\" {what}", shorten(heading));
+            let hint = format!(
+                "write {name} [{example}], or give the unit in a mapping file (`columns = \"FILE\"`)"
+            );
+            Err(Problem::value(message, hint))
+        };
+        match self.column.unit {
+            CostUnit::Bare => Ok(None),
+            CostUnit::Named(words) => {
+                let first = words.first().copied().unwrap_or_default();
+                let in_heading = canonical(heading);
+                match unit {
+                    Some(unit) if words.contains(&unit.to_lowercase().as_str()) => Ok(None),
+                    None if words
+                        .iter()
+                        .any(|word| word.len() > 3 && in_heading.ends_with(word)) =>
+                    {
+                        Ok(None)
+                    }
+                    _ => refused(&format!("is not in {first}"), first),
+                }
+            }
+            CostUnit::Money(per) => {
+                let currency = unit
+                    .and_then(|unit| unit.strip_suffix(per))
+                    .map(str::trim)
+                    .filter(|text| is_currency(text));
+                match currency {
+                    Some(currency) => Ok(Some(currency.to_owned())),
+                    None => refused("states no currency", &format!("AUD{per}")),
+                }
+            }
+        }
+    }
+}
+
+/// The parts of `Replacement value NZD` and of `downtime_cost [EUR/day]`.
+fn name_and_unit(heading: &str) -> (&str, Option<&str>) {
+    let (name, inner) = match heading.find(['[', '(']) {
+        Some(at) => {
+            let (name, unit) = heading.split_at(at);
+            let unit = unit.trim_start_matches(['[', '(']);
+            (name.trim(), Some(unit.trim_end_matches([']', ')', ' '])))
+        }
+        None => (heading, None),
+    };
+    match name.rsplit_once(' ').filter(|(_, last)| is_currency(last)) {
+        Some((name, last)) => (name, inner.or(Some(last))),
+        None => (name, inner),
+    }
+}
+
+/// Whether a text is the sign or the code of a currency.
+pub(super) fn is_currency(text: &str) -> bool {
+    let letters = text.strip_suffix('$').unwrap_or(text);
+    let is_upper = letters.bytes().all(|byte| byte.is_ascii_uppercase());
+    matches!(text, "€" | "£" | "¥")
+        || is_upper
+            && if letters == text {
+                text.len() == 3
+            } else {
+                letters.len() <= 2
+            }
+}
+
+/// The code of a currency that is written otherwise; any other text as it is.
+pub(super) fn code(currency: &str) -> &str {
+    match currency {
+        "€" => "EUR",
+        "£" => "GBP",
+        "A$" | "AU$" => "AUD",
+        "C$" | "CA$" => "CAD",
+        "HK$" => "HKD",
+        "MX$" => "MXN",
+        "NT$" => "TWD",
+        "NZ$" => "NZD",
+        "R$" => "BRL",
+        "S$" => "SGD",
+        "US$" => "USD",
+        _ => currency,
+    }
+}
+
+/// Whether a cell may state this currency in a column of that one: its code, or its sign.
+pub(super) fn is_of(cell: &str, column: &str) -> bool {
+    const DOLLARS: [&str; 12] = [
+        "ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD",
+    ];
+    let (cell, column) = (code(cell), code(column));
+    match cell {
+        "$" => column == "$" || DOLLARS.contains(&column),
+        "¥" => matches!(column, "¥" | "JPY" | "CNY"),
+        _ => cell == column,
+    }
+}
