@@ -8,7 +8,7 @@ use freestand::block::Block;
 use freestand::fragility::FitKind;
 use freestand::motion::Motion;
 use freestand::rocking::Restitution;
-use freestand_assess::fragility::{
+use freestand_risk::fragility::{
     DEFAULT_MAX_SCALE, FitMethod, FloorMotion, GivenObject, Limits, Measure, Method, RunObjects,
     RunsRequest, fragility_of_runs,
 };

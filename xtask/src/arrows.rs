@@ -41,6 +41,18 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "freestand-risk",
+        &[
+            "freestand",
+            "freestand-input",
+            "freestand-output",
+            "freestand-records",
+            "freestand-study",
+            "freestand-inventory",
+            "freestand-assess",
+        ],
+    ),
+    (
         "freestand-app",
         &[
             "freestand",
@@ -50,6 +62,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-study",
             "freestand-inventory",
             "freestand-assess",
+            "freestand-risk",
         ],
     ),
     // It knows no command.
@@ -66,6 +79,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-study",
             "freestand-inventory",
             "freestand-assess",
+            "freestand-risk",
             "freestand-app",
             "freestand-page",
         ],

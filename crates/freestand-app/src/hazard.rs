@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use freestand_assess::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
-use freestand_assess::risk::coordinates;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_risk::coordinates;
+use freestand_risk::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
 
 use crate::files::Files;
 use crate::request::{one_of, path, request};

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::Arg;
 use freestand::fragility::FitKind;
-use freestand_assess::fragility::{At, FITS, FragilityRequest, check_replicates};
-use freestand_assess::risk::{RiskCurves, RiskRequest, amount, yearly_rate, years};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_risk::fragility::{At, FITS, FragilityRequest, check_replicates};
+use freestand_risk::{RiskCurves, RiskRequest, amount, yearly_rate, years};
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::cells::CellKeys;
@@ -19,7 +19,7 @@ use crate::hazard::{self, HazardCurve, HazardOfCode};
 use crate::request::{Question, Request as _, one_of, path, reader, request, seed};
 
 /// The schema of the response.
-pub use freestand_assess::risk::RISK_SCHEMA as SCHEMA;
+pub use freestand_risk::RISK_SCHEMA as SCHEMA;
 
 request! { question
     /// How often objects fail, and what that costs.

@@ -5,8 +5,6 @@
 //! makes the motions of its floors, gives every object its verdict and writes the tables and the
 //! report.
 
-pub mod export;
-pub mod fragility;
 pub mod job;
 pub mod one_object;
 pub mod output;
@@ -14,11 +12,10 @@ mod rank;
 pub mod restrain;
 mod restraint;
 pub mod result;
-pub mod risk;
 
 mod accepted;
 mod assumed;
 mod kept_motions;
 mod two_spectra;
-mod verdict;
-mod worlds;
+pub mod verdict;
+pub mod worlds;

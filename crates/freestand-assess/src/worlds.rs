@@ -83,7 +83,7 @@ impl Remembered {
 }
 
 /// Draws the worlds of a study.
-pub(crate) struct Worlds<'a> {
+pub struct Worlds<'a> {
     study: &'a Study,
     source: Source<'a>,
     spread: GroundSpread,
@@ -114,33 +114,35 @@ enum Source<'a> {
 
 /// What is drawn again while all else stays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub(crate) struct Again {
+pub struct Again {
     /// The ground motion.
-    pub(crate) motion: u32,
+    pub motion: u32,
     /// The building.
-    pub(crate) building: u32,
+    pub building: u32,
 }
 
 /// The ground motion of a world.
 #[derive(Debug, Clone)]
-pub(crate) struct GroundOfWorld {
-    pub(crate) motion: HorizontalMotion,
+pub struct GroundOfWorld {
+    /// Its horizontal components.
+    pub motion: HorizontalMotion,
     /// Its vertical component, if it has one.
-    pub(crate) vertical: Option<Motion>,
+    pub vertical: Option<Motion>,
     /// The motion that the worlds use in turn, where they do.
-    pub(crate) record: Option<String>,
+    pub record: Option<String>,
 }
 
 /// The motion of a floor in a world, and its peaks.
 #[derive(Debug, Clone)]
-pub(crate) struct FloorOfWorld {
-    pub(crate) motion: HorizontalMotion,
+pub struct FloorOfWorld {
+    /// Its horizontal components.
+    pub motion: HorizontalMotion,
     /// Its vertical component, if it has one.
     vertical: Option<Motion>,
     /// Peak acceleration in any direction \[m/s²\].
-    pub(crate) pfa_m_s2: f64,
+    pub pfa_m_s2: f64,
     /// Peak velocity in any direction \[m/s\].
-    pub(crate) pfv_m_s: f64,
+    pub pfv_m_s: f64,
 }
 
 impl FloorOfWorld {
@@ -154,7 +156,7 @@ impl FloorOfWorld {
     }
 
     /// One that moves as given, in every direction alike.
-    pub(crate) fn given(horizontal: &Motion, vertical: Option<&Motion>) -> Self {
+    pub fn given(horizontal: &Motion, vertical: Option<&Motion>) -> Self {
         Self::new(
             HorizontalMotion {
                 along: horizontal.clone(),
@@ -165,7 +167,7 @@ impl FloorOfWorld {
     }
 
     /// Every component multiplied by a factor; `None` where their numbers have no end.
-    pub(crate) fn scaled(&self, scale_ratio: f64) -> Option<Self> {
+    pub fn scaled(&self, scale_ratio: f64) -> Option<Self> {
         let scaled = |motion: Option<&Motion>| {
             motion
                 .map(|motion| motion.scaled(scale_ratio))
@@ -185,7 +187,7 @@ impl FloorOfWorld {
 
     /// The same, in which the acceleration of the floor itself counts for nothing: only what the object
     /// does.
-    pub(crate) fn without_peak(self) -> Self {
+    pub fn without_peak(self) -> Self {
         Self {
             pfa_m_s2: 0.0,
             ..self
@@ -193,7 +195,7 @@ impl FloorOfWorld {
     }
 
     /// The accelerations of all its components.
-    pub(crate) fn shaking(&self) -> Shaking<'_> {
+    pub fn shaking(&self) -> Shaking<'_> {
         Shaking {
             x: Some(&self.motion.along),
             y: self.motion.across.as_ref(),
@@ -202,22 +204,24 @@ impl FloorOfWorld {
     }
 
     /// How the base of an object moves in a plane.
-    pub(crate) fn base(&self, along: Along) -> Base<'_> {
+    pub fn base(&self, along: Along) -> Base<'_> {
         self.shaking().base(along)
     }
 }
 
 /// What a building is in a world, at the first axis.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct BuildingOfWorld {
-    pub(crate) period_s: f64,
-    pub(crate) damping_ratio: Option<f64>,
+pub struct BuildingOfWorld {
+    /// Its fundamental period \[s\].
+    pub period_s: f64,
+    /// Its damping ratio; `None`: its model states none.
+    pub damping_ratio: Option<f64>,
 }
 
 impl<'a> Worlds<'a> {
     /// # Errors
     /// A motion that cannot be generated; a run that is stopped by `go_on`.
-    pub(crate) fn new(
+    pub fn new(
         study: &'a Study,
         go_on: impl Fn() -> Result<(), Problems> + Sync,
     ) -> Result<Self, Problems> {
@@ -289,7 +293,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The same worlds, with the motions that are remembered of earlier requests.
-    pub(crate) fn remembering(mut self, memory: &Memory) -> Self {
+    pub fn remembering(mut self, memory: &Memory) -> Self {
         if !matches!(self.source, Source::Synthetic(_)) {
             return self;
         }
@@ -343,7 +347,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
-    pub(crate) fn records(&self) -> Option<u32> {
+    pub fn records(&self) -> Option<u32> {
         let count = match &self.source {
             Source::Synthetic(_) => return None,
             Source::InTurn(motions) => motions.len(),
@@ -353,7 +357,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// Whether the worlds of one record differ in nothing but the object.
-    pub(crate) fn building_is_known(&self) -> bool {
+    pub fn building_is_known(&self) -> bool {
         let WorldSettings {
             period_spread,
             damping_spread,
@@ -363,12 +367,12 @@ impl<'a> Worlds<'a> {
     }
 
     /// Whether a floor has motions.
-    pub(crate) fn has_floor(&self, level_ratio: f64) -> bool {
+    pub fn has_floor(&self, level_ratio: f64) -> bool {
         self.study.building.is_some() || self.given(level_ratio).is_some()
     }
 
     /// The name of the motion of a world.
-    pub(crate) fn name(&self, world: u32) -> String {
+    pub fn name(&self, world: u32) -> String {
         let of = |names: &mut dyn ExactSizeIterator<Item = &String>| {
             let place = world as usize % names.len().max(1);
             names
@@ -383,7 +387,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The same worlds at another intensity.
-    pub(crate) fn at_intensity(&self, ratio: f64) -> Worlds<'a> {
+    pub fn at_intensity(&self, ratio: f64) -> Worlds<'a> {
         Worlds {
             study: self.study,
             source: self.source.clone(),
@@ -408,11 +412,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The ground motion of a world at the intensity of the study; `None` where only floors are given.
-    pub(crate) fn ground(
-        &self,
-        world: u32,
-        again: u32,
-    ) -> Result<Option<Arc<GroundOfWorld>>, Problems> {
+    pub fn ground(&self, world: u32, again: u32) -> Result<Option<Arc<GroundOfWorld>>, Problems> {
         let key = (world, again);
         if let Some(found) = self
             .kept
@@ -520,7 +520,7 @@ impl<'a> Worlds<'a> {
     }
 
     /// The building of a world; `None` where the motions of floors are given.
-    pub(crate) fn building(&self, world: u32) -> Result<Option<BuildingOfWorld>, Problems> {
+    pub fn building(&self, world: u32) -> Result<Option<BuildingOfWorld>, Problems> {
         let Some(building) = &self.study.building else {
             return Ok(None);
         };
@@ -534,7 +534,7 @@ impl<'a> Worlds<'a> {
     /// The motions of some floors in these worlds, `[floor][world]`, on the current thread pool. The
     /// building of a world moves once for all its floors, and worlds with the same motion and the
     /// same building are one.
-    pub(crate) fn floors(
+    pub fn floors(
         &self,
         worlds: Range<u32>,
         levels_ratio: &[f64],
@@ -582,23 +582,19 @@ impl<'a> Worlds<'a> {
 
     /// The building whose periods and damping are this number of standard deviations from those of
     /// the study.
-    pub(crate) fn building_at(&self, normal: f64) -> BuildingDraw {
+    pub fn building_at(&self, normal: f64) -> BuildingDraw {
         self.building.at(normal, normal)
     }
 
     /// The motion of a floor in one world.
-    pub(crate) fn floor(
-        &self,
-        world: u32,
-        level_ratio: f64,
-    ) -> Result<Arc<FloorOfWorld>, Problems> {
+    pub fn floor(&self, world: u32, level_ratio: f64) -> Result<Arc<FloorOfWorld>, Problems> {
         let mut floors = self.remembered(world, &[level_ratio], Again::default(), None)?;
         Ok(floors.swap_remove(0))
     }
 
     /// The motions of some floors in one world; with `building` in place of the building that is
     /// drawn.
-    pub(crate) fn floors_of_world(
+    pub fn floors_of_world(
         &self,
         world: u32,
         levels_ratio: &[f64],

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use freestand_assess::export::{
-    ExportFormat, ExportRequest, FORMATS, check_export, check_realizations,
-};
-use freestand_assess::fragility::HazardSource;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_inventory::CellsRequest;
+use freestand_risk::export::{
+    ExportFormat, ExportRequest, FORMATS, check_export, check_realizations,
+};
+use freestand_risk::fragility::HazardSource;
 
 /// The folders that are asked for, without the quantities and costs of objects.
 pub(super) struct Exports {

@@ -8,11 +8,6 @@ use std::path::PathBuf;
 use clap::{Arg, ArgAction};
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
-use freestand_assess::export::{ExportRequest, FORMATS};
-use freestand_assess::fragility::{
-    At, FIT_METHODS, FitMethod, FragilityRequest, GivenObject, HazardSource, METHODS, Measure,
-    Method, RunObjects, RunsRequest, ShockLimits, check_replicates,
-};
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -20,6 +15,11 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_inventory::CellsRequest;
+use freestand_risk::export::{ExportRequest, FORMATS};
+use freestand_risk::fragility::{
+    At, FIT_METHODS, FitMethod, FragilityRequest, GivenObject, HazardSource, METHODS, Measure,
+    Method, RunObjects, RunsRequest, ShockLimits, check_replicates,
+};
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::block::GeneralBlock;
@@ -35,7 +35,7 @@ use crate::request::{
 use exports::Exports;
 use runs::{Chosen, RunMotions};
 
-pub use freestand_assess::fragility::FRAGILITY_SCHEMA as SCHEMA;
+pub use freestand_risk::fragility::FRAGILITY_SCHEMA as SCHEMA;
 
 request! { question
     /// How likely objects fail at an intensity, from runs or from a table of outcomes.

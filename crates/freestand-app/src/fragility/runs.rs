@@ -4,17 +4,17 @@ use std::path::Path;
 use std::sync::Arc;
 
 use freestand::rocking::Base;
-use freestand_assess::fragility::{
-    At, DEFAULT_MAX_SCALE, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
-    measures, scales,
-};
-use freestand_assess::risk::load_changed;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_records::notes::grouped;
+use freestand_risk::fragility::{
+    At, DEFAULT_MAX_SCALE, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
+    measures, scales,
+};
+use freestand_risk::load_changed;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::unsolved::rocking_problem;
 

@@ -21,7 +21,7 @@ const TABLES_WITHOUT_EFFECT: [&str; 5] =
     ["assessment", "objects", "outputs", "worlds", "restraint"];
 
 /// The key of a run in parts of `part` objects.
-pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
+pub fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
     sha256_hex(hashed(study, inventory, part).to_string().as_bytes())
 }
 

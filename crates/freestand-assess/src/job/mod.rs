@@ -6,14 +6,14 @@ mod portfolio;
 mod shards;
 mod store;
 
-pub(crate) use key::resume_key;
+pub use key::resume_key;
 pub use portfolio::Finished;
-pub(crate) use portfolio::progress_names;
+pub use portfolio::progress_names;
 pub use shards::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, check_shards,
     merge_shards, plan_shards, run_shard,
 };
-pub(crate) use store::{PROGRESS, Part, Store};
+pub use store::{PROGRESS, Part, Store};
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -492,7 +492,7 @@ fn report(
 }
 
 /// What a report says about the study and the list, whatever became of the objects.
-pub(crate) fn said(study: &Study, head: &Head) -> JobReport {
+pub fn said(study: &Study, head: &Head) -> JobReport {
     JobReport {
         assumptions: head.assumptions.clone(),
         assumed_columns: ByName(head.assumed_columns.clone()),

@@ -50,7 +50,7 @@ pub(super) struct Portfolio<'a> {
 }
 
 /// The files that a run keeps in its output folder until it is finished.
-pub(crate) fn progress_names(parts: &[Part]) -> Vec<String> {
+pub fn progress_names(parts: &[Part]) -> Vec<String> {
     Store::names(parts)
         .map(|name| format!("{}/{name}", PROGRESS))
         .collect()

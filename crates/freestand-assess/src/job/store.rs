@@ -19,7 +19,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 /// Folder of the parts inside the output folder.
-pub(crate) const PROGRESS: &str = "progress";
+pub const PROGRESS: &str = "progress";
 
 /// The file with the key of the run.
 const PLAN: &str = "plan";
@@ -55,16 +55,16 @@ pub(super) fn part_size(study: &Study, inventory: &Inventory) -> usize {
 
 /// Rows of an inventory that are assessed and stored together.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Part {
+pub struct Part {
     /// The name of its files, without their endings.
-    pub(crate) name: String,
+    pub name: String,
     /// Its rows, counted from 0.
-    pub(crate) rows: Range<usize>,
+    pub rows: Range<usize>,
 }
 
 impl Part {
     /// The parts of a run over this many rows, of `size` rows each.
-    pub(crate) fn of_run(rows: usize, size: usize) -> Vec<Self> {
+    pub fn of_run(rows: usize, size: usize) -> Vec<Self> {
         ranges(0..rows, size)
             .enumerate()
             .map(|(part, rows)| Self {
@@ -104,7 +104,7 @@ fn ranges(rows: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>>
 
 /// A folder of parts.
 #[derive(Debug)]
-pub(crate) struct Store {
+pub struct Store {
     folder: PathBuf,
     /// Locked as long as this lives: two runs in one folder would read each other's parts. `None`: the
     /// folder of a plan, in which each shard has files of its own.
@@ -114,7 +114,7 @@ pub(crate) struct Store {
 impl Store {
     /// Opens the folder for a run with this `key`. Parts of another run are removed; parts of the
     /// same run are kept if `resume` is set.
-    pub(crate) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
+    pub fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed =
             |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         refuse_links_in(folder)?;
@@ -180,7 +180,7 @@ impl Store {
     }
 
     /// Stores a part, which is then complete or absent.
-    pub(crate) fn write<T: Serialize>(&self, part: &Part, found: &[T]) -> Result<(), Problem> {
+    pub fn write<T: Serialize>(&self, part: &Part, found: &[T]) -> Result<(), Problem> {
         let path = self.folder.join(part.results_name());
         let mut lines = Vec::new();
         for one in found {
@@ -234,7 +234,7 @@ impl Store {
     }
 
     /// The rows of a stored part; `None` if the part is absent or a row cannot be read.
-    pub(crate) fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
+    pub fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
         let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();
         lines

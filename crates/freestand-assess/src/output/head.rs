@@ -16,7 +16,7 @@ use freestand_study::target::Target;
 
 /// What all outputs of an assessment share.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Head {
+pub struct Head {
     /// What the reader must know first where no study was given: whose building this is.
     pub no_study: Option<String>,
     /// Building, place, code, site, return period, motions, list: name and value in words.
@@ -67,7 +67,7 @@ fn study_name(study: &Study) -> String {
 }
 
 /// The head of an assessment of `inventory` on the floors of `study`.
-pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
+pub fn head(study: &Study, inventory: &Inventory) -> Head {
     let mut facts: Vec<(String, String)> = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("SHA-256 of the list", inventory.sha256.clone());
@@ -175,7 +175,7 @@ fn no_study(study: &Study) -> Option<String> {
 }
 
 /// `Main block, 8 storeys, 32 m high`.
-pub(crate) fn building(study: &Study) -> String {
+pub fn building(study: &Study) -> String {
     let size = study.building.as_ref().map_or_else(
         || "the study gives the motions of the floors".to_owned(),
         |building| {
@@ -194,7 +194,7 @@ pub(crate) fn building(study: &Study) -> String {
 
 /// `Melbourne (AS 1170.4, site class Ce, 500 years)`; `None` where the ground motions have no spectrum
 /// of a code.
-pub(crate) fn hazard(study: &Study) -> Option<String> {
+pub fn hazard(study: &Study) -> Option<String> {
     let target = study.ground.code_spectrum()?;
     Some(match target.place_name() {
         Some(place) => format!("{place} ({})", hazard_words(target).join(", ")),
@@ -390,7 +390,7 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
 }
 
 /// What neither the study nor the list says, in sentences.
-pub(crate) fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
+pub fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
     nobody_stated(study)
         .into_iter()
         .chain(list_is_silent(inventory))

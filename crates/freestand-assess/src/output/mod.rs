@@ -4,7 +4,7 @@
 mod csv;
 #[cfg(test)]
 pub(crate) mod fixture;
-pub(crate) mod head;
+pub mod head;
 mod hold;
 mod outcomes;
 mod overview;

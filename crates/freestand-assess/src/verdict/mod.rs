@@ -47,7 +47,7 @@ use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
 pub use followed::{Follow, Shown, ShownEarthquake};
-pub(crate) use nominal::{Nominal, NominalRun};
+pub use nominal::{Nominal, NominalRun};
 pub(crate) use object::{Subject, middle};
 pub(crate) use tally::Tally;
 

@@ -29,11 +29,11 @@ use freestand_inventory::library::Tolerance;
 
 /// An object as it is listed.
 #[derive(Debug, Clone)]
-pub(crate) struct Nominal {
+pub struct Nominal {
     /// In the plane in which it lifts first.
-    pub(crate) block: Block,
+    pub block: Block,
     /// Height of its floor over that of the building.
-    pub(crate) level_ratio: f64,
+    pub level_ratio: f64,
     subject: Subject,
     draw: Draw,
     body: Option<(f64, Cushion)>,
@@ -46,15 +46,15 @@ pub(crate) struct Nominal {
 
 /// What it did under one motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct NominalRun {
+pub struct NominalRun {
     /// How it ended.
-    pub(crate) class: OutcomeClass,
+    pub class: OutcomeClass,
     /// Largest |θ|/α of any edge, in three dimensions of the tilt and the smaller α; above 1 where it
     /// overturned; 0 where it rolls or slides. `None`: a stack, or only its pads overturned it.
-    pub(crate) rotation_ratio: Option<f64>,
+    pub rotation_ratio: Option<f64>,
     /// Shock from the uplift; `None`: it overturned or did not lift, mass or cushion is not known, or
     /// the cushion bottomed, so that the shock is above any number that can be relied on \[g\].
-    pub(crate) edge_acceleration_g: Option<f64>,
+    pub edge_acceleration_g: Option<f64>,
 }
 
 impl NominalRun {
@@ -87,7 +87,7 @@ impl Nominal {
     ///
     /// # Errors
     /// Why it cannot be followed, in words.
-    pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, String> {
+    pub fn new(item: &Item, settings: &Settings) -> Result<Self, String> {
         if item.anchored == Some(true) {
             return Err("it is anchored".to_owned());
         }
@@ -106,7 +106,7 @@ impl Nominal {
     }
 
     /// An object of any shape; `body` is its mass \[kg\] and the cushion under one edge.
-    pub(crate) fn of_block(
+    pub fn of_block(
         block: Block,
         restitution: Restitution,
         body: Option<&(f64, EdgeCushion)>,
@@ -166,7 +166,7 @@ impl Nominal {
     }
 
     /// The same on a rigid base alone, where it rocks on one: its shocks then follow from its uplift.
-    pub(crate) fn without_pads(self) -> Self {
+    pub fn without_pads(self) -> Self {
         Self {
             with_pads: false,
             ..self
@@ -174,7 +174,7 @@ impl Nominal {
     }
 
     /// Why it may fail where its runs let it stand; `None`: they are not known to be too mild.
-    pub(crate) fn too_mild(&self) -> Option<TooMild> {
+    pub fn too_mild(&self) -> Option<TooMild> {
         self.subject
             .way
             .glides()
@@ -183,7 +183,7 @@ impl Nominal {
     }
 
     /// Whether it has a tolerance that can be compared.
-    pub(crate) fn has_tolerance(&self) -> bool {
+    pub fn has_tolerance(&self) -> bool {
         let has_shock = || match self.subject.way.glides() {
             // What rolls or slides is struck by its stop alone.
             Some(gliding) => {
@@ -199,12 +199,12 @@ impl Nominal {
     }
 
     /// Whether the shock of its landings is known, however it follows from its motion in a plane.
-    pub(crate) fn has_shock(&self) -> bool {
+    pub fn has_shock(&self) -> bool {
         self.subject.way.rocks() && self.subject.way.asks(Model::Rigid) && self.body.is_some()
     }
 
     /// Whether its tolerance is compared with a shock.
-    pub(crate) fn compares_shock(&self) -> bool {
+    pub fn compares_shock(&self) -> bool {
         self.has_shock()
             && self
                 .subject
@@ -214,7 +214,7 @@ impl Nominal {
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
-    pub(crate) fn lacks_shock(&self) -> bool {
+    pub fn lacks_shock(&self) -> bool {
         self.subject.capacity.is_some() && !self.has_tolerance()
     }
 
@@ -222,7 +222,7 @@ impl Nominal {
     ///
     /// # Errors
     /// Why the shock alone does not decide whether the tolerance is exceeded, in words.
-    pub(crate) fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
+    pub fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
         let capacity = self
             .subject
             .capacity
@@ -248,7 +248,7 @@ impl Nominal {
 
     /// The shock of a landing from the balance point; `None` without mass and cushion, and where the
     /// cushion bottoms \[g\].
-    pub(crate) fn ceiling_g(&self) -> Option<f64> {
+    pub fn ceiling_g(&self) -> Option<f64> {
         let (mass_kg, cushion) = self.body.as_ref().filter(|_| self.follows_uplift())?;
         let shock_g = |landing: Landing| {
             landing.edge_acceleration_m_s2(
@@ -282,7 +282,7 @@ impl Nominal {
     /// slides, unless a stop trips it or strikes it too hard. An error says why a history has no end.
     ///
     /// `world`: the number of the motion, which decides on which side of it a wall is.
-    pub(crate) fn runs(
+    pub fn runs(
         &self,
         world: u32,
         floors: &[FloorOfWorld],

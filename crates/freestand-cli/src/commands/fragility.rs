@@ -2,10 +2,10 @@
 
 use clap::Args;
 use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
-use freestand_assess::export::{ExportRequest, export};
-use freestand_assess::fragility::{FragilityReport, FragilityRequest, fragility_watched};
 use freestand_input::problem::Problems;
 use freestand_output::json::document;
+use freestand_risk::export::{ExportRequest, export};
+use freestand_risk::fragility::{FragilityReport, FragilityRequest, fragility_watched};
 
 use super::assess::watched;
 use super::{Done, Tell, fragility_runs};

@@ -1,13 +1,11 @@
 //! `freestand fragility` of objects that are run before the fit.
 
 use freestand_app::fragility::{Runs, SCHEMA};
-use freestand_assess::export::ExportRequest;
-use freestand_assess::fragility::{
-    KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs,
-};
-use freestand_assess::risk::LEFT_OUT;
 use freestand_input::problem::Problem;
 use freestand_output::json::document;
+use freestand_risk::LEFT_OUT;
+use freestand_risk::export::ExportRequest;
+use freestand_risk::fragility::{KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs};
 
 use super::Done;
 use super::assess::watched;

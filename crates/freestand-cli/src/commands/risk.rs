@@ -2,8 +2,8 @@
 
 use clap::Args;
 use freestand_app::risk::{Meant, Risk, SCHEMA};
-use freestand_assess::risk::risk;
 use freestand_output::json::document;
+use freestand_risk::{owners_page, risk, risk_figure, text};
 
 use super::assess::watched;
 use super::fragility::{go_on, stopped};
@@ -58,15 +58,15 @@ impl Tell for Risk {
             go_on(&stop)?;
             let json = document(SCHEMA, &report, &report.warnings)?;
             files.write("risk.json", || json)?;
-            let figure = report.figure()?;
+            let figure = risk_figure(&report)?;
             if let Some(figure) = &figure {
                 files.drawn("risk", figure)?;
             }
             go_on(&stop)?;
-            files.write("report.html", || report.html(figure.as_ref()))?;
+            files.write("report.html", || owners_page(&report, figure.as_ref()))?;
         }
         files.finish_result(SCHEMA, &report.warnings)?;
-        printer.result(SCHEMA, &report, &report.warnings, || report.text())?;
+        printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
         Ok(Done {
             criterion_met: report.is_accepted(),
         })

@@ -8,8 +8,8 @@ use freestand_input::words::number;
 use super::super::measure::{At, Measure};
 use super::shaking::FloorShaking;
 use super::{Method, ObjectRuns, RunsRequest};
-use crate::verdict::NominalRun;
-use crate::worlds::FloorOfWorld;
+use freestand_assess::verdict::NominalRun;
+use freestand_assess::worlds::FloorOfWorld;
 
 /// One run.
 #[derive(Debug, Clone, PartialEq)]

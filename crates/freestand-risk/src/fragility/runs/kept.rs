@@ -15,8 +15,8 @@ use super::super::{FRAGILITY_SCHEMA, FitMethod};
 use super::follow::Followed;
 use super::levels::ROUNDS;
 use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
-use crate::job::{PROGRESS, Part, Store, progress_names, resume_key};
-use crate::verdict::NominalRun;
+use freestand_assess::job::{PROGRESS, Part, Store, progress_names, resume_key};
+use freestand_assess::verdict::NominalRun;
 use freestand_input::words::name_of;
 
 /// Number of objects in a part: some seconds of work, which is what is lost if the program is

@@ -16,8 +16,8 @@ use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::FloorShaking;
 use super::{METHODS, Method, ObjectRuns, RunObjects, figures, follow};
-use crate::job::{JobReport, said};
-use crate::output::head;
+use freestand_assess::job::{JobReport, said};
+use freestand_assess::output::head;
 
 /// Fragilities from runs.
 #[derive(Debug)]

@@ -15,7 +15,8 @@ use freestand_inventory::Rating;
 use super::costs::CostRow;
 use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
 use super::plan::Chosen;
-use super::{RiskReport, least, once_in, rounded};
+use super::report::RiskReport;
+use super::words::{least, once_in, rounded};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -46,7 +47,7 @@ const MAX_SENTENCES: usize = 3;
 const MAX_NAMED: usize = 2;
 
 /// The page for the owner: loss a year, chances, the plan, what it leaves, what is not counted.
-pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
+pub fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
     let years = number(report.years, 4);
     let hazard = measure_words(report.hazard.measure, report.hazard.at);
     let file = report

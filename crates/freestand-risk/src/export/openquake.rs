@@ -8,8 +8,8 @@ use freestand_output::json::document;
 use freestand_output::rows::csv;
 use serde_json::json;
 
+use crate::costs::CostRow;
 use crate::fragility::{AVERAGE_KEY, At, FragilityReport, Measure, MeasuredHazard};
-use crate::risk::CostRow;
 
 use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
 

@@ -13,7 +13,7 @@ use freestand_study::study::{Ground, Study};
 use rayon::prelude::*;
 
 use super::super::measure::{At, Measure};
-use crate::worlds::{Again, FloorOfWorld, Worlds};
+use freestand_assess::worlds::{Again, FloorOfWorld, Worlds};
 
 /// Worlds of a study whose ground motions are generated, if the user gives no number.
 pub const DEFAULT_WORLDS: u32 = 40;

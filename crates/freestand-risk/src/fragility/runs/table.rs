@@ -22,7 +22,7 @@ use freestand_inventory::too_mild::TOO_MILD;
 ///
 /// # Example
 /// ```
-/// use freestand_assess::fragility::{Measure, file_name};
+/// use freestand_risk::fragility::{Measure, file_name};
 /// assert_eq!(file_name("outcomes", 0, Measure::Pfv), "outcomes.csv");
 /// assert_eq!(file_name("outcomes", 1, Measure::SaAverage { from_s: 0.2, to_s: 2.0 }), "outcomes_sa_avg_0.2_2.csv");
 /// ```

@@ -16,8 +16,9 @@ use freestand_output::{answer, answer_of};
 use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 
 use super::costs::{CostRow, Costs};
+use super::objects::LOSS_STATES;
 use super::objects::{LossBounds, ObjectRisk};
-use super::{LOSS_STATES, least, rounded_value};
+use super::words::{least, rounded_value};
 use crate::fragility::MeasuredHazard;
 
 /// The return periods whose losses are stated \[years\].
@@ -579,10 +580,10 @@ mod tests {
     use freestand_input::problem::Problems;
     use freestand_study::run::no_progress;
 
-    use super::super::{RiskCurves, RiskReport, RiskRequest, risk};
     use super::*;
     use crate::fragility::FragilityRequest;
     use crate::fragility::HazardSource;
+    use crate::{RiskCurves, RiskReport, RiskRequest, risk};
 
     /// λ = 10⁻² (x/0.1 m/s)⁻², and 1000 for each object that overturns.
     fn risk_of(outcomes: &str) -> Result<RiskReport, Problems> {

@@ -10,9 +10,9 @@ use freestand_output::figure::style::{
 };
 use freestand_output::figure::{Figure, FigureError};
 
-use super::RiskReport;
 use super::plan::Chosen;
 use super::portfolio::Portfolio;
+use super::report::RiskReport;
 
 /// Height of the panels \[px\].
 const PANEL_PX: f64 = 300.0;
@@ -25,7 +25,7 @@ const RAREST: f64 = 1e5;
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
-pub(super) fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureError> {
+pub fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureError> {
     let currency = report.currency.as_deref().unwrap_or("");
     let mut panels = Vec::new();
     let mut legend = Vec::new();

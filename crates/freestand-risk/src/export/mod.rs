@@ -14,8 +14,8 @@ use freestand_input::words::{Choices, counted};
 use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
+use crate::costs::{CostRow, Costs, load_costs};
 use crate::fragility::{FragilityReport, HazardPlace, HazardSource, ObjectFragility, hazard_of};
-use crate::risk::{CostRow, Costs, load_costs};
 
 use points::Points;
 

@@ -12,7 +12,8 @@ use freestand_study::run::Progress;
 
 use super::costs::OptionRow;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
-use super::{RiskRequest, least};
+use super::request::RiskRequest;
+use super::words::least;
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
 use freestand_inventory::Rating;

@@ -1,6 +1,6 @@
 //! What people write for money, years and rates.
 
-use super::{amount, yearly_rate, years};
+use crate::{amount, yearly_rate, years};
 
 /// Units stand after the number with or without a space.
 #[test]

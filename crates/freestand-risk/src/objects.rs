@@ -14,7 +14,10 @@ use freestand_inventory::too_mild::TOO_MILD;
 
 use super::costs::{CostRow, Effect};
 use super::rates::{Open, StateRates, least_fall, object_rates};
-use super::{LOSS_STATES, rate_words};
+use super::words::rate_words;
+
+/// The states whose curves enter a loss.
+pub(crate) const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
 
 /// Whether an object fails more often than accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
