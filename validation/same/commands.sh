@@ -144,26 +144,26 @@ freestand tolerance search cabinet --json
 freestand tolerance show rack-server-operating --json
 
 # inventory
-freestand inventory check crates/freestand-assess/tests/lists/deutsch.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/english_si.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/espanol.tsv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/francais.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/italiano.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/lwh_kn.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/mixed.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/nihongo.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/sizes.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/two_tables.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/unitless.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/us_fema_e74.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/deutsch.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/english_si.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/espanol.tsv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/francais.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/italiano.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/lwh_kn.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/mixed.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/nihongo.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/sizes.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/two_tables.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/unitless.csv --json --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/us_fema_e74.csv --json --storeys 5
 freestand inventory check examples/hospital/inventory.csv --json --storeys 5
 freestand inventory check examples/museum/inventory.csv --json --storeys 5
 freestand inventory check examples/server-room/inventory.xlsx --json --storeys 5
 freestand inventory check examples/server-room/inventory.csv --json --storeys 5
-freestand inventory check crates/freestand-assess/tests/lists/deutsch.csv --storeys 5 --out checked
-freestand inventory convert crates/freestand-assess/tests/lists/deutsch.csv --to xlsx --out converted --json
+freestand inventory check crates/freestand-inventory/tests/lists/deutsch.csv --storeys 5 --out checked
+freestand inventory convert crates/freestand-inventory/tests/lists/deutsch.csv --to xlsx --out converted --json
 freestand inventory template --out template
-freestand inventory check crates/freestand-assess/tests/lists/us_fema_e74.csv --units us --storeys 5
+freestand inventory check crates/freestand-inventory/tests/lists/us_fema_e74.csv --units us --storeys 5
 
 # assess
 freestand assess crates/freestand-cli/tests/same_answer/study.toml --inventory crates/freestand-cli/tests/same_answer/list.csv --outcomes --out assessed --json --format csv,parquet

@@ -53,6 +53,18 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "freestand-report",
+        &[
+            "freestand",
+            "freestand-input",
+            "freestand-output",
+            "freestand-study",
+            "freestand-inventory",
+            "freestand-assess",
+            "freestand-risk",
+        ],
+    ),
+    (
         "freestand-app",
         &[
             "freestand",
@@ -80,6 +92,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-inventory",
             "freestand-assess",
             "freestand-risk",
+            "freestand-report",
             "freestand-app",
             "freestand-page",
         ],
@@ -94,6 +107,8 @@ const SHELL: &[&str] = &[
     "freestand-study",
     "freestand-inventory",
     "freestand-assess",
+    "freestand-risk",
+    "freestand-report",
     "freestand-app",
 ];
 

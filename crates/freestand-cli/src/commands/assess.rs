@@ -7,13 +7,8 @@ use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
 use freestand_assess::job::{Finished, Job, JobReport, assess_telling};
 use freestand_assess::output::object_rows;
-use freestand_assess::output::words::advice;
-use freestand_assess::result::Decision;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
-use freestand_input::quantity::shorten;
-use freestand_input::toml_reader::one_line;
-use freestand_input::words::counted;
 use freestand_inventory::{Inventory, problem_reports};
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
@@ -21,37 +16,16 @@ use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::run::{Progress, Step};
 use serde_json::{Map, Value};
 
+use freestand_report::assessment::assessment_text;
+
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer::{Printer, significant, table};
+use crate::printer::Printer;
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  An inventory to fill in, then its assessment in a building of 7 storeys in Christchurch:
-    freestand inventory template --csv > objects.csv
-    freestand assess --place Christchurch --storeys 7 --inventory objects.csv --out assessment
-  With your own building and hazard; the study may also name the inventory:
-    freestand assess hospital.toml --inventory hospital.xlsx --out assessment
-  With the hazard of a place, in the building of the study:
-    freestand assess hospital.toml --inventory hospital.xlsx --place \"Salt Lake City\" \\
-      --out assessment
-  Continue after Ctrl-C or a crash, in the same folder:
-    freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
-  With one cell corrected; the file itself is not changed:
-    freestand assess --inventory objects.csv --edit \"D7=900 mm\"
-  Also a Parquet table, for pandas:
-    freestand assess --inventory objects.csv --format csv,parquet
-  In a script that stops where something has to be restrained or its data are missing:
-    freestand assess hospital.toml --fail-on restrain --fail-on no-verdict
-
-Without --out the files are in freestand-assessment/. Exit status: 0 finished, whatever the
-verdicts; 1 a cell of the list could not be read, a history failed, or --fail-on applies; 2 could
-not run.
-Accepted probabilities and uncertainties are keys of [assessment] in a study; see
-docs/assessment.md.")]
+#[command(after_help = include_str!("../help/assess.txt").trim_end())]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     pub(super) request: Assess,
@@ -161,7 +135,7 @@ pub(crate) fn print(
         print_json(report, out, inventory, printer)?;
         printer.warn(&report.all_warnings());
     } else {
-        printer.print(&text(report))?;
+        printer.print(&assessment_text(report))?;
         printer.warn(&report.warnings);
     }
     Ok(())
@@ -200,101 +174,6 @@ fn print_json(
     })?;
     pending.push_str(&rows_tail(SCHEMA, report, &report.all_warnings())?);
     printer.print(&pending)
-}
-
-fn text(report: &JobReport) -> String {
-    let mut text = report
-        .no_study
-        .as_ref()
-        .map_or_else(String::new, |no_study| format!("{no_study}\n\n"));
-    text.push_str(&format!("{}\n\n", report.place));
-    let row = |one: &Decision| {
-        vec![
-            one.name().to_owned(),
-            report.count(*one).to_string(),
-            advice(*one).to_owned(),
-        ]
-    };
-    let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
-    text.push_str(&table(&["action", "objects", ""], &rows));
-    let done = report.resumed + report.computed;
-    text.push_str(&format!(
-        "\n{done} of {}",
-        counted(report.objects, "object")
-    ));
-    if report.resumed > 0 {
-        text.push_str(&format!(", {} of them from an earlier run", report.resumed));
-    }
-    text.push_str(&format!(
-        "; {}\n",
-        counted(report.histories as usize, "rocking history")
-    ));
-    if report.only_falling > 0 {
-        let objects = counted(report.only_falling, "object");
-        text.push_str(&format!("{objects} to leave: only falling was assessed\n"));
-    }
-    if !report.first.is_empty() {
-        text.push_str(&format!("\n{}", first(report)));
-    }
-    if report.failed > 0 || !report.problems.is_empty() {
-        text.push_str("\nProblems\n");
-    }
-    if report.failed > 0 {
-        text.push_str(&format!(
-            "{} with histories that failed\n",
-            counted(report.failed, "object")
-        ));
-    }
-    for problem in &report.problems {
-        text.push_str(&format!("{}\n", one_line(&KeyStyle::Flag.shown(problem))));
-    }
-    if report.interrupted {
-        text.push_str("stopped before the end: continue with --resume\n");
-    }
-    let tables = report.files.iter().filter(|name| *name != "manifest.json");
-    let named = tables.map(String::as_str).collect::<Vec<_>>().join(", ");
-    text.push_str(&format!("\nFiles in {}: {named}\n", report.out));
-    text
-}
-
-/// The most urgent objects.
-fn first(report: &JobReport) -> String {
-    let rows: Vec<Vec<String>> = report
-        .first
-        .iter()
-        .map(|one| {
-            vec![
-                one.rank.to_string(),
-                shorten(&one.id),
-                shorten(&one.item),
-                shorten(&one.floor),
-                one.action.name().to_owned(),
-                one.chance.clone(),
-                one.force_n
-                    .map_or_else(|| "-".to_owned(), |force_n| significant(force_n, 3)),
-            ]
-        })
-        .collect();
-    let mut text = table(
-        &[
-            "rank",
-            "id",
-            "item",
-            "floor",
-            "action",
-            "probability",
-            "force [N]",
-        ],
-        &rows,
-    );
-    let done = report.resumed + report.computed;
-    if done > report.first.len() {
-        text.push_str(&format!(
-            "… and {} more: worklist.csv, objects.csv\n",
-            done - report.first.len()
-        ));
-    }
-    text
 }
 
 #[cfg(test)]

@@ -6,20 +6,17 @@ use freestand_output::answer::Answer;
 use freestand_study::check::Check;
 use freestand_study::resolve::motion_paths;
 
+use freestand_report::table::lines;
+
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, lines};
+use crate::printer::Printer;
 
 /// Check a study without running it, and show how it was understood
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand check study.toml
-  freestand check study.toml --json
-  freestand check            (the built-in study)
-  freestand check study.toml --place Wellington --site D")]
+#[command(after_help = include_str!("../help/check.txt").trim_end())]
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(super) request: CheckStudy,

@@ -13,12 +13,7 @@ use crate::printer::Printer;
 
 /// Print a script with which your shell completes commands and flags
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand completions bash > ~/.local/share/bash-completion/completions/freestand
-  freestand completions zsh > ~/.zfunc/_freestand
-  freestand completions fish > ~/.config/fish/completions/freestand.fish
-  freestand completions powershell >> $PROFILE")]
+#[command(after_help = include_str!("../help/completions.txt").trim_end())]
 pub(crate) struct CompletionsArgs {
     /// Shell
     #[arg(value_name = "SHELL", value_enum)]

@@ -7,12 +7,14 @@ use freestand_output::json::document;
 use freestand_risk::export::{ExportRequest, export};
 use freestand_risk::fragility::{FragilityReport, FragilityRequest, fragility_watched};
 
+use freestand_report::fragility::curves_text;
+
 use super::assess::watched;
 use super::{Done, Tell, fragility_runs};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
-use crate::printer::{Column, Printer, facts_table};
+use crate::printer::Printer;
 use crate::stop::Stop;
 
 /// Calculate fragilities: how likely it is that an object rocks, is damaged or overturns
@@ -26,52 +28,13 @@ use crate::stop::Stop;
 /// [m/s], no_uplift, rocked, exceeded, overturned. The measure is one of pga [g], pgv [m/s], pfa
 /// [g], pfv [m/s], sa(0.5) [g], sa_avg(0.2:2) [g], velocity_ratio and acceleration_ratio.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  One object under motions of its floor, which are scaled up until they overturn it:
-    freestand fragility --height 1.8m --thickness 0.5m --motion floor/*.csv --out fragility
-  With its shock and its tolerance, by several measures:
-    freestand fragility --height 1.8m --thickness 0.5m --mass 150kg --stiffness \"4380 N/mm\" \\
-      --tolerance 5g --motion floor/*.csv --im \"pfv, pfa, sa(0.5), velocity_ratio\" --out fragility
-  The objects of an inventory in the building and the earthquakes of a study:
-    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility
-  Every object under every motion at the same intensities, for the losses of freestand risk:
-    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
-      --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
-  The same, with intensities added until they tell how often objects fail under a hazard:
-    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
-      --hazard hazard.csv --out stripes
-  Continue the runs of an inventory after Ctrl-C or a crash, in the same folder:
-    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility --resume
-  The probability of exceeding the tolerance from the shocks below the ceiling:
-    freestand fragility --height 1.8m --thickness 0.5m --mass 150kg --stiffness \"4380 N/mm\" \\
-      --tolerance 5g --motion floor/*.csv --fit two-stage --out fragility
-  The fit alone:
-    freestand fragility --outcomes outcomes.csv --out fragility
-    freestand fragility --outcomes outcomes.csv --fit separate --json
-    freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
-  Folders for other programs; --inventory then has quantities, costs, floors and coordinates:
-    freestand fragility --outcomes outcomes.csv --format pelicun --demand \"0.4 m/s\" --out export
-    freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
-      --site-coordinates \"151.2,-33.9\" --hazard hazard.csv --inventory costs.csv --out export")]
+#[command(after_help = include_str!("../help/fragility.txt").trim_end())]
 pub(crate) struct FragilityArgs {
     #[command(flatten)]
     pub(super) request: Fragility,
     #[command(flatten)]
     pub(super) output: TableArgs,
 }
-
-const COLUMNS: [Column; 9] = [
-    ("id", "object", 0),
-    ("limit_state", "limit state", 0),
-    ("kind", "curve", 0),
-    ("median", "median", 4),
-    ("median_ci95", "95 %", 0),
-    ("beta", "beta", 3),
-    ("beta_ci95", "95 %", 0),
-    ("lower", "none below", 4),
-    ("upper", "all above", 4),
-];
 
 impl Tell for Fragility {
     type Output = TableArgs;
@@ -182,14 +145,4 @@ impl Exported {
 pub(super) fn write(made: Vec<(String, Vec<u8>)>, files: &Files) -> Result<(), Failure> {
     made.into_iter()
         .try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
-}
-
-/// The curves by one measure, for people.
-pub(super) fn curves_text(report: &FragilityReport) -> String {
-    let measure = report.table.measure.with_unit();
-    format!(
-        "Intensities: {measure} of the {}\n\n{}",
-        report.at.name(),
-        facts_table(report.rows(), &COLUMNS)
-    )
 }

@@ -7,24 +7,15 @@ use freestand_risk::LEFT_OUT;
 use freestand_risk::export::ExportRequest;
 use freestand_risk::fragility::{KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs};
 
+use freestand_report::fragility::runs_text;
+
 use super::Done;
 use super::assess::watched;
-use super::fragility::{Exported, curves_text, go_on, stopped, write};
+use super::fragility::{Exported, go_on, stopped, write};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table};
-
-const MEASURE_COLUMNS: [Column; 8] = [
-    ("id", "object", 0),
-    ("limit_state", "limit state", 0),
-    ("im", "measure", 0),
-    ("efficiency", "efficiency", 3),
-    ("practicality", "practicality", 3),
-    ("proficiency", "proficiency", 3),
-    ("p_mean_period", "p mean period", 0),
-    ("p_pgv_over_pga", "p PGV/PGA", 0),
-];
+use crate::printer::Printer;
 
 /// The runs and their fit.
 pub(super) fn run(
@@ -81,7 +72,7 @@ pub(super) fn run(
         .into_iter()
         .filter(|warning| !is_said(warning))
         .collect();
-    printer.result(SCHEMA, &report, &told, || text(&report))?;
+    printer.result(SCHEMA, &report, &told, || runs_text(&report))?;
     Ok(Done {
         criterion_met: !has_errors,
     })
@@ -123,14 +114,4 @@ fn write_runs(
     files.figure("measures", || report.measures_figure())?;
     files.figure("residuals", || report.residuals_figure())?;
     go_on()
-}
-
-fn text(report: &RunsReport) -> String {
-    let mut text = format!("{}\n", report.summary());
-    for fit in &report.reports {
-        text.push_str(&format!("\n{}", curves_text(fit)));
-    }
-    let measures = facts_table(report.measure_rows(), &MEASURE_COLUMNS);
-    text.push_str(&format!("\n{measures}"));
-    text
 }

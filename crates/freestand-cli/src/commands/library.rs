@@ -4,28 +4,14 @@
 use std::slice;
 
 use freestand_app::library::{Library, List, Listed, Meant, Search, Show, Wanted};
-use freestand_input::words::counted;
+
+use freestand_report::library::{Layout, entries_text, entry_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, pairs, table};
-
-/// Labels and values.
-pub(crate) type Fields = Vec<(&'static str, Option<String>)>;
-
-/// How the entries of a library are printed.
-#[derive(Debug)]
-pub(crate) struct Layout<E> {
-    /// A list: its headings, the cells of an entry, and a remark after the count.
-    pub(crate) headings: [&'static str; 6],
-    pub(crate) cells: fn(&E) -> [String; 6],
-    pub(crate) remark: &'static str,
-    /// All fields of an entry, of which empty ones are left out, and the notice that it requires.
-    pub(crate) fields: fn(&E) -> Fields,
-    pub(crate) notice: fn(&E) -> &str,
-}
+use crate::printer::Printer;
 
 /// A library whose entries are printed.
 pub(crate) trait Printed: Library {
@@ -62,31 +48,13 @@ fn print<L: Printed>(
     };
     let listed = Listed { entries };
     let files = Files::begin(global, inputs)?;
-    let text = || match (wanted, listed.entries.as_slice()) {
-        (Wanted::WithId(_), entries) => entries.iter().map(|entry| shown(*entry, layout)).collect(),
-        (_, []) => "no entry contains all of these words\n".to_owned(),
-        (_, entries) => {
-            let rows: Vec<_> = entries
-                .iter()
-                .map(|entry| (layout.cells)(entry).to_vec())
-                .collect();
-            table(&layout.headings, &rows)
-                + &format!("{}; {}\n", counted(rows.len(), "entry"), layout.remark)
+    let text = || match wanted {
+        Wanted::WithId(_) => {
+            let shown = listed.entries.iter();
+            shown.map(|entry| entry_text(*entry, layout)).collect()
         }
+        _ => entries_text(&listed.entries, layout),
     };
     files.print(printer, L::SCHEMA, &listed, &library.warnings, text)?;
     Ok(Done::OK)
-}
-
-fn shown<E>(entry: &E, layout: &Layout<E>) -> String {
-    let fields = (layout.fields)(entry).into_iter();
-    let given =
-        fields.filter_map(|(name, value)| Some((name, value.filter(|value| !value.is_empty())?)));
-    let notice = (layout.notice)(entry);
-    let notice = if notice.is_empty() {
-        String::new()
-    } else {
-        format!("\n{notice}\n")
-    };
-    pairs(&given.collect::<Vec<_>>()) + &notice
 }

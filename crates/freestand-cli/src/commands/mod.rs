@@ -22,7 +22,6 @@ mod shard;
 mod shock;
 mod shock_spectrum;
 mod spectrum;
-mod spectrum_text;
 mod tolerance;
 mod validate;
 
@@ -86,18 +85,7 @@ pub(crate) trait Tell: Question + Clone {
     propagate_version = false,
     subcommand_required = true
 )]
-#[command(after_help = "\
-Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
-Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;
-130 stopped by Ctrl-C.
-
-Examples:
-  freestand object --height \"2 m\" --thickness \"300 mm\" --place Melbourne
-  freestand run
-  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
-    --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
-  freestand motion info record.AT2
-  freestand validate")]
+#[command(after_help = include_str!("../help/freestand.txt").trim_end())]
 pub(crate) struct Cli {
     #[command(flatten)]
     pub(crate) global: GlobalArgs,

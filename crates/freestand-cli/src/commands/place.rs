@@ -2,26 +2,22 @@
 
 use clap::{Args, Subcommand};
 use freestand_app::places::{Found, PlaceList, PlaceShow, SCHEMA};
-use freestand_input::words::counted;
-use freestand_study::places::{Confidence, Place};
+use freestand_study::places::Place;
+
+use freestand_report::place::{place_text, places_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, pairs, table};
+use crate::printer::Printer;
 
 /// Show the places whose seismic hazard is built in, each with its source
 ///
 /// Commands take them by name: --place Wellington, or place = "Wellington" in [ground] of a study.
 /// A value that is approximate was recalled and not read: confirm it before you rely on it.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand place list
-  freestand place list \"new zealand\" --json
-  freestand place show wellington
-  freestand run --place \"Los Angeles\" --site C --out results")]
+#[command(after_help = include_str!("../help/place.txt").trim_end())]
 pub(crate) struct PlaceArgs {
     #[command(subcommand)]
     command: PlaceCommand,
@@ -30,20 +26,13 @@ pub(crate) struct PlaceArgs {
 #[derive(Debug, Subcommand)]
 enum PlaceCommand {
     /// List all places, or those of a country or a code
-    #[command(after_help = "\
-Examples:
-  freestand place list
-  freestand place list greece
-  freestand place list asce7 --json")]
+    #[command(after_help = include_str!("../help/place_list.txt").trim_end())]
     List {
         #[command(flatten)]
         request: PlaceList,
     },
     /// Show one place with its values and their source
-    #[command(after_help = "\
-Examples:
-  freestand place show melbourne
-  freestand place show \"Salt Lake City\" --json")]
+    #[command(after_help = include_str!("../help/place_show.txt").trim_end())]
     Show {
         #[command(flatten)]
         request: PlaceShow,
@@ -70,7 +59,7 @@ impl Tell for PlaceList {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        print(found, &[], list, (global, printer))
+        print(found, &[], places_text, (global, printer))
     }
 }
 
@@ -84,7 +73,12 @@ impl Tell for PlaceShow {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let doubts: Vec<String> = place.doubt().into_iter().collect();
-        print(vec![place], &doubts, |_| one(place), (global, printer))
+        print(
+            vec![place],
+            &doubts,
+            |_| place_text(place),
+            (global, printer),
+        )
     }
 }
 
@@ -98,46 +92,4 @@ fn print(
     let files = Files::begin(global, &[])?;
     files.print(printer, SCHEMA, &found, warnings, || text(&found.0))?;
     Ok(Done::OK)
-}
-
-fn list(found: &[&Place]) -> String {
-    let row = |place: &&Place| {
-        let (code, values) = (place.hazard.code_title().to_owned(), place.hazard.words());
-        vec![
-            place.name.to_owned(),
-            place.whereabouts(),
-            code,
-            values,
-            place.confidence.name().to_owned(),
-        ]
-    };
-    let rows: Vec<Vec<String>> = found.iter().map(row).collect();
-    let mut text = table(&["place", "in", "code", "hazard", "confidence"], &rows);
-    text.push_str(&format!("\n{}", counted(found.len(), "place")));
-    let approximate = found
-        .iter()
-        .filter(|place| place.confidence == Confidence::Approximate)
-        .count();
-    if approximate > 0 {
-        text.push_str(&format!(
-            "; {approximate} approximate: confirm those values before you rely on them"
-        ));
-    }
-    text.push('\n');
-    text
-}
-
-fn one(place: &Place) -> String {
-    let rows = [
-        ("place", place.name.to_owned()),
-        ("in", place.whereabouts()),
-        (
-            "code",
-            format!("{} ({})", place.hazard.code_title(), place.hazard.code()),
-        ),
-        ("hazard", place.hazard.words()),
-        ("source", place.source.to_owned()),
-        ("confidence", place.confidence.name().to_owned()),
-    ];
-    pairs(&rows)
 }

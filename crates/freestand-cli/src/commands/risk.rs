@@ -19,19 +19,7 @@ use crate::printer::Printer;
 /// the object fails at it. Costs come from the inventory; the program assumes none, and lists those
 /// that are missing. Exit status 1: an object fails more often than accepted.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  How often objects fail, with the hazard curve of a seismologist:
-    freestand risk --fragility fragility.csv --hazard hazard.csv
-  With a power law as hazard curve:
-    freestand risk --fragility fragility.csv --hazard-im pgv \\
-      --hazard-power \"k0=1e-4 /yr, k=2.5, reference=1 m/s\"
-  With the return periods of a code, for the peak ground acceleration:
-    freestand risk --fragility fragility.csv --hazard-code as1170.4 --hazard-im pga \\
-      --site De --hazard-factor 0.12 --accepted \"1e-3 /yr\"
-  What failures cost, and what to restrain first:
-    freestand risk --outcomes outcomes.csv --hazard hazard.csv --inventory costs.csv \\
-      --options options.csv --budget \"20000 AUD\" --horizon \"40 yr\" --discount \"3 %\"")]
+#[command(after_help = include_str!("../help/risk.txt").trim_end())]
 pub(crate) struct RiskArgs {
     #[command(flatten)]
     pub(super) request: Risk,

@@ -8,48 +8,18 @@ use freestand_output::facts::Facts;
 use freestand_study::drawn::DrawnHistory;
 use serde::Serialize;
 
+use freestand_report::table::{Column, facts_table, lines};
+
 use super::motion::plot::{PlotArgs, place};
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs, refuse_one_for_two, write_table};
-use crate::printer::{Column, Printer, facts_table, lines};
+use crate::printer::Printer;
 
 /// Follow one object under a motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  A cabinet under a record, with the shock on its pads:
-    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
-      --mass \"140 kg\" --stiffness \"4380 N/mm\"
-  A column of accelerations in g every 5 ms, multiplied by 2, with the history in a file:
-    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m \\
-      --thickness 0.3m --history history.csv
-  Several motions, a result and a figure for each:
-    freestand rock --motion a.AT2 b.AT2 --height 1.5m --thickness 0.3m --plot --out histories
-  The same cabinet 50 mm in front of a wall, with the shock where its top strikes the wall:
-    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
-      --mass \"140 kg\" --wall-gap 50mm --wall-stiffness \"2000 N/mm\"
-  Free rocking from a rotation of 5 degrees:
-    freestand rock --initial-rotation 5deg --height 1.5m --thickness 0.4m
-  A low chest that slides before it can rock, with 20 cm of room on its left:
-    freestand rock --motion record.AT2 --sliding --friction 0.3 --friction-kinetic 0.25 \
-      --height 0.8m --thickness 0.6m --clearance-left \"200 mm\"
-  A trolley on casters, as a figure:
-    freestand rock --motion record.AT2 --casters --rolling-resistance 0.02 --height 1.4m \
-      --thickness 0.6m --plot trolley.svg
-  A cabinet released on its pads, with the history of the landing:
-    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
-      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing
-  A cabinet in three dimensions under two components of a record, with its walk from above:
-    freestand rock --base compliant --motion record.csv --components \"1, 2\" --height \"2.1 m\" \
-      --thickness \"500 mm\" --width \"700 mm\" --mass \"200 kg\" --stiffness \"4000 N/mm\" \
-      --law kelvin-voigt --damping 5% --friction 0.5 --plot walk.svg
-  A vase on a pedestal:
-    freestand rock --base compliant --motion record.AT2 --height \"1 m\" --thickness \"400 mm\" \
-      --mass \"150 kg\" --stiffness \"4000 N/mm\" --law kelvin-voigt --damping 5% \
-      --upper-height \"600 mm\" --upper-thickness \"150 mm\" --upper-mass \"12 kg\" \
-      --interface-stiffness \"300 N/mm\"")]
+#[command(after_help = include_str!("../help/rock.txt").trim_end())]
 pub(crate) struct RockArgs {
     #[command(flatten)]
     pub(super) request: Rock,

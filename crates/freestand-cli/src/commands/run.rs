@@ -8,41 +8,26 @@ use clap::Args;
 use freestand_app::files::Files as Sources;
 use freestand_app::request::Question as _;
 use freestand_app::run::{Meant, Run};
-use freestand_input::words::counted;
 use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{builtin_toml, motion_paths};
-use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
+use freestand_study::result::NoResult;
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::summary::{LevelSummary, RunAnswer, Summary};
+use freestand_study::summary::{RunAnswer, Summary};
 use freestand_study::vary::vary;
+
+use freestand_report::study::{levels_text, sensitivity_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, table};
+use crate::printer::Printer;
 
 /// Run a whole study: motions, building, spectra of a grid of objects, figures and report
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  The built-in study: a 30-storey building in a 500-year Melbourne earthquake, site class D:
-    freestand run
-  The built-in study as a file to edit, then the edited study:
-    freestand run --dump-study > study.toml
-    freestand run study.toml --out results
-  The built-in study in another place, which brings its code:
-    freestand run --place Wellington --site D --return-period 1000 --out results
-  The built-in study under your own record:
-    freestand run --motion record.AT2 --out results
-  How the result depends on each assumption, or on those named:
-    freestand run --vary
-    freestand run study.toml --vary \"damping = 2 %, 10 %\" --vary site
-  Both horizontal components, with objects that may rock in any direction:
-    freestand run --motion record.V2 --components both \\
-      --rotation-step \"10 deg\" --out results")]
+#[command(after_help = include_str!("../help/run.txt").trim_end())]
 pub(crate) struct RunArgs {
     #[command(flatten)]
     request: Run,
@@ -155,7 +140,7 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
                 .iter()
                 .filter(|name| !name.contains('/'))
                 .count();
-            text(levels, result.motions.len(), start.elapsed().as_secs_f64())
+            levels_text(levels, result.motions.len(), start.elapsed().as_secs_f64())
                 + &result
                     .sensitivity
                     .as_ref()
@@ -179,58 +164,6 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
     })
 }
 
-/// The variations at the highest level; `vary.csv` has those of all levels.
-fn sensitivity_text(sensitivity: &Sensitivity) -> String {
-    let height = |row: &VariedLevel| row.level_ratio.unwrap_or(-1.0);
-    let Some(highest) = sensitivity
-        .rows
-        .iter()
-        .max_by(|a, b| height(a).total_cmp(&height(b)))
-    else {
-        return String::new();
-    };
-    let rows: Vec<Vec<String>> = sensitivity
-        .rows
-        .iter()
-        .filter(|row| row.level == highest.level)
-        .map(|row| {
-            let changed = match &row.reason {
-                _ if row.value.is_empty() => "unchanged".to_owned(),
-                None => format!("{} = {}", row.parameter, row.value),
-                Some(reason) => format!("{} = {}: {reason}", row.parameter, row.value),
-            };
-            vec![
-                changed,
-                optional(row.pfa_g_median, 3, ""),
-                row.overturned_share
-                    .map_or_else(|| "-".to_owned(), |share| format!("{:.1} %", 100.0 * share)),
-                optional(row.edge_acceleration_g_median, 3, ""),
-                optional(row.edge_acceleration_ratio, 3, ""),
-            ]
-        })
-        .collect();
-    let headings = [
-        "changed",
-        "median PFA g",
-        "overturned",
-        "largest median shock g",
-        "shock ratio",
-    ];
-    let mut text = format!(
-        "\n{}, one value changed at a time:\n{}",
-        highest.level,
-        table(&headings, &rows)
-    );
-    text.push_str(
-        "shock ratio: sum of the median shocks divided by that of the unchanged study, without objects that overturn in either\n",
-    );
-    for reason in &sensitivity.left_out {
-        text.push_str(reason);
-        text.push('\n');
-    }
-    text
-}
-
 /// Prints the built-in study as TOML, with the seed of `--seed`.
 fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let study = match global.seed {
@@ -244,43 +177,4 @@ fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     files.finish(SCHEMA, &body, &[])?;
     printer.result(SCHEMA, &body, &[], || study)?;
     Ok(Done::OK)
-}
-
-fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {
-    let criterion = levels.iter().any(|level| level.exceeded_objects.is_some());
-    let rows: Vec<Vec<String>> = levels
-        .iter()
-        .map(|level| {
-            let mut row = vec![
-                level.level.clone(),
-                optional(level.pfa_g_median, 3, ""),
-                format!("{:.1} %", 100.0 * level.uplift_share),
-                format!("{:.1} %", 100.0 * level.overturned_share),
-                optional(level.edge_acceleration_g_median, 3, ""),
-                optional(level.edge_acceleration_g_max, 3, ""),
-                level.failed.to_string(),
-            ];
-            row.extend(level.exceeded_objects.map(|objects| objects.to_string()));
-            row
-        })
-        .collect();
-    let mut headings = vec![
-        "level",
-        "median PFA g",
-        "uplift",
-        "overturned",
-        "largest median shock g",
-        "largest shock g",
-        "failed",
-    ];
-    headings.extend(criterion.then_some("objects above tolerance"));
-    let histories: usize = levels.iter().map(|level| level.histories).sum();
-    let (motions, histories) = (
-        counted(motions, "motion"),
-        counted(histories, "rocking history"),
-    );
-    format!(
-        "{}\n{motions}, {histories}, {seconds:.1} s\n",
-        table(&headings, &rows)
-    )
 }

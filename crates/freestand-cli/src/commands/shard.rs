@@ -7,11 +7,13 @@ use freestand_app::shard::{
     MERGE_SCHEMA, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
 };
 use freestand_assess::job::{
-    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards,
-    plan_shards, run_shard,
+    Merged, PLAN_SCHEMA, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards,
+    run_shard,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
+
+use freestand_report::assessment::{missing_text, plan_text, quoted};
 
 use super::assess::{print, watched};
 use super::fragility::stopped;
@@ -25,18 +27,7 @@ use crate::printer::{Printer, significant};
 /// The results are those of freestand assess, byte for byte, whatever the number of shards, their
 /// order, the machines and what was killed in between.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand shard plan city.toml --inventory city.csv --shards 2000 --out plan
-  freestand shard run plan --shard 17
-  freestand shard merge plan --out results
-  On a cluster with SLURM:
-    sbatch --array=0-1999 --cpus-per-task=1 \\
-      --wrap 'freestand shard run plan --shard $SLURM_ARRAY_TASK_ID --threads 1'
-  With GNU parallel on one machine:
-    seq 0 1999 | parallel freestand shard run plan --shard {} --threads 1
-
-docs/shards.md has the details.")]
+#[command(after_help = include_str!("../help/shard.txt").trim_end())]
 pub(crate) struct ShardArgs {
     #[command(subcommand)]
     command: ShardCommand,
@@ -54,14 +45,7 @@ enum ShardCommand {
 /// The study, its records and the inventory are copied into the folder, so that shards do not depend
 /// on the originals. The same plan may be made again: the folder is then left as it is.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand shard plan city.toml --inventory city.csv --shards 2000 --out plan
-  freestand shard plan city.toml --inventory city.xlsx --sheet North --shards 40 --seed 7 --out plan
-  freestand shard plan --inventory objects.csv --place Wellington --shards 8 --out plan --json
-
-Take shards of some minutes of work: 200 objects or more. Exit status: 0 planned; 1 planned, but a
-cell of the list could not be read; 2 could not run.")]
+#[command(after_help = include_str!("../help/shard_plan.txt").trim_end())]
 struct PlanArgs {
     #[command(flatten)]
     request: ShardPlan,
@@ -72,14 +56,7 @@ struct PlanArgs {
 /// A shard that is finished is left as it is, at once. One that was killed is continued. Shards may
 /// run at the same time, in any order.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand shard run plan --shard 17
-  freestand shard run plan --shard \"$SLURM_ARRAY_TASK_ID\" --threads 1
-  A loop in a shell:
-    for shard in $(seq 0 6); do freestand shard run plan --shard $shard; done
-
-Exit status: 0 the shard is finished; 2 could not run; 130 stopped, the finished parts are kept.")]
+#[command(after_help = include_str!("../help/shard_run.txt").trim_end())]
 struct RunArgs {
     #[command(flatten)]
     request: ShardRun,
@@ -89,13 +66,7 @@ struct RunArgs {
 ///
 /// The files are those of freestand assess, with objects.parquet.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand shard merge plan --out results
-  freestand shard merge plan --out results --json
-
-Exit status: 0 done; 1 shards are missing, which are listed with the command that runs them (nothing
-is written), a cell of the list could not be read, or a history failed; 2 could not run.")]
+#[command(after_help = include_str!("../help/shard_merge.txt").trim_end())]
 struct MergeArgs {
     #[command(flatten)]
     request: ShardMerge,
@@ -154,38 +125,11 @@ impl Tell for ShardPlan {
             .chain(said)
             .chain(report.warnings.clone())
             .collect();
-        printer.result(PLAN_SCHEMA, &report, &warnings, || planned(&report))?;
+        printer.result(PLAN_SCHEMA, &report, &warnings, || plan_text(&report))?;
         Ok(Done {
             criterion_met: !inventory.has_errors(),
         })
     }
-}
-
-fn planned(report: &PlanReport) -> String {
-    let PlanReport {
-        out,
-        shards,
-        rows,
-        rows_most,
-        was_planned,
-        place,
-        ..
-    } = report;
-    let again = if *was_planned {
-        " (planned before; nothing was written)"
-    } else {
-        ""
-    };
-    let dir = quoted(out);
-    let last = shards - 1;
-    format!(
-        "{place}\n\n{} in {} of at most {rows_most}, in {out}{again}\n\n\
-         Run each shard, on any machine that sees this folder, then merge:\n  \
-         for shard in $(seq 0 {last}); do freestand shard run {dir} --shard $shard; done\n  \
-         freestand shard merge {dir} --out results\n",
-        counted(*rows, "object"),
-        counted(*shards, "shard")
-    )
 }
 
 impl Tell for ShardRun {
@@ -243,9 +187,6 @@ impl Tell for ShardRun {
     }
 }
 
-/// Missing shards that are listed by their commands.
-const LISTED: usize = 20;
-
 impl Tell for ShardMerge {
     type Output = ();
 
@@ -283,7 +224,7 @@ impl Tell for ShardMerge {
                         } else {
                             format!("{} shards are", missing.len())
                         },
-                        listed(&commands, &missing, &dir)
+                        missing_text(&commands, &missing, &dir)
                     ))?;
                 }
                 Ok(Done {
@@ -298,30 +239,5 @@ impl Tell for ShardMerge {
                 })
             }
         }
-    }
-}
-
-/// A command for each missing shard, or one loop where they are many.
-fn listed(commands: &[String], missing: &[usize], dir: &str) -> String {
-    if commands.len() <= LISTED {
-        return commands
-            .iter()
-            .map(|command| format!("  {command}\n"))
-            .collect();
-    }
-    let numbers: Vec<String> = missing.iter().map(usize::to_string).collect();
-    format!(
-        "  for shard in {}; do freestand shard run {dir} --shard $shard; done\n",
-        numbers.join(" ")
-    )
-}
-
-/// A path as a shell reads it.
-fn quoted(path: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@%".contains(c);
-    if !path.is_empty() && path.chars().all(is_plain) {
-        path.to_owned()
-    } else {
-        format!("'{}'", path.replace('\'', "'\\''"))
     }
 }

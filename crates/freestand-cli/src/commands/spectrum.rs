@@ -16,7 +16,8 @@ use freestand_study::spectrum::{SpectrumMotion, SpectrumRequest, chunk_objects, 
 use freestand_study::unsolved;
 use serde::Serialize;
 
-use super::spectrum_text::Seen;
+use freestand_report::spectrum::Seen;
+
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -27,31 +28,7 @@ use crate::rows::{ROWS, Rows};
 
 /// Calculate uplift and shock spectra: a grid of objects under one or more records
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  Uplift of 64 × 64 objects:
-    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" \\
-      --json
-  Shock of four cabinets on their pads under two records:
-    freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" \\
-      --thicknesses \"300 mm, 400 mm\" --mass 150kg --stiffness \"4380 N/mm\"
-  The same objects 20 mm in front of a wall; the rows also contain the speed at the wall:
-    freestand spectrum --motion record.AT2 --heights \"1.5 m, 2 m\" \\
-      --thicknesses \"300 mm, 400 mm\" --wall-gap 20mm
-  Uplift on the roof of 30 storeys in Melbourne, under ten synthetic motions:
-    freestand spectrum --place Melbourne --site De --level-ratio 1 --storeys 30 \\
-      --heights \"0.3 m:3 m:64\" --thicknesses \"0.1 m:1 m:64\" --csv rows.csv
-  A million objects in a file, each with its sensitivity to an error of the motion:
-    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
-      --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
-  The same as a table with types and units, for pandas, polars or DuckDB:
-    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
-      --thicknesses \"0.1 m:1 m:1000\" --parquet rows.parquet
-  Trolleys with brakes on half of their wheels, which slide or rock according to their size:
-    freestand spectrum --motion record.AT2 --heights \"0.8 m:1.6 m:9\" --thicknesses \"0.4 m\" \\
-      --casters --brakes --friction 0.25
-
-Rows are written as they are calculated: a large grid needs time and disk space, not memory.")]
+#[command(after_help = include_str!("../help/spectrum.txt").trim_end())]
 pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     pub(super) request: Spectrum,

@@ -7,11 +7,13 @@ use freestand_app::cushion_curve::{CushionCurve, Meant, SCHEMA};
 use freestand_output::answer::Answer;
 use freestand_study::laboratory::cushion_curve::cushion_curve;
 
+use freestand_report::table::lines;
+
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, lines};
+use crate::printer::Printer;
 
 /// Fit a cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
 ///
@@ -20,12 +22,7 @@ use crate::printer::{Printer, lines};
 /// the energy per volume of cushion, so that a few tests give the curves of all heights and
 /// thicknesses.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  The curve, the best load on 50 mm for drops from 600 mm, and the smallest thickness for 40 g:
-    freestand cushion curve foam.csv --drop-height 600mm --thickness 50mm --limit 40g
-  The thickness for 70 kg on 0.02 m2:
-    freestand cushion curve foam.csv --drop-height 600mm --mass 70kg --area \"0.02 m2\" --limit 40g")]
+#[command(after_help = include_str!("../../help/cushion_curve.txt").trim_end())]
 pub(crate) struct CurveArgs {
     #[command(flatten)]
     pub(super) request: CushionCurve,

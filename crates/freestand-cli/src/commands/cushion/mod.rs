@@ -16,13 +16,7 @@ use crate::printer::Printer;
 
 /// Evaluate and simulate tests of cushions, and show a library of typical cushions
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand cushion drop drop-*.csv --mass 0.365kg --height \"100 mm\" --out pad
-  freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 \\
-    --out drops
-  freestand cushion list")]
+#[command(after_help = include_str!("../../help/cushion.txt").trim_end())]
 pub(crate) struct CushionArgs {
     #[command(subcommand)]
     command: CushionCommand,

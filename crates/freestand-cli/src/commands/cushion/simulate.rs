@@ -10,27 +10,18 @@ use freestand_study::laboratory::virtual_laboratory::{
     SimulatedTest, SimulatedTests, drop_file, static_file,
 };
 
+use freestand_report::cushion::SIMULATED;
+use freestand_report::table::facts_table;
+
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table};
+use crate::printer::Printer;
 
 /// Simulate drop tests and static tests of a cushion, with the imperfections of real ones
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm \\
-    --noise 0.5% --bias 1g --count 5 --out drops
-  freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm \\
-    > drop.csv
-  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% \\
-    --mass 0.365kg --height 100mm --bounces 1
-  freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% \\
-    > press.csv
-
-Without --out, the file is printed. The first touch lies between two samples. Its place and the
-noise depend on --seed and on the number of the test.")]
+#[command(after_help = include_str!("../../help/cushion_simulate.txt").trim_end())]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     pub(super) request: VirtualTests,
@@ -76,7 +67,7 @@ impl Tell for VirtualTests {
             return Ok(Done::OK);
         }
         printer.result(SCHEMA, &report, notes, || {
-            facts_table(report.tests.iter().map(Answer::facts), &COLUMNS)
+            facts_table(report.tests.iter().map(Answer::facts), &SIMULATED)
         })?;
         Ok(Done::OK)
     }
@@ -113,11 +104,3 @@ fn simulated(
     };
     Ok((text, test))
 }
-
-const COLUMNS: [Column; 5] = [
-    ("path", "test", 0),
-    ("peak_acceleration_g", "peak [g]", 5),
-    ("contact_time_s", "contact time [ms]", 5),
-    ("samples_per_contact", "samples per contact", 4),
-    ("restitution_ratio", "restitution", 4),
-];

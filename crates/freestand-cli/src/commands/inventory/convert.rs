@@ -18,14 +18,7 @@ use crate::printer::Printer;
 
 /// Convert an inventory to CSV or XLSX; every cell is kept
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Writes OUTFILE, or a file into the folder of --out; without either, CSV is printed. Text that a
-spreadsheet would read as a formula (= + - @) gets a leading ' in CSV, which is removed when the
-file is read again.
-
-Examples:
-  freestand inventory convert objects.xlsx --to csv > objects.csv
-  freestand inventory convert objects.csv --to xlsx objects.xlsx")]
+#[command(after_help = include_str!("../../help/inventory_convert.txt").trim_end())]
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(super) request: InventoryConvert,

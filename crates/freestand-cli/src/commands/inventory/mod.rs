@@ -22,11 +22,7 @@ use crate::printer::Printer;
 
 /// Create, check and convert inventories of objects
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand inventory template --xlsx objects.xlsx
-  freestand inventory check objects.xlsx
-  freestand inventory convert objects.xlsx --to csv > objects.csv")]
+#[command(after_help = include_str!("../../help/inventory.txt").trim_end())]
 pub(crate) struct InventoryArgs {
     #[command(subcommand)]
     command: InventoryCommand,

@@ -17,11 +17,7 @@ use crate::printer::Printer;
 /// Write an inventory to fill in, with units and three examples; without a file, it is printed as
 /// CSV
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand inventory template > objects.csv
-  freestand inventory template --xlsx objects.xlsx
-  freestand inventory template --xlsx --out hospital")]
+#[command(after_help = include_str!("../../help/inventory_template.txt").trim_end())]
 pub(crate) struct TemplateArgs {
     #[command(flatten)]
     pub(super) output: NewFile,

@@ -24,10 +24,7 @@ use crate::printer::Printer;
 ///
 /// Writes into the folder of --out; without it, a single motion is printed.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion convert record.AT2 --to csv > record.csv
-  freestand motion convert a.csv b.csv --to at2 --out converted")]
+#[command(after_help = include_str!("../../help/motion_convert.txt").trim_end())]
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(super) request: MotionConvert,

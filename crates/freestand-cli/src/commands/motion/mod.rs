@@ -19,11 +19,7 @@ use crate::printer::Printer;
 
 /// Read, measure, convert, rotate, synthesise, match and simulate motions
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion info record.AT2
-  freestand motion spectrum record.AT2 --damping 5% --periods \"0.05 s:3 s:60\"
-  freestand motion synth --site De --city Melbourne --count 3 --out motions")]
+#[command(after_help = include_str!("../../help/motion.txt").trim_end())]
 pub(crate) struct MotionArgs {
     #[command(subcommand)]
     command: MotionCommand,

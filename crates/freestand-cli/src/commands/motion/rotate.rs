@@ -16,11 +16,7 @@ use crate::printer::Printer;
 ///
 /// Writes into the folder of --out; without it, the motion is printed.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion rotate record.v2 --to \"30 deg\" > record-30.csv
-  freestand motion rotate north.AT2 east.AT2 --azimuths \"0 deg, 90 deg\" --to \"30 deg\" \\
-    --format at2 --out rotated")]
+#[command(after_help = include_str!("../../help/motion_rotate.txt").trim_end())]
 pub(crate) struct RotateArgs {
     #[command(flatten)]
     pub(super) request: Rotate,

@@ -2,7 +2,9 @@
 
 use clap::Args;
 use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM, SpectrumAnswer};
-use freestand_study::inspect::{SpectrumReport, spectrum};
+use freestand_study::inspect::spectrum;
+
+use freestand_report::motion::response_text;
 
 use super::info::Output;
 use super::plot::place;
@@ -10,15 +12,11 @@ use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, significant, table};
+use crate::printer::Printer;
 
 /// Calculate the response spectrum of a record, exact for a motion that is linear between samples
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion spectrum record.AT2
-  freestand motion spectrum record.AT2 --damping \"2 %, 5 %\" --plot spectrum.svg
-  freestand motion spectrum record.AT2 --upsample 10 --periods \"0.02 s, 0.05 s, 0.1 s\" --json")]
+#[command(after_help = include_str!("../../help/motion_spectrum.txt").trim_end())]
 pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     pub(super) request: MotionSpectrum,
@@ -53,27 +51,8 @@ impl Tell for MotionSpectrum {
             plots,
         };
         files.print(printer, SPECTRUM, &document, &report.warnings, || {
-            text(&report)
+            response_text(&report)
         })?;
         Ok(Done::OK)
     }
-}
-
-fn text(report: &SpectrumReport) -> String {
-    let several = !report.more.is_empty();
-    let mut headings = vec!["T [s]", "SD [m]", "PSV [m/s]", "PSA [g]", "SA [g]"];
-    headings.extend(several.then_some("damping"));
-    let mut rows = Vec::new();
-    for one in report.all() {
-        for (i, &period_s) in report.periods_s.iter().enumerate() {
-            let mut row: Vec<String> = [one.sd_m[i], one.psv_m_s[i], one.psa_g[i], one.sa_g[i]]
-                .iter()
-                .map(|&value| significant(value, 5))
-                .collect();
-            row.insert(0, significant(period_s, 4));
-            row.extend(several.then(|| one.damping_ratio.to_string()));
-            rows.push(row);
-        }
-    }
-    table(&headings, &rows)
 }

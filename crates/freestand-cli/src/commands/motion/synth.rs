@@ -3,25 +3,21 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
-use freestand_output::answer::Answer as _;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
+
+use freestand_report::motion::fits_text;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, cells, headings, table};
+use crate::printer::Printer;
 
 /// Make synthetic motions that fit a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion synth --site De --city Melbourne --count 10 --seed 1 --out motions
-  freestand motion synth --hazard-factor 0.11 --return-period 2500 --count 3 --json
-  freestand motion synth --code asce7 --sds 1g --sd1 0.6g --long-period 8s --out motions
-  freestand motion synth --spectrum uhs.csv --beyond hold --out motions")]
+#[command(after_help = include_str!("../../help/motion_synth.txt").trim_end())]
 pub(crate) struct SynthArgs {
     #[command(flatten)]
     pub(super) request: Synth,
@@ -29,10 +25,7 @@ pub(crate) struct SynthArgs {
 
 /// Match a record to a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched
-  freestand motion match record.AT2 --site De --method fft --match-pga --json")]
+#[command(after_help = include_str!("../../help/motion_match.txt").trim_end())]
 pub(crate) struct MatchArgs {
     #[command(flatten)]
     pub(super) request: Match,
@@ -94,27 +87,6 @@ fn finish(
     }
     let warnings = [&report.warnings(), notes].concat();
     files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || text(&report))?;
+    printer.result(SCHEMA, &report, &warnings, || fits_text(&report))?;
     Ok(Done::OK)
-}
-
-const COLUMNS: [Column; 7] = [
-    ("rms_misfit_ratio", "rms [%]", 3),
-    ("worst_misfit_ratio", "worst [%]", 3),
-    ("worst_misfit_period_s", "at T [s]", 3),
-    ("pga_g", "PGA [g]", 3),
-    ("target_zpa_g", "Sa(0) [g]", 3),
-    ("pgv_m_s", "PGV [m/s]", 3),
-    ("d5_95_s", "D5-95 [s]", 3),
-];
-
-fn text(report: &FitReport) -> String {
-    let row = |one: &FittedMotion| {
-        let name = one.path.clone().unwrap_or_else(|| one.name.clone());
-        [vec![name], cells(&one.facts(), &COLUMNS)].concat()
-    };
-    table(
-        &[&["motion"], &headings(&COLUMNS)[..]].concat(),
-        &report.motions.iter().map(row).collect::<Vec<_>>(),
-    )
 }

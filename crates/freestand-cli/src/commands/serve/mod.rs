@@ -23,13 +23,7 @@ use crate::printer::Printer;
 /// The page asks this program; nothing leaves the machine. It is served on 127.0.0.1 only, to whoever
 /// has the address with its token. Ctrl-C ends it.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  freestand serve
-  freestand serve --port 8080 --no-open
-  freestand serve --folder results          (the results of assessments stay there)
-From another machine, through a tunnel; then open the printed address here:
-  ssh -L 8080:127.0.0.1:8080 workstation freestand serve --port 8080 --no-open")]
+#[command(after_help = include_str!("../../help/serve.txt").trim_end())]
 pub(crate) struct ServeArgs {
     /// Port on 127.0.0.1 [default: any free one]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]

@@ -1,12 +1,12 @@
 //! The text of `freestand spectrum`: all rows of a small grid; for a large one, the first few rows,
 //! where to find the others, and a summary of each motion.
 
-use freestand_input::words::counted;
+use freestand_input::words::{counted, significant};
 use freestand_study::spectrum::{
     SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming,
 };
 
-use crate::printer::{Column, cells, headings, optional, significant, table};
+use crate::table::{Column, cells, headings, optional, table};
 
 /// The largest number of rows that are all shown; if there are more, only the first few are.
 const MAX_SHOWN_ROWS: usize = 200;
@@ -52,9 +52,9 @@ const OF_SENSITIVITY: [Column; 2] = [
 
 /// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
-pub(crate) struct Seen {
+pub struct Seen {
     /// One for each motion.
-    pub(crate) tallies: Vec<SpectrumTally>,
+    pub tallies: Vec<SpectrumTally>,
     rows: Vec<Vec<String>>,
     total: usize,
     walls: bool,
@@ -65,7 +65,7 @@ pub(crate) struct Seen {
 
 impl Seen {
     /// For `total` rows of this number of motions.
-    pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
+    pub fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
         let tallies = vec![SpectrumTally::default(); motions];
         let (walls, slides) = (!request.walls.is_none(), request.surface.is_some());
         let has_pads = request.cushion.is_some();
@@ -94,7 +94,8 @@ impl Seen {
             .collect()
     }
 
-    pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
+    /// Adds the rows of a chunk.
+    pub fn add(&mut self, chunk: &SpectrumChunk) {
         let keep = if self.total > MAX_SHOWN_ROWS {
             FIRST_ROWS
         } else {
@@ -107,7 +108,7 @@ impl Seen {
     }
 
     /// The text; `place` is the file with all rows.
-    pub(crate) fn text(
+    pub fn text(
         &self,
         motions: &[SpectrumMotion],
         place: Option<&str>,

@@ -1,0 +1,49 @@
+//! Fragilities.
+
+use freestand_risk::fragility::{FragilityReport, RunsReport};
+
+use crate::table::{Column, facts_table};
+
+const COLUMNS: [Column; 9] = [
+    ("id", "object", 0),
+    ("limit_state", "limit state", 0),
+    ("kind", "curve", 0),
+    ("median", "median", 4),
+    ("median_ci95", "95 %", 0),
+    ("beta", "beta", 3),
+    ("beta_ci95", "95 %", 0),
+    ("lower", "none below", 4),
+    ("upper", "all above", 4),
+];
+
+/// The curves by one measure, for people.
+pub fn curves_text(report: &FragilityReport) -> String {
+    let measure = report.table.measure.with_unit();
+    format!(
+        "Intensities: {measure} of the {}\n\n{}",
+        report.at.name(),
+        facts_table(report.rows(), &COLUMNS)
+    )
+}
+
+const MEASURE_COLUMNS: [Column; 8] = [
+    ("id", "object", 0),
+    ("limit_state", "limit state", 0),
+    ("im", "measure", 0),
+    ("efficiency", "efficiency", 3),
+    ("practicality", "practicality", 3),
+    ("proficiency", "proficiency", 3),
+    ("p_mean_period", "p mean period", 0),
+    ("p_pgv_over_pga", "p PGV/PGA", 0),
+];
+
+/// Curves from runs, and how well each measure does.
+pub fn runs_text(report: &RunsReport) -> String {
+    let mut text = format!("{}\n", report.summary());
+    for fit in &report.reports {
+        text.push_str(&format!("\n{}", curves_text(fit)));
+    }
+    let measures = facts_table(report.measure_rows(), &MEASURE_COLUMNS);
+    text.push_str(&format!("\n{measures}"));
+    text
+}

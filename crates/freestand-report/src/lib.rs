@@ -1,0 +1,16 @@
+//! Results as people read them, in plain text: one module for each kind of result. A function takes the
+//! struct that the calculation gives, and calculates nothing itself.
+
+pub mod assessment;
+pub mod cushion;
+pub mod fragility;
+pub mod library;
+pub mod list;
+pub mod motion;
+pub mod object;
+pub mod place;
+pub mod restraint;
+pub mod spectrum;
+pub mod study;
+pub mod table;
+pub mod validation;
