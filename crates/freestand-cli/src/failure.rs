@@ -9,22 +9,55 @@ use freestand_output::figure::FigureError;
 pub(crate) enum Failure {
     /// The problems; never empty.
     Problems(Vec<Problem>),
-    /// The user stopped it; `printed` tells whether part of the result was already printed.
-    Stopped { printed: bool },
-    /// The user stopped it after the finished part was written.
-    StoppedAfterWriting,
-    /// The user stopped the runs of an inventory; the finished runs are kept.
-    StoppedKeepingRuns,
-    /// The user stopped a shard, of which the finished parts are kept.
-    StoppedInShard,
+    /// The user stopped it.
+    Stopped(Left),
     /// Standard output was closed by its reader.
     BrokenPipe,
+}
+
+/// What is left of a command that the user stopped.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Left {
+    /// Nothing.
+    Nothing,
+    /// What was printed before.
+    Printed,
+    /// The files of what was finished.
+    Written,
+    /// The finished runs of an inventory.
+    Runs,
+    /// The finished parts of a shard.
+    Parts,
+}
+
+impl Left {
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Self::Nothing => "nothing was written; the results of an earlier run are unchanged",
+            Self::Printed => {
+                "the printed output is incomplete; no file was written, and earlier results are unchanged"
+            }
+            Self::Written => "what was finished was written; continue with --resume",
+            Self::Runs => "the finished runs are kept; continue with --resume",
+            Self::Parts => {
+                "the finished parts of the shard are kept; the same command continues it"
+            }
+        }
+    }
 }
 
 impl Failure {
     /// A wrong argument.
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Problem::value(message, hint).into()
+    }
+
+    /// What it leaves, where the user stopped it.
+    pub(crate) fn leaving(self, left: Left) -> Self {
+        match self {
+            Self::Stopped(_) => Self::Stopped(left),
+            other => other,
+        }
     }
 
     /// A calculation that failed.
@@ -45,7 +78,7 @@ impl Failure {
 
 impl From<Problem> for Failure {
     fn from(problem: Problem) -> Self {
-        Self::Problems(vec![problem])
+        Problems::from(problem).into()
     }
 }
 
@@ -57,7 +90,11 @@ impl From<FigureError> for Failure {
 
 impl From<Problems> for Failure {
     fn from(error: Problems) -> Self {
-        Self::Problems(error.problems)
+        if error.is_stopped() {
+            Self::Stopped(Left::Nothing)
+        } else {
+            Self::Problems(error.problems)
+        }
     }
 }
 
@@ -98,4 +135,20 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
         (None, None) => "see --help".to_owned(),
     };
     Failure::usage(message, hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A program that was stopped ends with 130, whatever it was doing.
+    #[test]
+    fn work_that_was_stopped_is_no_problem() {
+        let stopped = Failure::from(Problem::stopped());
+        assert!(matches!(stopped, Failure::Stopped(Left::Nothing)));
+        let kept = stopped.leaving(Left::Runs);
+        assert!(matches!(kept, Failure::Stopped(Left::Runs)));
+        let wrong = Failure::usage("wrong", "right").leaving(Left::Runs);
+        assert!(matches!(wrong, Failure::Problems(_)));
+    }
 }

@@ -28,29 +28,8 @@ fn main() -> ExitCode {
         Ok(code) => code,
         // The reader of our output has closed it (`freestand … | head`): there is no one to tell.
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
-        Err(Failure::Stopped { printed }) => {
-            let hint = match printed {
-                false => "nothing was written; the results of an earlier run are unchanged",
-                true => {
-                    "the printed output is incomplete; no file was written, and earlier results are unchanged"
-                }
-            };
-            printer::print_failure(&Failure::usage("stopped", hint));
-            ExitCode::from(stop::EXIT_STATUS)
-        }
-        Err(Failure::StoppedInShard) => {
-            let hint = "the finished parts of the shard are kept; the same command continues it";
-            printer::print_failure(&Failure::usage("stopped", hint));
-            ExitCode::from(stop::EXIT_STATUS)
-        }
-        Err(Failure::StoppedKeepingRuns) => {
-            let hint = "the finished runs are kept; continue with --resume";
-            printer::print_failure(&Failure::usage("stopped", hint));
-            ExitCode::from(stop::EXIT_STATUS)
-        }
-        Err(Failure::StoppedAfterWriting) => {
-            let hint = "what was finished was written; continue with --resume";
-            printer::print_failure(&Failure::usage("stopped", hint));
+        Err(Failure::Stopped(left)) => {
+            printer::print_failure(&Failure::usage("stopped", left.words()));
             ExitCode::from(stop::EXIT_STATUS)
         }
         Err(failure) => {

@@ -7,7 +7,7 @@ use freestand_output::facts::{
     JsonColumn, csv_header, csv_rows, json_columns, json_rows, parquet_columns, parquet_values,
 };
 use freestand_output::parquet::{ParquetFile, provenance};
-use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
+use freestand_output::streamed::{StreamedFile, rows_head, rows_in_columns, rows_tail};
 use freestand_study::spectrum::{SpectrumChunk, column_type};
 use serde::Serialize;
 
@@ -57,21 +57,6 @@ impl Parquet {
         }
         Ok(Self::Begun(file))
     }
-}
-
-/// A document whose rows are one array for each column.
-fn in_columns(schema: &str, columns: &[JsonColumn], tail: &str) -> Result<Vec<u8>, Failure> {
-    let mut text = rows_head(schema)?.trim_end_matches('[').as_bytes().to_vec();
-    text.push(b'{');
-    for (i, (name, values)) in columns.iter().enumerate() {
-        text.extend(format!("{}\n    \"{name}\": [", if i == 0 { "" } else { "," }).bytes());
-        // No comma precedes the first member of an array.
-        text.extend(values.get(1..).unwrap_or_default());
-        text.push(b']');
-    }
-    text.extend(b"\n  }");
-    text.extend(tail.trim_start().trim_start_matches(']').bytes());
-    Ok(text)
 }
 
 impl Rows {
@@ -175,7 +160,7 @@ impl Rows {
         }
         files.finish_result(self.schema, warnings)?;
         if let Some((session, columns)) = printer.session().zip(self.columns.as_ref()) {
-            session.keep(&in_columns(self.schema, columns, &tail)?);
+            session.keep(&rows_in_columns(self.schema, columns, &tail)?);
             session.told_in_columns();
         } else if !printer.json() {
             printer.print(&text())?;

@@ -1,9 +1,11 @@
 //! Ctrl-C and SIGTERM: the first signal asks the work to stop and clean up, the second ends the
 //! program at once.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use freestand_input::Problem;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
@@ -52,6 +54,24 @@ impl Stop {
 
     pub(crate) fn wanted(&self) -> bool {
         self.0.load(Ordering::Relaxed)
+    }
+
+    /// For work that asks at every step: a problem once the user wants to stop.
+    pub(crate) fn go_on(&self) -> Result<(), Problem> {
+        if self.wanted() {
+            Err(Problem::stopped())
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The same for work that reports its progress.
+    pub(crate) fn flow(&self) -> ControlFlow<()> {
+        if self.wanted() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 }
 

@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde_json::json;
 use tempfile::TempPath;
 
+use crate::facts::JsonColumn;
 use crate::json::document;
 use crate::paths::{clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input};
 use freestand_input::problem::{Problem, ProblemKind};
@@ -146,6 +147,28 @@ pub fn rows_tail<T: Serialize>(
 ) -> Result<String, Problem> {
     let (_, tail) = split(schema, others, warnings)?;
     Ok(format!("\n  ],\n{tail}"))
+}
+
+/// A document whose rows are one array for each column; `tail` is the text after its rows.
+///
+/// # Errors
+/// None in practice: see [`rows_head`].
+pub fn rows_in_columns(
+    schema: &str,
+    columns: &[JsonColumn],
+    tail: &str,
+) -> Result<Vec<u8>, Problem> {
+    let mut text = rows_head(schema)?.trim_end_matches('[').as_bytes().to_vec();
+    text.push(b'{');
+    for (i, (name, values)) in columns.iter().enumerate() {
+        text.extend(format!("{}\n    \"{name}\": [", if i == 0 { "" } else { "," }).bytes());
+        // No comma precedes the first member of an array.
+        text.extend(values.get(1..).unwrap_or_default());
+        text.push(b']');
+    }
+    text.extend(b"\n  }");
+    text.extend(tail.trim_start().trim_start_matches(']').bytes());
+    Ok(text)
 }
 
 /// A document, split after its `schema`.

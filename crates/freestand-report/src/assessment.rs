@@ -137,19 +137,23 @@ pub fn plan_text(report: &PlanReport) -> String {
 /// Missing shards that are listed by their commands.
 const LISTED: usize = 20;
 
-/// A command for each missing shard, or one loop where they are many.
+/// The shards that are missing: a command for each, or one loop where they are many.
 pub fn missing_text(commands: &[String], missing: &[usize], dir: &str) -> String {
-    if commands.len() <= LISTED {
-        return commands
-            .iter()
-            .map(|command| format!("  {command}\n"))
-            .collect();
-    }
-    let numbers: Vec<String> = missing.iter().map(usize::to_string).collect();
-    format!(
-        "  for shard in {}; do freestand shard run {dir} --shard $shard; done\n",
-        numbers.join(" ")
-    )
+    let shards = match missing.len() {
+        1 => "1 shard is".to_owned(),
+        many => format!("{many} shards are"),
+    };
+    let run = if commands.len() <= LISTED {
+        let lines = commands.iter().map(|command| format!("  {command}\n"));
+        lines.collect()
+    } else {
+        let numbers: Vec<String> = missing.iter().map(usize::to_string).collect();
+        format!(
+            "  for shard in {}; do freestand shard run {dir} --shard $shard; done\n",
+            numbers.join(" ")
+        )
+    };
+    format!("{shards} not finished, so nothing was written. Run them:\n{run}")
 }
 
 /// A path as a shell reads it.

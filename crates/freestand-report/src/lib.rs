@@ -10,6 +10,7 @@ pub mod motion;
 pub mod object;
 pub mod place;
 pub mod restraint;
+pub mod rocking;
 pub mod spectrum;
 pub mod study;
 pub mod table;

@@ -1,6 +1,5 @@
 //! `freestand assess`: which objects of an inventory must be restrained.
 
-use std::ops::ControlFlow;
 use std::path::Path;
 
 use clap::Args;
@@ -20,7 +19,7 @@ use freestand_report::assessment::assessment_text;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::printer::Printer;
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
@@ -81,7 +80,7 @@ impl Tell for Assess {
         })?;
         print(&report, &out, &inventory, printer)?;
         if report.interrupted {
-            return Err(Failure::StoppedAfterWriting);
+            return Err(Failure::Stopped(Left::Written));
         }
         let mut fail_on = meant.fail_on.iter();
         let is_named = fail_on.any(|verdict| report.count(*verdict) > 0);
@@ -107,11 +106,7 @@ pub(crate) fn watched<T>(
                 session.progress(stage.name(), step.done, step.total);
             }
         }
-        if stop.wanted() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        stop.flow()
     };
     let done = work(&progress);
     bar.finish_and_clear();

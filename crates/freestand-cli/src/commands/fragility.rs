@@ -15,7 +15,6 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::Printer;
-use crate::stop::Stop;
 
 /// Calculate fragilities: how likely it is that an object rocks, is damaged or overturns
 ///
@@ -72,44 +71,25 @@ fn fit(
     // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
     let found = watched(printer, |progress| fragility_watched(request, progress));
-    let mut report = found.map_err(stopped)?;
+    let mut report = found?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = Exported::of(&report, exports)?;
     report.warnings.extend(exported.warnings);
     if files.wanted() {
-        let go_on = || go_on(&stop);
         files.table("fragility", || report.table())?;
-        go_on()?;
+        stop.go_on()?;
         files.table("empirical", || report.empirical_table())?;
-        go_on()?;
+        stop.go_on()?;
         let json = document(SCHEMA, &report, &report.warnings)?;
         files.write("fragility.json", || json)?;
-        go_on()?;
+        stop.go_on()?;
         files.figure("fragility", || report.figure())?;
-        go_on()?;
+        stop.go_on()?;
         write(exported.files, &files)?;
     }
     files.finish_result(SCHEMA, &report.warnings)?;
     printer.result(SCHEMA, &report, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
-}
-
-/// Refuses to continue after a signal.
-pub(super) fn go_on(stop: &Stop) -> Result<(), Failure> {
-    if stop.wanted() {
-        Err(Failure::Stopped { printed: false })
-    } else {
-        Ok(())
-    }
-}
-
-/// The failure of a calculation, which a signal may have stopped.
-pub(super) fn stopped(problems: Problems) -> Failure {
-    if problems.is_stopped() {
-        Failure::Stopped { printed: false }
-    } else {
-        problems.into()
-    }
 }
 
 /// Folders for other programs.

@@ -11,9 +11,9 @@ use freestand_report::fragility::runs_text;
 
 use super::Done;
 use super::assess::watched;
-use super::fragility::{Exported, go_on, stopped, write};
+use super::fragility::{Exported, write};
 use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::files::Files;
 use crate::printer::Printer;
 
@@ -45,10 +45,8 @@ pub(super) fn run(
     // Made before the runs, so that no signal is missed between them and the files.
     let stop = printer.stop();
     let found = watched(printer, |progress| fragility_of_runs(&request, progress));
-    let report = found.map_err(|problems| match is_kept && problems.is_stopped() {
-        true => Failure::StoppedKeepingRuns,
-        false => stopped(problems),
-    })?;
+    let left = if is_kept { Left::Runs } else { Left::Nothing };
+    let report = found.map_err(|problems| Failure::from(problems).leaving(left))?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = report.first().map(|first| Exported::of(first, exports));
     let exported = exported.transpose()?.unwrap_or_default();
@@ -58,9 +56,9 @@ pub(super) fn run(
         .chain(report.warnings.iter().cloned());
     let warnings: Vec<String> = of_runs.chain(exported.warnings).collect();
     if files.wanted() {
-        let go_on = || match is_kept {
-            true if stop.wanted() => Err(Failure::StoppedKeepingRuns),
-            _ => go_on(&stop),
+        let go_on = || {
+            stop.go_on()
+                .map_err(|stopped| Failure::from(stopped).leaving(left))
         };
         write_runs(&report, &warnings, &files, go_on)?;
         write(exported.files, &files)?;

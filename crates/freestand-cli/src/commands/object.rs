@@ -42,10 +42,7 @@ impl Tell for Object {
             session.and_then(Session::follow),
         );
         let shown = one_object_shown(&object, &memory, follow.as_ref(), &|| stop.wanted());
-        let (report, shown) = shown.map_err(|problems| match problems.is_stopped() {
-            true => Failure::Stopped { printed: false },
-            false => problems.into(),
-        })?;
+        let (report, shown) = shown?;
         if let Some((session, shown)) = session.zip(shown.as_ref()) {
             session.beside(shown);
         }

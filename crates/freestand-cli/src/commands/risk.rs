@@ -6,7 +6,6 @@ use freestand_output::json::document;
 use freestand_risk::{owners_page, risk, risk_figure, text};
 
 use super::assess::watched;
-use super::fragility::{go_on, stopped};
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -40,17 +39,17 @@ impl Tell for Risk {
         let files = Files::with_tables(global, &meant.inputs, tables, SCHEMA, seed)?;
         // Before the fits, so that no signal is missed between them and the files.
         let stop = printer.stop();
-        let report = watched(printer, |progress| risk(&meant.risk, progress)).map_err(stopped)?;
+        let report = watched(printer, |progress| risk(&meant.risk, progress))?;
         if files.wanted() {
             files.table("risk", || report.table())?;
-            go_on(&stop)?;
+            stop.go_on()?;
             let json = document(SCHEMA, &report, &report.warnings)?;
             files.write("risk.json", || json)?;
             let figure = risk_figure(&report)?;
             if let Some(figure) = &figure {
                 files.drawn("risk", figure)?;
             }
-            go_on(&stop)?;
+            stop.go_on()?;
             files.write("report.html", || owners_page(&report, figure.as_ref()))?;
         }
         files.finish_result(SCHEMA, &report.warnings)?;

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_app::rock::{Answer, Asked, Meant, OfMotion, Results, Rock, SCHEMA};
-use freestand_output::facts::Facts;
+use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA};
 use freestand_study::drawn::DrawnHistory;
 use serde::Serialize;
 
-use freestand_report::table::{Column, facts_table, lines};
+use freestand_report::rocking::followed_text;
+use freestand_report::table::lines;
 
 use super::motion::plot::{PlotArgs, place};
 use super::{Done, Tell};
@@ -54,26 +54,6 @@ struct Document {
 struct Beside {
     history: DrawnHistory,
 }
-
-/// The table of several motions of an object that rocks.
-const ROCKING: [Column; 6] = [
-    ("motion", "motion", 0),
-    ("outcome", "outcome", 0),
-    ("peak_rotation_rad", "rotation [rad]", 4),
-    ("uplift_m", "uplift [mm]", 4),
-    ("cg_rise_m", "rise [mm]", 4),
-    ("impact_count", "impacts", 0),
-];
-
-/// The table of several motions of an object that slides.
-const SLIDING: [Column; 6] = [
-    ("motion", "motion", 0),
-    ("outcome", "outcome", 0),
-    ("slide_peak_m", "slide [mm]", 4),
-    ("slide_final_m", "at the end [mm]", 4),
-    ("slide_speed_max_m_s", "speed [m/s]", 4),
-    ("clearance_speed_m_s", "at the clearance [m/s]", 4),
-];
 
 impl Tell for Rock {
     type Output = Output;
@@ -163,18 +143,13 @@ impl Tell for Rock {
 
 /// The result for people.
 fn text(results: &Results) -> String {
-    let results = match results {
-        Results::One(answer) => return lines(&answer.facts()),
-        Results::Each { results } => results,
-    };
-    let row = |one: &OfMotion| {
-        Facts::default()
-            .key("motion", one.motion.clone())
-            .and(one.answer.facts())
-    };
-    let slides = matches!(results.first(), Some(one) if matches!(one.answer, Answer::Slides(_)));
-    facts_table(
-        results.iter().map(row),
-        if slides { &SLIDING } else { &ROCKING },
-    )
+    match results {
+        Results::One(answer) => lines(&answer.facts()),
+        Results::Each { results } => {
+            let first = results.first().map(|one| &one.answer);
+            let slides = matches!(first, Some(Answer::Slides(_)));
+            let each = results.iter();
+            followed_text(each.map(|one| (&*one.motion, one.answer.facts())), slides)
+        }
+    }
 }

@@ -1,6 +1,5 @@
 //! `freestand run`: a whole study, from the ground motions to the report.
 
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::time::Instant;
 
@@ -21,7 +20,7 @@ use freestand_report::study::{levels_text, sensitivity_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::files::Files;
 use crate::printer::Printer;
 
@@ -88,11 +87,7 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
         } else {
             change
         });
-        if stop.wanted() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        stop.flow()
     };
     let tell = |index: usize, count: usize, words: &str| {
         if let Ok(mut change) = change.lock() {
@@ -109,7 +104,7 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
     });
     if stop.wanted() {
         bar.finish_and_clear();
-        return Err(Failure::Stopped { printed: false });
+        return Err(Failure::Stopped(Left::Nothing));
     }
     let result = result?;
     bar.set_message("writing");

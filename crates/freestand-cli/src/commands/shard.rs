@@ -16,10 +16,9 @@ use freestand_input::words::counted;
 use freestand_report::assessment::{missing_text, plan_text, quoted};
 
 use super::assess::{print, watched};
-use super::fragility::stopped;
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::printer::{Printer, significant};
 
 /// Divide an assessment into shards that run on any machines, and put their results together
@@ -148,14 +147,8 @@ impl Tell for ShardRun {
                 hint,
             ));
         }
-        let report =
-            watched(printer, |progress| run_shard(&dir, shard, progress)).map_err(|error| {
-                if error.is_stopped() {
-                    Failure::StoppedInShard
-                } else {
-                    error.into()
-                }
-            })?;
+        let run = watched(printer, |progress| run_shard(&dir, shard, progress));
+        let report = run.map_err(|problems| Failure::from(problems).leaving(Left::Parts))?;
         printer.result(SHARD_SCHEMA, &report, &[], || {
             let ShardReport {
                 index,
@@ -206,27 +199,16 @@ impl Tell for ShardMerge {
         let merged = watched(printer, |progress| {
             merge_shards(&dir, out, global.force, progress)
         });
-        match merged.map_err(stopped)? {
+        match merged? {
             Merged::Missing(missing) => {
                 let dir = quoted(&dir.display().to_string());
                 let commands: Vec<String> = missing
                     .iter()
                     .map(|shard| format!("freestand shard run {dir} --shard {shard}"))
                     .collect();
-                if printer.json() {
-                    let body = MissingShards { missing, commands };
-                    printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
-                } else {
-                    printer.print(&format!(
-                        "{} not finished, so nothing was written. Run them:\n{}",
-                        if missing.len() == 1 {
-                            "1 shard is".to_owned()
-                        } else {
-                            format!("{} shards are", missing.len())
-                        },
-                        missing_text(&commands, &missing, &dir)
-                    ))?;
-                }
+                let body = MissingShards { missing, commands };
+                let text = || missing_text(&body.commands, &body.missing, &dir);
+                printer.result(MERGE_SCHEMA, &body, &[], text)?;
                 Ok(Done {
                     criterion_met: false,
                 })

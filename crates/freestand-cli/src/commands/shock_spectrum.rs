@@ -2,7 +2,6 @@
 
 use clap::Args;
 use freestand_app::shock_spectrum::{Meant, SCHEMA, Shock, ShockSpectrum};
-use freestand_input::problem::Problem;
 use freestand_study::recorded::ReadMotion;
 
 use freestand_report::motion::shock_spectrum_text;
@@ -51,14 +50,7 @@ impl Tell for ShockSpectrum {
             session.check_oscillators(meant.spectrum.frequencies_hz.len(), samples)?;
         }
         let stop = printer.stop();
-        let go_on = || {
-            if stop.wanted() {
-                Err(Problem::stopped())
-            } else {
-                Ok(())
-            }
-        };
-        let report = meant.spectra(go_on)?;
+        let report = meant.spectra(|| stop.go_on())?;
         let files = Files::with_tables(global, meant.inputs(), tables, SCHEMA, None)?;
         files.table("shock_spectrum", || report.table())?;
         files.figure("shock_spectrum", || report.figure())?;

@@ -8,7 +8,6 @@ use freestand::respond::{HistoryOptions, RigidHistory};
 use freestand::rocking::Base;
 use freestand_app::spectrum::{Meant, Others, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
-use freestand_input::problem::Problem;
 use freestand_study::at_place::LastGround;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::rock::edge_landings;
@@ -20,7 +19,7 @@ use freestand_report::spectrum::Seen;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::files::path_text;
 use crate::files::{Files, refuse_one_for_two};
 use crate::printer::Printer;
@@ -69,13 +68,7 @@ impl Tell for Spectrum {
             inputs,
         } = meant;
         let stop = printer.stop();
-        let shaken = shaking.motions(&LAST, || {
-            if stop.wanted() {
-                Err(Problem::stopped().into())
-            } else {
-                Ok(())
-            }
-        })?;
+        let shaken = shaking.motions(&LAST, || Ok(stop.go_on()?))?;
         let (motions, mut warnings) = (shaken.motions, shaken.warnings);
         let files = Files::begin(global, &inputs)?;
         let paths = (output.csv.as_deref(), output.parquet.as_deref());
@@ -94,17 +87,17 @@ impl Tell for Spectrum {
         let bar = printer.progress_bar(printer.json());
         bar.set_length(total as u64);
         bar.set_message("rocking histories");
+        let left = if printer.json() {
+            Left::Printed
+        } else {
+            Left::Nothing
+        };
         let solved = spectrum(&request, &motions, chunk_objects, |chunk| {
             rows.write(chunk)?;
             seen.add(chunk);
             bar.inc(chunk.objects() as u64);
-            if stop.wanted() {
-                Err(Failure::Stopped {
-                    printed: printer.json(),
-                })
-            } else {
-                Ok(())
-            }
+            stop.go_on()
+                .map_err(|stopped| Failure::from(stopped).leaving(left))
         });
         bar.finish_and_clear();
         let timing = solved?;

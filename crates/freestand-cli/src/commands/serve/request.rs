@@ -41,7 +41,7 @@ use tempfile::TempDir;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
-use crate::failure::Failure;
+use crate::failure::{Failure, Left};
 use crate::printer::{Printer, hint_of};
 use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
 use crate::stop::Stop;
@@ -264,7 +264,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         let unnamed = scratch.as_ref().map(|folder| folder.path().join("results"));
         let global = GlobalArgs::of_request(request.folder.clone().or(unnamed));
         match (command.tell)(request, &global, &printer) {
-            Ok(_) | Err(Failure::StoppedAfterWriting) => reply(request, session.take(), &seen),
+            Ok(_) | Err(Failure::Stopped(Left::Written)) => reply(request, session.take(), &seen),
             Err(failure) => Err(failure),
         }
     };
@@ -448,11 +448,7 @@ impl Seen {
     fn refusal(&self, failure: &Failure) -> Refusal {
         let problems = match failure {
             Failure::Problems(problems) => problems.as_slice(),
-            Failure::Stopped { .. }
-            | Failure::StoppedAfterWriting
-            | Failure::StoppedKeepingRuns
-            | Failure::StoppedInShard
-            | Failure::BrokenPipe => &[],
+            Failure::Stopped(_) | Failure::BrokenPipe => &[],
         };
         let mut all = problems.iter().map(|problem| self.of_problem(problem));
         let Some(mut first) = all.next() else {

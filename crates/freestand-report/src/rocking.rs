@@ -1,0 +1,37 @@
+//! What an object did under several motions.
+
+use freestand_output::facts::Facts;
+
+use crate::table::{Column, facts_table};
+
+/// The table of several motions of an object that rocks.
+const ROCKING: [Column; 6] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("peak_rotation_rad", "rotation [rad]", 4),
+    ("uplift_m", "uplift [mm]", 4),
+    ("cg_rise_m", "rise [mm]", 4),
+    ("impact_count", "impacts", 0),
+];
+
+/// The table of several motions of an object that slides.
+const SLIDING: [Column; 6] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("slide_peak_m", "slide [mm]", 4),
+    ("slide_final_m", "at the end [mm]", 4),
+    ("slide_speed_max_m_s", "speed [m/s]", 4),
+    ("clearance_speed_m_s", "at the clearance [m/s]", 4),
+];
+
+/// One row for each motion, with what the object did under it.
+pub fn followed_text<'a>(
+    each: impl IntoIterator<Item = (&'a str, Facts<'a>)>,
+    slides: bool,
+) -> String {
+    let row = |(motion, facts): (&'a str, Facts<'a>)| {
+        Facts::default().key("motion", motion.to_owned()).and(facts)
+    };
+    let columns = if slides { &SLIDING } else { &ROCKING };
+    facts_table(each.into_iter().map(row), columns)
+}
