@@ -10,7 +10,7 @@ use freestand_study::study::{Study, TitleBlock};
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{Question, Request as _, Switch, one_of, one_or_many, reader, request, seed};
+use crate::request::{Question, Request as _, Switch, one_of, reader, request, seed};
 
 /// The schema of the response.
 pub use freestand_assess::job::SCHEMA;
@@ -20,14 +20,12 @@ request! { question
     pub struct Assess {
         /// The study and the list.
         #[command(flatten)]
-        #[serde(flatten)]
         pub list: ListKeys,
         /// Continue an earlier run in the same folder
         #[arg(long, action = ArgAction::SetTrue)]
         pub resume: Switch,
         /// Tables to write besides objects.csv, assessment.xlsx and report.html [default: csv]
         #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = one_of(TABLES))]
-        #[serde(deserialize_with = "one_or_many")]
         pub format: Vec<Written>,
         /// Also write outcomes.csv: what happened to every object in every world, by each model
         #[arg(long, action = ArgAction::SetTrue)]
@@ -49,7 +47,6 @@ request! { question
         pub revision: Option<Written>,
         /// End with status 1 if an object gets this verdict; give it once for each verdict
         #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
-        #[serde(deserialize_with = "one_or_many")]
         pub fail_on: Vec<Written>,
 
         /// Seed of the random numbers.

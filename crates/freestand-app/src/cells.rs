@@ -9,7 +9,7 @@ use freestand_input::written::Written;
 use freestand_inventory::{CellsRequest, Edit};
 
 use crate::files::Files;
-use crate::request::{one_or_many, path, request};
+use crate::request::{path, request};
 
 request! {
     /// How the cells of a list are read.
@@ -23,7 +23,6 @@ request! {
         /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
         /// of a size, also with the text that the cell has, confirms that size
         #[arg(long, alias = "edits", value_name = "CELL=TEXT", action = ArgAction::Append)]
-        #[serde(deserialize_with = "one_or_many")]
         pub edit: Vec<Written>,
     }
 }

@@ -34,7 +34,6 @@ request! { question
         pub file: Option<Written>,
         /// How its cells are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub how: CellKeys,
         /// Study file (TOML) whose building has the floors
         #[arg(long, value_name = "FILE.toml")]
@@ -57,7 +56,6 @@ request! { question
         pub cells: Switch,
         /// The user's own libraries.
         #[command(flatten)]
-        #[serde(flatten)]
         pub libraries: LibraryKeys,
     }
 }

@@ -20,7 +20,6 @@ request! { question
     pub struct CodeSpectrum {
         /// The target.
         #[command(flatten)]
-        #[serde(flatten)]
         pub target: TargetKeys,
         /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
         #[arg(long, value_name = "GRID")]

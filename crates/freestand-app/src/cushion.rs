@@ -10,7 +10,7 @@ use freestand_input::written::Written;
 use freestand_study::cushion::{self, EdgeCushion, pad_words, read_cushion_file, with_file};
 
 use crate::files::{Content, Files};
-use crate::request::{Request, one_or_many, request};
+use crate::request::{Request, request};
 
 request! {
     /// The cushion under one edge of an object.
@@ -29,7 +29,6 @@ request! {
         pub pads_per_edge: Option<Written>,
         /// A layer in series with the cushion: legs, floor covering (repeatable)
         #[arg(long, value_name = "STIFFNESS", action = ArgAction::Append, help_heading = "The cushion")]
-        #[serde(deserialize_with = "one_or_many")]
         pub series_stiffness: Vec<Written>,
         /// Thickness of the pad, used in warnings only [default: 20 mm]
         #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]

@@ -15,7 +15,7 @@ use freestand_study::study::DEFAULT_SEED;
 
 use crate::files::Files;
 use crate::request::{
-    Question, Request, Switch, one_of, one_of_names, one_or_many, paths, reader, request, seed,
+    Question, Request, Switch, one_of, one_of_names, paths, reader, request, seed,
 };
 
 /// The schema of the response.
@@ -26,7 +26,6 @@ request! { question
     pub struct DropTests {
         /// Files with drops on one pad
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub files: Vec<Written>,
         /// Mass of the impactor
         #[arg(long, value_name = "MASS")]

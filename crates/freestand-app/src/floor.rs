@@ -16,7 +16,7 @@ use freestand_study::target::{Target, usual_periods_s};
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, one_or_many, reader, request};
+use crate::request::{Question, Request, Switch, reader, request};
 use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 
@@ -33,11 +33,9 @@ request! { question
     pub struct Floor {
         /// Records of the ground motion; of several, medians are printed
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// The building.
         #[command(flatten)]
-        #[serde(flatten)]
         pub building: BuildingKeys,
         /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor [default: 0.5, 1]
         #[arg(long, value_name = "GRID|all")]
@@ -62,7 +60,6 @@ request! { question
         /// Files with the vertical component, one for each --motion, or "record": the vertical component
         /// of each file of --motion; processed and scaled as the horizontal one
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub vertical: Vec<Written>,
         /// Vertical acceleration of the floors above the ground, divided by that of the ground: 1 at
         /// columns, more in the middle of a slab [default: 1]
@@ -70,15 +67,12 @@ request! { question
         pub vertical_amplification: Option<Written>,
         /// The second components of the records.
         #[command(flatten)]
-        #[serde(flatten)]
         pub second: SecondKeys,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
         /// The code whose accelerations of rigid parts are compared with the floors.
         #[command(flatten)]
-        #[serde(flatten)]
         pub target: TargetKeys,
     }
 }

@@ -13,7 +13,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, one_or_many, path, reader, request};
+use crate::request::{Question, Request as _, path, reader, request};
 
 /// One of the two libraries.
 pub trait Library: Debug + Clone + Default + PartialEq + 'static {
@@ -57,7 +57,6 @@ impl Library for Cushions {
 
 request! { question
     /// All entries of a library.
-    #[serde(bound = "")]
     pub struct List<L: Library> {
         /// Your own library: adds to the built-in one and replaces entries with the same id
         #[arg(long, value_name = "FILE.csv")]
@@ -65,14 +64,12 @@ request! { question
 
         /// Which library.
         #[arg(skip)]
-        #[serde(skip)]
         pub of: PhantomData<L>,
     }
 }
 
 request! { question
     /// One entry of a library.
-    #[serde(bound = "")]
     pub struct Show<L: Library> {
         /// Id of the entry
         #[arg(value_name = "ID")]
@@ -83,18 +80,15 @@ request! { question
 
         /// Which library.
         #[arg(skip)]
-        #[serde(skip)]
         pub of: PhantomData<L>,
     }
 }
 
 request! { question
     /// The entries of a library that contain words.
-    #[serde(bound = "")]
     pub struct Search<L: Library> {
         /// Words
         #[arg(value_name = "WORD")]
-        #[serde(deserialize_with = "one_or_many")]
         pub words: Vec<Written>,
         /// Your own library: adds to the built-in one and replaces entries with the same id
         #[arg(long, value_name = "FILE.csv")]
@@ -102,7 +96,6 @@ request! { question
 
         /// Which library.
         #[arg(skip)]
-        #[serde(skip)]
         pub of: PhantomData<L>,
     }
 }

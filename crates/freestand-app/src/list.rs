@@ -27,14 +27,12 @@ request! {
         pub study: Option<Written>,
         /// A place.
         #[command(flatten)]
-        #[serde(flatten)]
         pub hazard: PlaceKeys,
         /// Inventory (CSV or XLSX); replaces the inventory of the study
         #[arg(long, value_name = "FILE")]
         pub inventory: Option<Written>,
         /// How its cells are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub cells: CellKeys,
         /// Number of storeys: of the building where the study states none, else only to place floors by their
         /// numbers [default: the study's]
@@ -48,7 +46,6 @@ request! {
         pub assess_anchored: Switch,
         /// The user's own libraries.
         #[command(flatten)]
-        #[serde(flatten)]
         pub libraries: Libraries,
     }
 }

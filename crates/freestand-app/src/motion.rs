@@ -17,7 +17,7 @@ use serde::Serialize;
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, one_of, reader, request};
 
 /// The schema of the response of `motion info`.
 pub const INFO: &str = "freestand.motion-info/1";
@@ -33,7 +33,6 @@ request! { question
     pub struct MotionInfo {
         /// Records
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Height of a block, to see what the motions mean to it; needs --thickness
         #[arg(long, value_name = "LENGTH")]
@@ -43,7 +42,6 @@ request! { question
         pub thickness: Option<Written>,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }
@@ -66,7 +64,6 @@ request! { question
         pub upsample: Option<Written>,
         /// How the record is read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }
@@ -76,14 +73,12 @@ request! { question
     pub struct MotionConvert {
         /// Records
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Format to write
         #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
         pub to: Option<Written>,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }

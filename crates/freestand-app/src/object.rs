@@ -18,9 +18,7 @@ use crate::block::sizes;
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
-use crate::request::{
-    Question, Request as _, one_of, one_or_many, reader, request, seed, typed_units,
-};
+use crate::request::{Question, Request as _, one_of, reader, request, seed, typed_units};
 use crate::study;
 
 /// The schema of the response.
@@ -73,12 +71,10 @@ request! { question
         pub friction: Option<Written>,
         /// What is around it.
         #[command(flatten)]
-        #[serde(flatten)]
         pub around: Around,
 
         /// A place.
         #[command(flatten)]
-        #[serde(flatten)]
         pub hazard: PlaceKeys,
         /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
         /// ground B, scaled to it
@@ -97,7 +93,6 @@ request! { question
         pub study: Option<Written>,
         /// Records of the motion of its floor
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Factors on these motions, such as "0.5, 1, 2": a table by scale; the sentence is about the
         /// motions as they are
@@ -109,7 +104,6 @@ request! { question
         pub scales: Option<Written>,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
 
         /// Floor by its number (1 is the first above the ground) or name (ground, roof); needs

@@ -15,7 +15,7 @@ use serde::Serialize;
 use crate::files::Files;
 use crate::motion::{Converted, FORMATS, Format, Meant, inputs, periods, recorded};
 use crate::records::{Records, components};
-use crate::request::{Question, Request, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, one_of, reader, request};
 
 /// The schema of the response of `motion rotate`.
 pub const ROTATE: &str = "freestand.motion-rotate/1";
@@ -32,14 +32,12 @@ request! {
     pub struct PairKeys {
         /// A record with two horizontal components, or two records with one each
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// The two components to read from one file with several: names or numbers, such as "1, 2"
         #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
         pub components: Option<Written>,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }
@@ -49,7 +47,6 @@ request! { question
     pub struct Rotate {
         /// The pair.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pair: PairKeys,
         /// Azimuth of the new component, clockwise from north
         #[arg(long, value_name = "ANGLE")]
@@ -75,7 +72,6 @@ request! { question
     pub struct Rotd {
         /// The pair.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pair: PairKeys,
         /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
         #[arg(long, value_name = "LIST")]

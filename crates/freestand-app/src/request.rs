@@ -1,6 +1,6 @@
 //! What all requests have in common: the values that were written, from JSON and from keywords.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::ffi::OsStr;
 use std::marker::PhantomData;
@@ -10,23 +10,24 @@ use std::str::FromStr;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, nearest};
 use freestand_input::written::Written;
 use freestand_study::resolve::MAX_MOTIONS;
-use serde::de::{DeserializeOwned, IgnoredAny};
-use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
 use crate::files::Files;
 
 /// Keys that a request does not know; the message names them.
-pub type Unknown = BTreeMap<String, IgnoredAny>;
+pub type Unknown = BTreeSet<String>;
 
 /// A request or a part of one.
-pub trait Request: Args + DeserializeOwned {
+pub trait Request: Args + Default {
+    /// Takes the values of its keys out of those that were given.
+    fn fill(&mut self, given: &mut BTreeMap<String, Written>);
+
     /// Adds every value that was written, under its key.
     fn write(&self, words: &mut Words);
 
@@ -73,7 +74,6 @@ macro_rules! request {
                 $($fields)*
                 /// Keys that are not known.
                 #[arg(skip)]
-                #[serde(flatten)]
                 pub unknown: $crate::request::Unknown,
             }
         }
@@ -81,8 +81,7 @@ macro_rules! request {
     ($(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? {
         $($(#[$of_field:meta])* pub $field:ident: $type:ty,)*
     }) => {
-        #[derive(Debug, Clone, Default, PartialEq, serde::Deserialize, clap::Args)]
-        #[serde(default)]
+        #[derive(Debug, Clone, Default, PartialEq, clap::Args)]
         #[group(skip)]
         $(#[$meta])*
         pub struct $name $(<$of: $kind>)? {
@@ -90,10 +89,21 @@ macro_rules! request {
         }
 
         impl $(<$of: $kind>)? $crate::request::Request for $name $(<$of>)? {
+            fn fill(
+                &mut self,
+                given: &mut std::collections::BTreeMap<String, freestand_input::written::Written>,
+            ) {
+                $( $crate::request::Field::fill(
+                    &mut self.$field,
+                    $crate::request::key_of(stringify!($field)),
+                    given,
+                ); )*
+            }
+
             fn write(&self, words: &mut freestand_input::keys::Words) {
                 $( $crate::request::Field::write(
                     &self.$field,
-                    stringify!($field).trim_start_matches("r#"),
+                    $crate::request::key_of(stringify!($field)),
                     words,
                 ); )*
             }
@@ -102,13 +112,25 @@ macro_rules! request {
 }
 pub(crate) use request;
 
+/// The key of a field whose name may be a word of Rust, such as `r#in`.
+pub(crate) fn key_of(field: &'static str) -> &'static str {
+    field.trim_start_matches("r#")
+}
+
 /// A field of a request.
 pub trait Field {
+    /// Takes its value out of those that were given; in a request, the last field takes what is left.
+    fn fill(&mut self, key: &'static str, given: &mut BTreeMap<String, Written>);
+
     /// Adds its value.
     fn write(&self, key: &'static str, words: &mut Words);
 }
 
 impl Field for Option<Written> {
+    fn fill(&mut self, key: &'static str, given: &mut BTreeMap<String, Written>) {
+        *self = given.remove(key);
+    }
+
     fn write(&self, key: &'static str, words: &mut Words) {
         if let Some(written) = self {
             words.write(key, written);
@@ -117,14 +139,22 @@ impl Field for Option<Written> {
 }
 
 impl Field for Vec<Written> {
+    /// One value or a list of them.
+    fn fill(&mut self, key: &'static str, given: &mut BTreeMap<String, Written>) {
+        *self = match given.remove(key) {
+            None => Vec::new(),
+            Some(Written::List(all)) => all,
+            Some(one) => vec![one],
+        };
+    }
+
     fn write(&self, key: &'static str, words: &mut Words) {
         self.iter().for_each(|written| words.write(key, written));
     }
 }
 
 /// A value that is yes or no; no, where it is not given.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-#[serde(transparent)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Switch(Option<Written>);
 
 impl FromStr for Switch {
@@ -136,6 +166,10 @@ impl FromStr for Switch {
 }
 
 impl Field for Switch {
+    fn fill(&mut self, key: &'static str, given: &mut BTreeMap<String, Written>) {
+        self.0.fill(key, given);
+    }
+
     fn write(&self, key: &'static str, words: &mut Words) {
         let given = self.0.as_ref().filter(|written| written.text() != "false");
         given
@@ -145,26 +179,27 @@ impl Field for Switch {
 }
 
 impl Field for Unknown {
+    fn fill(&mut self, _: &'static str, given: &mut BTreeMap<String, Written>) {
+        *self = std::mem::take(given).into_keys().collect();
+    }
+
     fn write(&self, _: &'static str, _: &mut Words) {}
 }
 
 impl<T> Field for PhantomData<T> {
+    fn fill(&mut self, _: &'static str, _: &mut BTreeMap<String, Written>) {}
+
     fn write(&self, _: &'static str, _: &mut Words) {}
 }
 
 impl<R: Request> Field for R {
+    fn fill(&mut self, _: &'static str, given: &mut BTreeMap<String, Written>) {
+        Request::fill(self, given);
+    }
+
     fn write(&self, _: &'static str, words: &mut Words) {
         Request::write(self, words);
     }
-}
-
-/// One value or a list of them.
-pub(crate) fn one_or_many<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Written>, D::Error> {
-    Ok(match Option::<Written>::deserialize(from)? {
-        None => Vec::new(),
-        Some(Written::List(all)) => all,
-        Some(one) => vec![one],
-    })
 }
 
 /// A value that is one of these: the help and the shells' completions list them, and whether it is one is judged with
@@ -215,40 +250,41 @@ pub fn keys<R: Request>() -> Vec<String> {
 /// The same key twice, such as with and without its unit.
 pub fn from_entries<R: Request>(entries: &Map<String, Value>) -> Result<R, Problem> {
     let known = names::<R>();
-    let mut found = Map::new();
-    for (given, value) in entries.iter().filter(|(_, value)| !value.is_null()) {
+    let mut found = BTreeMap::new();
+    for (given, value) in entries {
         let plain = given.replace('-', "_");
         let (key, unit) = known_as(&plain, &known).unwrap_or((plain, None));
-        let value = unit.map_or_else(|| exact(value), |unit| with_unit(value, unit));
+        let Some(value) = written(value, unit) else {
+            continue;
+        };
         if found.contains_key(&key) {
             let message = format!("`{key}` is given twice");
             return Err(Problem::value(message, format!("leave `{given}` out")).of_key(key));
         }
         found.insert(key, value);
     }
-    serde_json::from_value(Value::Object(found)).map_err(|error| {
-        // Every value can be read: what is left is a defect of this program.
-        Problem::new(ProblemKind::Computation, error.to_string())
-            .hint("this is a defect of freestand; please report it")
-    })
+    let mut request = R::default();
+    request.fill(&mut found);
+    Ok(request)
 }
 
-/// A value; a whole number that a double cannot hold is a text.
-fn exact(value: &Value) -> Value {
+/// A value of JSON, a bare number in this unit; none where it is null.
+fn written(value: &Value, unit: Option<&str>) -> Option<Written> {
     const MOST: u64 = 1 << 53;
-    match value.as_u64() {
-        Some(whole) if whole > MOST => whole.to_string().into(),
-        _ => value.clone(),
-    }
-}
-
-/// Bare numbers with a unit.
-fn with_unit(value: &Value, unit: &str) -> Value {
-    match value {
-        Value::Number(number) => format!("{number} {unit}").trim_end().into(),
-        Value::Array(all) => all.iter().map(|one| with_unit(one, unit)).collect(),
-        other => other.clone(),
-    }
+    let part = |value| written(value, unit).unwrap_or(Written::Table);
+    Some(match value {
+        Value::Null => return None,
+        Value::Bool(flag) => Written::Flag(*flag),
+        Value::Number(number) => match (unit, number.as_u64()) {
+            (Some(unit), _) => Written::Text(format!("{number} {unit}").trim_end().to_owned()),
+            // A whole number that a double cannot hold is a text.
+            (None, Some(whole)) if whole > MOST => Written::Text(whole.to_string()),
+            (None, _) => Written::Number(number.as_f64().unwrap_or(f64::NAN)),
+        },
+        Value::String(text) => Written::Text(text.clone()),
+        Value::Array(all) => Written::List(all.iter().map(part).collect()),
+        Value::Object(_) => Written::Table,
+    })
 }
 
 /// A name under which a value of a request is known.
@@ -418,9 +454,7 @@ pub(crate) fn reader<'w, R: Request>(words: &'w Words, others: &Unknown) -> Word
 /// A problem for each key that the request does not know.
 pub(crate) fn unknown<R: Request>(unknown: &Unknown) -> impl Iterator<Item = Problem> {
     let known = keys::<R>();
-    // serde leaves the keys of a part that has parts here, although it has read them.
-    let others: Vec<&String> = unknown.keys().filter(|key| !known.contains(key)).collect();
-    others.into_iter().map(move |key| {
+    unknown.iter().map(move |key| {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
         let hint = match nearest(key, &known) {
             Some(near) => format!("did you mean `{near}`?"),

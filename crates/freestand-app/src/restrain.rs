@@ -41,7 +41,6 @@ request! { question
         pub list: Option<Written>,
         /// How the list is read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub cells: CellKeys,
         /// Mass of the object
         #[arg(long, value_name = "MASS")]
@@ -75,7 +74,6 @@ request! { question
         pub floor_acceleration: Option<Written>,
         /// A place, or a code with its values.
         #[command(flatten)]
-        #[serde(flatten)]
         pub target: TargetKeys,
 
         /// Name or number of the floor; floor 1 is the first above the ground [default: the ground]

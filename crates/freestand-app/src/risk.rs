@@ -44,11 +44,9 @@ request! { question
 
         /// A hazard curve.
         #[command(flatten)]
-        #[serde(flatten)]
         pub curve: HazardCurve,
         /// The hazard of a code.
         #[command(flatten)]
-        #[serde(flatten)]
         pub of_code: HazardOfCode,
 
         /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
@@ -56,7 +54,6 @@ request! { question
         pub inventory: Option<Written>,
         /// How its cells are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub cells: CellKeys,
         /// Options, such as straps or pads: id, option, `cost [AUD]`, median_factor or curves (CSV)
         #[arg(long, value_name = "FILE", help_heading = "Money")]

@@ -16,7 +16,7 @@ use freestand_study::vary::{Variation, default_variations, parse_variation};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::Records;
-use crate::request::{Question, Request as _, Switch, one_or_many, reader, request, seed};
+use crate::request::{Question, Request as _, Switch, reader, request, seed};
 use crate::second::SecondKeys;
 use crate::study;
 
@@ -32,7 +32,6 @@ request! { question
         pub study: Option<Written>,
         /// A place.
         #[command(flatten)]
-        #[serde(flatten)]
         pub hazard: PlaceKeys,
 
         /// Seed of the random numbers.
@@ -50,19 +49,15 @@ request! { question
         pub study: Option<Written>,
         /// A place.
         #[command(flatten)]
-        #[serde(flatten)]
         pub hazard: PlaceKeys,
         /// Records that replace the ground motions of the study
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
         /// Their second components.
         #[command(flatten)]
-        #[serde(flatten)]
         pub second: SecondKeys,
         /// Run the study again with one value changed at a time: the usual values of damping, period,
         /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
@@ -73,7 +68,6 @@ request! { question
             default_missing_value = "true",
             action = ArgAction::Append
         )]
-        #[serde(deserialize_with = "one_or_many")]
         pub vary: Vec<Written>,
         /// Write each table of results as Parquet too; the same as parquet = true in the table of outputs
         #[arg(long, action = ArgAction::SetTrue)]

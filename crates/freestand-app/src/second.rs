@@ -9,7 +9,7 @@ use freestand_study::recorded::Second;
 
 use crate::files::Files;
 use crate::records::components;
-use crate::request::{one_or_many, paths, request};
+use crate::request::{paths, request};
 
 request! {
     /// Two horizontal components, and the directions in which objects may rock.
@@ -23,7 +23,6 @@ request! {
         pub components: Option<Written>,
         /// Files with the second component, one for each file of the first
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "Two horizontal components")]
-        #[serde(deserialize_with = "one_or_many")]
         pub across: Vec<Written>,
         /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
         /// deg]

@@ -18,7 +18,6 @@ request! { question
     pub struct ShardPlan {
         /// The study and the list.
         #[command(flatten)]
-        #[serde(flatten)]
         pub list: ListKeys,
         /// Number of shards
         #[arg(long, value_name = "N")]

@@ -32,12 +32,10 @@ request! { question
         pub mass: Option<Written>,
         /// What else is known of the object.
         #[command(flatten)]
-        #[serde(flatten)]
         pub block: GeneralBlock,
 
         /// The cushion under one edge.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pad: CushionUnder,
         /// Stiffness between the side of the object and what it falls onto
         #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]

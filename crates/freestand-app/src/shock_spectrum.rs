@@ -16,7 +16,7 @@ use freestand_study::shock_spectrum::{
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, one_of, one_or_many, reader, request};
+use crate::request::{Question, Request, Switch, one_of, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock-spectrum/1";
@@ -28,7 +28,6 @@ request! { question
     pub struct ShockSpectrum {
         /// Record files
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// A classical pulse instead of files
         #[arg(long, value_name = "PULSE", value_parser = one_of(SHAPES), help_heading = "A pulse")]
@@ -59,7 +58,6 @@ request! { question
         pub no_upsample: Switch,
         /// How the records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }

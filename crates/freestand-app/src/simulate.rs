@@ -42,7 +42,6 @@ request! { question
         pub count: Option<Written>,
         /// The source.
         #[command(flatten)]
-        #[serde(flatten)]
         pub source: Source,
 
         /// Seed of the random numbers.

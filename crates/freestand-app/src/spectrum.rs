@@ -25,7 +25,7 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, one_or_many, reader, request, seed};
+use crate::request::{Question, Request, Switch, reader, request, seed};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -37,24 +37,19 @@ request! { question
     pub struct Spectrum {
         /// Records of the horizontal acceleration of the floor
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
         /// with the same step and length
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub vertical: Vec<Written>,
         /// How the vertical records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub upward: VerticalRecords,
         /// How records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
         /// A floor of a building at a place, instead of records.
         #[command(flatten)]
-        #[serde(flatten)]
         pub place: Place,
 
         /// Heights: a grid "from:to:count" or a list
@@ -71,22 +66,18 @@ request! { question
         pub mass: Option<Written>,
         /// The cushion under one edge.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pad: CushionUnder,
         /// Coefficient of friction of objects that slide, at rest [default: 0.5]
         #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
         pub friction: Option<Written>,
         /// Whether the objects slide or stand on casters.
         #[command(flatten)]
-        #[serde(flatten)]
         pub slides: Sliding,
         /// Walls beside them.
         #[command(flatten)]
-        #[serde(flatten)]
         pub walls: Walls,
         /// How their rocking is calculated.
         #[command(flatten)]
-        #[serde(flatten)]
         pub rocking: Rocking,
         /// Report how strongly each object amplifies an error of the motion
         ///

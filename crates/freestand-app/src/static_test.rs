@@ -11,9 +11,7 @@ use freestand_study::laboratory::static_curve::StaticRequest;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 
 use crate::files::Files;
-use crate::request::{
-    Question, Request, Switch, one_of, one_of_names, one_or_many, paths, reader, request,
-};
+use crate::request::{Question, Request, Switch, one_of, one_of_names, paths, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-static/1";
@@ -37,7 +35,6 @@ request! { question
     pub struct StaticTests {
         /// Files with tests of one pad
         #[arg(value_name = "FILE")]
-        #[serde(deserialize_with = "one_or_many")]
         pub files: Vec<Written>,
         /// Working load [default: half of the largest force]
         #[arg(long, value_name = "FORCE")]
@@ -54,7 +51,6 @@ request! { question
         /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
         /// once for each such sensor
         #[arg(long, value_name = "SENSITIVITY")]
-        #[serde(deserialize_with = "one_or_many")]
         pub sensitivity: Vec<Written>,
         /// Shape of the impactor; replaces what the files state
         #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]

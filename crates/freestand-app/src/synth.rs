@@ -26,7 +26,6 @@ request! { question
     pub struct Synth {
         /// The target.
         #[command(flatten)]
-        #[serde(flatten)]
         pub target: TargetKeys,
         /// Number of motions [default: 10]
         #[arg(long, value_name = "N")]
@@ -42,7 +41,6 @@ request! { question
         pub envelope: Option<Written>,
         /// Whether the peak is that of the target.
         #[command(flatten)]
-        #[serde(flatten)]
         pub peak: Peak,
 
         /// Seed of the random numbers.
@@ -62,15 +60,12 @@ request! { question
         pub method: Option<Written>,
         /// Whether the peak is that of the target.
         #[command(flatten)]
-        #[serde(flatten)]
         pub peak: Peak,
         /// The target.
         #[command(flatten)]
-        #[serde(flatten)]
         pub target: TargetKeys,
         /// How the record is read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }

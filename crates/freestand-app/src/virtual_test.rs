@@ -31,7 +31,6 @@ request! { question
     pub struct VirtualTests {
         /// The cushion.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pad: CushionUnder,
         /// Mass of the impactor
         #[arg(long, value_name = "MASS")]

@@ -344,7 +344,7 @@ impl Words {
                     .collect::<Option<_>>()
                     .unwrap_or_default()
             }
-            Written::Flag(_) | Written::Text(_) | Written::Table(_) => Vec::new(),
+            Written::Flag(_) | Written::Text(_) | Written::Table => Vec::new(),
         };
         self.entries.push(Word {
             key,
@@ -356,7 +356,7 @@ impl Words {
             numbers,
             many: match written {
                 Written::List(_) => Some("a list"),
-                Written::Table(_) => Some("a table"),
+                Written::Table => Some("a table"),
                 _ => None,
             },
             line: None,

@@ -3,9 +3,6 @@
 use std::convert::Infallible;
 use std::str::FromStr;
 
-use serde::Deserialize;
-use serde::de::IgnoredAny;
-
 use crate::words::shortest;
 
 /// A value of a request. Reading one cannot fail: whether it is a length, a choice or nothing that is
@@ -18,8 +15,7 @@ use crate::words::shortest;
 /// assert_eq!(Written::List(vec![Written::Number(0.3), "1.2 m".parse()?]).text(), "0.3, 1.2 m");
 /// # Ok::<(), std::convert::Infallible>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Written {
     /// Yes or no.
     Flag(bool),
@@ -30,7 +26,7 @@ pub enum Written {
     /// Several values.
     List(Vec<Written>),
     /// A table, where no value is one.
-    Table(IgnoredAny),
+    Table,
 }
 
 impl Written {
@@ -41,7 +37,7 @@ impl Written {
             Self::Number(number) => shortest(*number),
             Self::Text(text) => text.clone(),
             Self::List(all) => all.iter().map(Self::text).collect::<Vec<_>>().join(", "),
-            Self::Table(_) => "a table".to_owned(),
+            Self::Table => "a table".to_owned(),
         }
     }
 

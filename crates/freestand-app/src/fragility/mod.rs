@@ -28,9 +28,7 @@ use crate::files::Files;
 use crate::hazard::{self, HazardCurve};
 use crate::list::ListKeys;
 use crate::records::{Records, VerticalRecords};
-use crate::request::{
-    Question, Request as _, Switch, one_of, one_or_many, path, reader, request, seed,
-};
+use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
 
 use exports::Exports;
 use runs::{Chosen, RunMotions};
@@ -46,15 +44,12 @@ request! { question
         pub outcomes: Option<Written>,
         /// The study and the list of the objects.
         #[command(flatten)]
-        #[serde(flatten)]
         pub list: ListKeys,
         /// One object, instead of a list.
         #[command(flatten)]
-        #[serde(flatten)]
         pub object: OneObject,
         /// How the runs are chosen.
         #[command(flatten)]
-        #[serde(flatten)]
         pub runs: RunKeys,
         /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
         /// is on the ground [default: ground; with --motion, floor]
@@ -71,11 +66,9 @@ request! { question
         pub bootstrap: Option<Written>,
         /// Folders for other programs.
         #[command(flatten)]
-        #[serde(flatten)]
         pub exports: ExportKeys,
         /// A hazard curve.
         #[command(flatten)]
-        #[serde(flatten)]
         pub curve: HazardCurve,
 
         /// Seed of the random numbers.
@@ -114,11 +107,9 @@ request! {
         pub mass: Option<Written>,
         /// What else is known of the object.
         #[command(flatten)]
-        #[serde(flatten)]
         pub block: GeneralBlock,
         /// The cushion under one edge.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pad: CushionUnder,
         /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
         /// [default: Housner's]
@@ -142,19 +133,15 @@ request! {
         pub tolerance_edge_lift: Option<Written>,
         /// Records of the horizontal acceleration of the floor under the object
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Records of the vertical acceleration of the floor, positive upward: one for each --motion
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
-        #[serde(deserialize_with = "one_or_many")]
         pub vertical: Vec<Written>,
         /// How vertical records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub upward: VerticalRecords,
         /// How records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
     }
 }
@@ -198,7 +185,6 @@ request! {
     pub struct ExportKeys {
         /// Write a folder for another program into --out; may be given several times
         #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS), help_heading = "Other programs")]
-        #[serde(deserialize_with = "one_or_many")]
         pub format: Vec<Written>,
         /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
         #[arg(long, value_name = "INTENSITY", help_heading = "Other programs")]

@@ -10,7 +10,7 @@ use freestand_study::spatial::SHAPES;
 use crate::block::{GeneralBlock, Rocking};
 use crate::cushion::CushionUnder;
 use crate::records::{Records, VerticalRecords};
-use crate::request::{Switch, one_of, one_or_many, request};
+use crate::request::{Switch, one_of, request};
 use crate::sliding::Sliding;
 use crate::walls::Walls;
 
@@ -26,7 +26,6 @@ request! { question
         /// Records of the horizontal acceleration of the floor, each for a result of its own [default:
         /// none, free rocking]
         #[arg(long, value_name = "FILE", num_args = 1..)]
-        #[serde(deserialize_with = "one_or_many")]
         pub motion: Vec<Written>,
         /// Record of the vertical acceleration of the floor, positive upward, with the same step and
         /// length
@@ -34,11 +33,9 @@ request! { question
         pub vertical: Option<Written>,
         /// How the vertical record is read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub upward: VerticalRecords,
         /// How records are read.
         #[command(flatten)]
-        #[serde(flatten)]
         pub records: Records,
 
         /// Height of the object
@@ -57,35 +54,27 @@ request! { question
         pub friction: Option<Written>,
         /// What else is known of the object.
         #[command(flatten)]
-        #[serde(flatten)]
         pub block: GeneralBlock,
         /// The cushion under one edge.
         #[command(flatten)]
-        #[serde(flatten)]
         pub pad: CushionUnder,
         /// Walls beside it.
         #[command(flatten)]
-        #[serde(flatten)]
         pub walls: Walls,
         /// What it stands on.
         #[command(flatten)]
-        #[serde(flatten)]
         pub on: Base,
         /// Whether it slides or stands on casters.
         #[command(flatten)]
-        #[serde(flatten)]
         pub slides: Sliding,
         /// What it is in three dimensions.
         #[command(flatten)]
-        #[serde(flatten)]
         pub space: Space,
         /// What stands on it.
         #[command(flatten)]
-        #[serde(flatten)]
         pub upper: Upper,
         /// How its rocking is calculated.
         #[command(flatten)]
-        #[serde(flatten)]
         pub rocking: Rocking,
 
         /// Rotation at the start, positive to the right
