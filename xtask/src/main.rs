@@ -8,7 +8,7 @@
 //! structs of the requests. `cargo xtask wheel [--out DIR]`: the Python package with the program
 //! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
 //! profile. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
-//! commit. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
+//! commit.
 
 #![expect(
     clippy::print_stdout,
@@ -23,7 +23,6 @@ mod python;
 mod risk_tools;
 mod same;
 mod source;
-mod texts;
 mod validate_shock;
 
 use std::path::{Path, PathBuf};
@@ -32,7 +31,7 @@ use std::process::ExitCode;
 use checks::Check;
 
 const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | python [--all] | \
-                     validate-shock | risk-tools | same COMMIT [WORDS] | texts [--flagged] [PATH…]";
+                     validate-shock | risk-tools | same COMMIT [WORDS]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -72,7 +71,6 @@ fn main() -> ExitCode {
         ("wheel", []) => wheel(&root, &root.join("target/wheels")),
         ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
         ("python", []) => python::test(&root, all).map(|()| true).map_err(told),
-        ("texts", rest) => texts::print(&root, rest).map(|()| true),
         _ => {
             eprintln!("{USAGE}");
             return ExitCode::from(2);

@@ -1,4 +1,4 @@
-//! The Rust source of the crates as tokens, without tests: what the arrows and the listing of texts are read from.
+//! The Rust source of the crates as tokens, without tests: what the arrows are read from.
 //!
 //! Tokens, not syntax trees: a parser of Rust would take longer to compile than everything else here.
 
