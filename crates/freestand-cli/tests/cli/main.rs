@@ -20,6 +20,7 @@ mod examples;
 mod floor;
 mod folders;
 mod fragility_runs;
+mod fragility_runs_kept;
 mod ground_sources;
 mod idle;
 mod inventory;
@@ -34,11 +35,14 @@ mod records;
 mod requests;
 mod restrain;
 mod risk;
+mod risk_exports;
+mod risk_money;
 mod rocking_cases;
 mod run;
 mod same_answer;
 #[cfg(feature = "page")]
 mod serve;
+mod serve_options;
 #[cfg(unix)]
 mod shards;
 mod shock;
