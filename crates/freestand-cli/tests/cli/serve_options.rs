@@ -3,7 +3,6 @@
 use super::serve::{Page, message, with_options};
 use crate::program::PROGRAM;
 use serde_json::{Value, json};
-use std::io::BufRead;
 use std::process::Command;
 
 #[test]
