@@ -7,7 +7,7 @@ use freestand::cushion::{ContactLaw, Cushion};
 use crate::laboratory::drop_test::{DropReport, DropsReport};
 use crate::laboratory::static_curve::StaticsReport;
 
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{Axis, DARK, axes, curve_style, line, plain};
 use freestand_output::figure::{Figure, FigureError};
@@ -65,17 +65,10 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
             ));
         }
     }
-    let legend_tests = tests.iter().map(|test| test.path.as_str());
-    let fitted_sign = Sign::Line {
-        colour: DARK,
-        width_px: 1.2,
-        dash: Some("4 4"),
-    };
-    let mut legend = legend(legend_tests);
-    legend.push(Entry {
-        sign: fitted_sign,
-        words: "fitted law, one landing".into(),
-    });
+    let legend = legend(
+        tests.iter().map(|test| test.path.as_str()),
+        "fitted law, one landing",
+    );
     let panel = panel(&curves, &fits, label);
     Page {
         name: name.to_owned(),
@@ -114,7 +107,7 @@ fn fitted(
         .collect()
 }
 
-fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
+fn legend<'a>(names: impl Iterator<Item = &'a str>, dashed: &str) -> Vec<Entry> {
     let names: Vec<&str> = names.collect();
     let file = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
     let mut entries: Vec<Entry> = names
@@ -123,27 +116,14 @@ fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
         .enumerate()
         .map(|(i, path)| {
             let style = curve_style(i);
-            Entry {
-                sign: Sign::Line {
-                    colour: style.colour,
-                    width_px: 1.6,
-                    dash: style.dash,
-                },
-                words: plain(&file(path)),
-            }
+            Entry::line(style.colour, 1.6, style.dash, plain(&file(path)))
         })
         .collect();
     if names.len() > MAX_NAMES {
         let words = format!("and {} more", names.len() - MAX_NAMES);
-        entries.push(Entry {
-            sign: Sign::Line {
-                colour: DARK,
-                width_px: 1.0,
-                dash: None,
-            },
-            words,
-        });
+        entries.push(Entry::line(DARK, 1.0, None, words));
     }
+    entries.push(Entry::line(DARK, 1.2, Some("4 4"), dashed));
     entries
 }
 
@@ -213,16 +193,10 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
                 .to_vec()
         })
         .collect();
-    let mut legend = legend(report.tests.iter().map(|test| test.path.as_str()));
-    let sign = Sign::Line {
-        colour: DARK,
-        width_px: 1.2,
-        dash: Some("4 4"),
-    };
-    legend.push(Entry {
-        sign,
-        words: "tangent at the working load".into(),
-    });
+    let legend = legend(
+        report.tests.iter().map(|test| test.path.as_str()),
+        "tangent at the working load",
+    );
     Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),
