@@ -162,9 +162,9 @@ pub struct RunAnswer<'r> {
 }
 
 answer_of!(RunAnswer<'_> as of {
-    summary: Summary<'_> = of.summary => flat;
+    summary: Summary<'_> => flat;
     /// The folder.
-    out: String = of.out.clone();
+    out: String;
 });
 
 /// What the names of key figures mean.
@@ -211,7 +211,7 @@ answer_of!(Versions as _of {
 #[derive(Clone, Copy)]
 struct Inputs<'r>(&'r Study, &'r StudyResult);
 
-answer_of!(Inputs<'_> as of {
+answer_of!(Inputs<'_> as of.0 {
     study: String =
         of.0.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string());
     study_sha256: String = sha256_hex(of.0.toml.as_bytes());
@@ -222,10 +222,10 @@ answer_of!(Inputs<'_> as of {
     floor_motions: Option<Vec<FloorInputs<'_>>> =
         matches!(of.0.ground, Ground::OnFloors).then(|| of.0.levels.iter().map(FloorInputs).collect());
     vertical: String = of.0.ground.vertical_words();
-    vertical_amplification_ratio: f64 = of.0.vertical_amplification_ratio;
+    vertical_amplification_ratio: f64;
     motions: Vec<OfMotion<'_>> = of.1.ground.iter().map(OfMotion).collect();
     /// In which every object is tried.
-    directions_deg: Vec<f64> = of.0.directions_deg.clone();
+    directions_deg: Vec<f64>;
     building: Option<BuildingInputs<'_>> =
         of.0.building.as_ref().map(|building| BuildingInputs(of.0.building_name.as_deref(), building));
     objects: ObjectInputs<'_> = ObjectInputs(&of.0.objects);
@@ -250,10 +250,10 @@ answer_of!(OfMotion<'_> as of {
 #[derive(Clone, Copy)]
 struct ObjectInputs<'s>(&'s Objects);
 
-answer_of!(ObjectInputs<'_> as of {
-    heights_m: Vec<f64> = of.0.heights_m.clone();
-    thicknesses_m: Vec<f64> = of.0.thicknesses_m.clone();
-    mass_kg: f64 = of.0.mass_kg;
+answer_of!(ObjectInputs<'_> as of.0 {
+    heights_m: Vec<f64>;
+    thicknesses_m: Vec<f64>;
+    mass_kg: f64;
     stiffness_n_m: Option<f64> = of.0.cushion.cushion.linear_stiffness_n_m();
     law: &'static str = of.0.cushion.cushion.law().name();
     cushion: String = cushion_words(&of.0.cushion.cushion);
@@ -261,7 +261,7 @@ answer_of!(ObjectInputs<'_> as of {
     cushion_file: Option<Input> = of.0.cushion_file.as_ref().map(|(file, _)| Input::from(file));
     restitution: String = restitution_words(of.0.restitution);
     accuracy: String = accuracy_words(of.0.accuracy);
-    tolerance_m_s2: Option<f64> = of.0.tolerance_m_s2;
+    tolerance_m_s2: Option<f64>;
     gravity_m_s2: f64 = G0_M_S2;
     model: &'static str = "paper";
 });
@@ -321,21 +321,21 @@ impl From<GroundInputs<'_>> for Value<'static> {
 #[derive(Clone, Copy)]
 struct OfMisfit<'r>(&'r Misfit);
 
-answer_of!(OfMisfit<'_> as misfit {
-    rms_ratio: f64 = misfit.0.rms_ratio;
-    worst_ratio: f64 = misfit.0.worst_ratio;
-    worst_period_s: f64 = misfit.0.worst_period_s;
-    pga_g: f64 = misfit.0.pga_g;
-    target_zpa_g: f64 = misfit.0.target_zpa_g;
-    d5_95_s: f64 = misfit.0.d5_95_s;
-    pgv_m_s: f64 = misfit.0.pgv_m_s;
+answer_of!(OfMisfit<'_> as misfit.0 {
+    rms_ratio: f64;
+    worst_ratio: f64;
+    worst_period_s: f64;
+    pga_g: f64;
+    target_zpa_g: f64;
+    d5_95_s: f64;
+    pgv_m_s: f64;
 });
 
 /// Synthetic motions of a study.
 #[derive(Clone, Copy)]
 struct SyntheticInputs<'s>(&'s SyntheticGround);
 
-answer_of!(SyntheticInputs<'_> as of {
+answer_of!(SyntheticInputs<'_> as of.0 {
     code: &'static str = of.0.target.code();
     edition: &'static str = of.0.target.spectrum.name();
     site: Option<&'static str> = of.0.target.spectrum.site_name();
@@ -344,8 +344,8 @@ answer_of!(SyntheticInputs<'_> as of {
     hazard: HazardOf<'_> = HazardOf(Some(&of.0.target)) => flat;
     facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
     spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
-    count: usize = of.0.count;
-    seed: u64 = of.0.seed;
+    count: usize;
+    seed: u64;
 });
 
 /// Simulated motions of a study.
@@ -384,19 +384,19 @@ fn recorded(records: &[RecordedMotion]) -> Vec<RecordedInput<'_>> {
 #[derive(Clone, Copy)]
 struct RecordedInput<'s>(&'s RecordedMotion);
 
-answer_of!(RecordedInput<'_> as of {
+answer_of!(RecordedInput<'_> as of.0 {
     motion: String = of.0.name.clone();
     path: String = of.0.path.display().to_string();
-    sha256: String = of.0.sha256.clone();
-    description: String = of.0.description.clone();
+    sha256: String;
+    description: String;
     /// The file of its second component, if that is another.
     across: Option<Input> = file(of.0.across.as_ref());
     /// The file of its vertical component, if that is another.
     vertical: Option<Input> = file(of.0.vertical.as_ref());
-    scale_ratio: f64 = of.0.scale_ratio;
+    scale_ratio: f64;
     station_xml: Vec<Input> = of.0.station_xml.iter().map(Input::from).collect();
     scale_target: Option<Input> = of.0.scale_target.as_ref().map(Input::from);
-    processing: Vec<String> = of.0.processing.clone();
+    processing: Vec<String>;
     matched: Option<MatchedInputs<'_>> = of.0.matched.as_ref().map(MatchedInputs);
 });
 

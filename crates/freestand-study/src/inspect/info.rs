@@ -336,7 +336,7 @@ answer_of!(InfoReport as report {
     /// Files that could not be read or processed.
     failed: Vec<FailedFile<'_>> = report.failed.iter().map(FailedFile).collect();
     /// The figures that were written.
-    plots: Vec<String> = report.plots.clone();
+    plots: Vec<String>;
 });
 
 /// A file that could not be read, and what to do.
@@ -350,8 +350,8 @@ answer_of!(FailedFile<'_> as file {
 });
 
 answer_of!(MotionInfo as one {
-    path: String = one.path.clone() => "file";
-    name: String = one.name.clone();
+    path: String => "file";
+    name: String;
     contents: &Contents = &one.contents => flat;
 });
 

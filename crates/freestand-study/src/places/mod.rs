@@ -324,10 +324,10 @@ impl Place {
 }
 
 answer_of!(Place as place {
-    name: &'static str = place.name;
+    name: &'static str;
     /// The state, in the United States.
     region: Option<&'static str> = Some(place.region).filter(|region| !region.is_empty());
-    country: &'static str = place.country;
+    country: &'static str;
     code: &'static str = place.hazard.code();
     ss_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { ss_g, .. } => Some(ss_g), _ => None };
     s1_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { s1_g, .. } => Some(s1_g), _ => None };
@@ -352,7 +352,7 @@ answer_of!(Place as place {
         PlaceHazard::Nzs1170_5 { fault_distance_km, .. } => Some(fault_distance_km),
         _ => None,
     };
-    source: &'static str = place.source;
+    source: &'static str;
     /// How far the values can be trusted.
     confidence: &'static str = place.confidence.name();
 });

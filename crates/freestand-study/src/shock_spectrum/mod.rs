@@ -139,23 +139,23 @@ pub struct OneShockSpectrum {
 
 answer_of!(OneShockSpectrum as one {
     /// The file; `null` for a pulse.
-    path: Option<String> = one.path.clone();
+    path: Option<String>;
     /// Its name, or the shape of the pulse.
-    name: String = one.name.clone();
-    frequencies_hz: Vec<f64> = one.frequencies_hz.clone();
+    name: String;
+    frequencies_hz: Vec<f64>;
     /// The peaks, never negative, in `unit`.
-    values: Vec<f64> = one.values.clone();
-    unit: &'static str = one.unit;
+    values: Vec<f64>;
+    unit: &'static str;
     /// Of each oscillator.
-    samples_per_period: Vec<f64> = one.samples_per_period.clone();
+    samples_per_period: Vec<f64>;
     /// Between the samples of the input; `null` for a pulse.
-    dt_s: Option<f64> = one.dt_s;
+    dt_s: Option<f64>;
     /// Of the input; `null` for a pulse.
-    samples: Option<usize> = one.samples;
+    samples: Option<usize>;
     /// What was done to the samples.
-    processing: Vec<String> = one.processing.clone();
-    pulse: Option<GivenPulse> = one.pulse.clone();
-    enveloping_half_sine: Option<EnvelopingPulse> = one.enveloping_half_sine.clone();
+    processing: Vec<String>;
+    pulse: Option<GivenPulse>;
+    enveloping_half_sine: Option<EnvelopingPulse>;
 });
 
 answer! {
@@ -220,17 +220,17 @@ pub struct ShockSpectrumReport {
 
 answer_of!(ShockSpectrumReport as report {
     /// The response quantity.
-    kind: &'static str = report.kind;
+    kind: &'static str;
     /// Which peak.
-    peak: &'static str = report.peak;
-    damping_ratio: f64 = report.damping_ratio;
+    peak: &'static str;
+    damping_ratio: f64;
     /// Q = 1/(2ζ); `null` without damping.
     quality_factor_ratio: Option<f64> = (report.damping_ratio > 0.0).then(|| 0.5 / report.damping_ratio);
     /// Whether samples were added for oscillators with few in a period.
-    upsample: bool = report.upsample;
+    upsample: bool;
     /// One for each file, in their order, or that of the pulse.
     spectra: Vec<&OneShockSpectrum> = report.spectra.iter().collect();
-    timing: Timing = report.timing.clone();
+    timing: Timing;
 });
 
 /// Frequencies between two questions whether to go on: enough that the samples that are added for

@@ -358,7 +358,7 @@ answer_of!(Target as target {
     /// The class of the site.
     site: Option<&'static str> = target.spectrum.site_name();
     /// The place whose hazard was used.
-    place: Option<&'static Place> = target.place;
+    place: Option<&'static Place>;
     hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
     /// Whether the minimum of kpZ governs, by AS 1170.4.
     minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);

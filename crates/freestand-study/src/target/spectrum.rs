@@ -70,12 +70,12 @@ pub struct CodeSpectrumReport {
 
 answer_of!(CodeSpectrumReport as report {
     target: &Target = &report.target => flat;
-    corner_periods_s: Vec<f64> = report.corner_periods_s.clone();
-    periods_s: Vec<f64> = report.periods_s.clone();
-    sa_g: Vec<f64> = report.sa_g.clone();
+    corner_periods_s: Vec<f64>;
+    periods_s: Vec<f64>;
+    sa_g: Vec<f64>;
     /// Given by Eurocode 8 only.
-    vertical_sa_g: Option<Vec<f64>> = report.vertical_sa_g.clone();
-    parts: Option<PartsReport> = report.parts.clone();
+    vertical_sa_g: Option<Vec<f64>>;
+    parts: Option<PartsReport>;
 });
 
 answer! {

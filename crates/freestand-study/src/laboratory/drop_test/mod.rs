@@ -473,12 +473,12 @@ impl DropReport {
 }
 
 answer_of!(DropReport as one {
-    path: String = one.path.clone() => "file";
+    path: String => "file";
     /// Its number in its file.
-    drop: usize = one.drop;
+    drop: usize;
     /// Of its pulse, from the first sample of the file.
-    start_time_s: Option<f64> = one.start_time_s;
-    mass_kg: f64 = one.mass_kg;
+    start_time_s: Option<f64>;
+    mass_kg: f64;
     impact_velocity_m_s: Option<f64> = one.test.impact_velocity_m_s => "impact velocity";
     /// given, height or impulse.
     impact_velocity_source: &'static str = one.velocity_source.into() => "  source";
@@ -508,9 +508,9 @@ answer_of!(DropReport as one {
     /// The laws that were fitted.
     candidates: Vec<Fitted<'_>> = one.found().map_or(&[][..], |found| &found.candidates).iter().map(Fitted).collect();
     quality: OfQuality<'_> = OfQuality(one);
-    impactor: Option<String> = one.impactor.clone();
-    sphere_radius_m: Option<f64> = one.sphere_radius_m;
-    boundary: Option<String> = one.boundary.clone();
+    impactor: Option<String>;
+    sphere_radius_m: Option<f64>;
+    boundary: Option<String>;
     reason: Option<String> = one.reason() => "no stiffness";
 });
 
@@ -532,13 +532,13 @@ answer_of!(Estimates as k {
 #[derive(Clone, Copy)]
 struct Fitted<'r>(&'r Candidate);
 
-answer_of!(Fitted<'_> as fitted {
+answer_of!(Fitted<'_> as fitted.0 {
     law: &'static str = fitted.0.law.name();
     stiffness_n_m: f64 = fitted.0.secant_n_m;
-    exponent: f64 = fitted.0.exponent;
-    damping_ratio: f64 = fitted.0.damping_ratio;
-    residual_ratio: f64 = fitted.0.residual_ratio;
-    chi_squared: f64 = fitted.0.chi_squared;
+    exponent: f64;
+    damping_ratio: f64;
+    residual_ratio: f64;
+    chi_squared: f64;
 });
 
 /// How far a drop can be trusted.
