@@ -285,7 +285,7 @@ macro_rules! answer {
         }
 
         impl $name {
-            fn of($me: $source $(, $other: $kind)*) -> Self {
+            pub(crate) fn of($me: $source $(, $other: $kind)*) -> Self {
                 Self { $( $field: $crate::answer_of!(@value ($me), $field, $($value)?), )* }
             }
         }

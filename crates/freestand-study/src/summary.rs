@@ -292,7 +292,7 @@ answer_of!(AxisInputs<'_> as of {
     period_from: Option<String> = of.1.map(str::to_owned);
     damping_ratio: Option<f64> = of.0.damping_ratio();
     shear_flexure_ratio: Option<f64> = of.0.shear_flexure_ratio();
-    modes: Vec<ModeReport> = of.0.modes().iter().map(ModeReport::from).collect();
+    modes: Vec<ModeReport> = of.0.modes().iter().map(ModeReport::of).collect();
 });
 
 /// Where the motions of a study are from.

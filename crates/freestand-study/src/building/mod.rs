@@ -347,26 +347,15 @@ pub fn model_words(building: &Building) -> String {
 
 answer! {
     /// A mode of a building.
-    pub struct ModeReport {
+    pub struct ModeReport of (mode: &Mode) {
         /// Of vibration.
-        period_s: f64,
+        period_s: f64 = mode.period_s();
         /// Of critical damping.
-        damping_ratio: f64,
+        damping_ratio: f64 = mode.damping_ratio();
         /// Γ.
-        participation_ratio: f64,
+        participation_ratio: f64 = mode.participation_ratio();
         /// The share of the mass, where masses are known.
-        effective_mass_ratio: Option<f64>,
-    }
-}
-
-impl From<&Mode> for ModeReport {
-    fn from(mode: &Mode) -> Self {
-        Self {
-            period_s: mode.period_s(),
-            damping_ratio: mode.damping_ratio(),
-            participation_ratio: mode.participation_ratio(),
-            effective_mass_ratio: mode.effective_mass_ratio(),
-        }
+        effective_mass_ratio: Option<f64> = mode.effective_mass_ratio();
     }
 }
 

@@ -115,19 +115,19 @@ answer! {
         missing_docs,
         reason = "the names are those of the JSON document and state the units"
     )]
-    pub struct AxisReport {
-        model: String,
-        damping: String,
-        modes: Vec<FloorMode>,
+    pub struct AxisReport of (axis: &Building) {
+        model: String = model_words(axis);
+        damping: String = damping_words(axis);
+        modes: Vec<FloorMode> = mode_reports(axis);
     }
 }
 
 answer! {
     /// A mode of the building.
-    pub struct FloorMode {
-        mode: ModeReport = flat,
+    pub struct FloorMode of (mode: &Mode) {
+        mode: ModeReport = ModeReport::of(mode) => flat;
         /// Γφ at the roof.
-        roof_share_ratio: f64,
+        roof_share_ratio: f64 = mode.share_ratio(1.0);
     }
 }
 
@@ -523,11 +523,7 @@ impl FloorReport {
             shear_flexure_ratio: building.shear_flexure_ratio(),
             pga_g: quantiles(&|motion: &MotionReport| Some(motion.pga_g))[1].unwrap_or_default(),
             modes: mode_reports(building),
-            across: request.building.across.as_ref().map(|axis| AxisReport {
-                model: model_words(axis),
-                damping: damping_words(axis),
-                modes: mode_reports(axis),
-            }),
+            across: request.building.across.as_ref().map(AxisReport::of),
             levels,
             motions,
             spectra,
@@ -576,11 +572,7 @@ impl FloorReport {
 }
 
 fn mode_reports(building: &Building) -> Vec<FloorMode> {
-    let report = |mode: &Mode| FloorMode {
-        mode: mode.into(),
-        roof_share_ratio: mode.share_ratio(1.0),
-    };
-    building.modes().iter().map(report).collect()
+    building.modes().iter().map(FloorMode::of).collect()
 }
 
 #[cfg(test)]

@@ -728,8 +728,8 @@ fn report(
         at,
         tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
         tolerance_edge_lift_m: request.tolerance_edge_lift_m,
-        damage_boundary_tests: request.boundary_tests.as_ref().map(BoundaryTests::answer),
-        damage_boundary: damage_boundary.map(|boundary| boundary.answer()),
+        damage_boundary_tests: request.boundary_tests.as_ref().map(TestsAnswer::of),
+        damage_boundary: damage_boundary.as_ref().map(BoundaryAnswer::of),
         demand_capacity: compared
             .as_ref()
             .map(|compared| compared.demand_capacity.clone()),

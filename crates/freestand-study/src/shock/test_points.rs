@@ -60,75 +60,49 @@ impl BoundaryTests {
             self.critical_velocity_change_m_s.survived?,
         ))
     }
-
-    /// Their part of the answer.
-    pub(super) fn answer(&self) -> TestsAnswer {
-        let point = |point: &TestPoint| TestPointAnswer {
-            method: point.method.to_string(),
-            velocity_change_m_s: point.velocity_change_m_s,
-            peak_acceleration_g: point.peak_acceleration_g,
-            damaged: point.damaged,
-            line: point.line,
-        };
-        let (v, a) = (
-            self.critical_velocity_change_m_s,
-            self.critical_acceleration_g,
-        );
-        TestsAnswer {
-            critical_velocity_change_m_s: BracketAnswer {
-                survived: v.survived,
-                damaged: v.damaged,
-            },
-            critical_acceleration_g: PeakBracket {
-                survived: a.survived,
-                damaged: a.damaged,
-            },
-            points: self.points.iter().map(point).collect(),
-        }
-    }
 }
 
 answer! {
     /// Shock tests of an object.
-    pub struct TestsAnswer {
+    pub struct TestsAnswer of (tests: &BoundaryTests) {
         /// Between which velocity changes the critical one lies.
-        critical_velocity_change_m_s: BracketAnswer,
+        critical_velocity_change_m_s: BracketAnswer = BracketAnswer::of(&tests.critical_velocity_change_m_s);
         /// Between which peaks the critical one lies.
-        critical_acceleration_g: PeakBracket,
+        critical_acceleration_g: PeakBracket = PeakBracket::of(&tests.critical_acceleration_g);
         /// All tests.
-        points: Vec<TestPointAnswer>,
+        points: Vec<TestPointAnswer> = tests.points.iter().map(TestPointAnswer::of).collect();
     }
 }
 
 answer! {
     /// What was survived last and damaged first.
-    pub struct BracketAnswer {
-        survived: Option<f64> = "largest survived velocity change",
-        damaged: Option<f64> = "smallest damaging velocity change",
+    pub struct BracketAnswer of (bracket: &Bracket) {
+        survived: Option<f64> => "largest survived velocity change";
+        damaged: Option<f64> => "smallest damaging velocity change";
     }
 }
 
 answer! {
     /// What was survived last and damaged first.
-    pub struct PeakBracket {
-        survived: Option<f64> = "largest survived peak",
-        damaged: Option<f64> = "smallest damaging peak",
+    pub struct PeakBracket of (bracket: &Bracket) {
+        survived: Option<f64> => "largest survived peak";
+        damaged: Option<f64> => "smallest damaging peak";
     }
 }
 
 answer! {
     /// A shock test.
-    pub struct TestPointAnswer {
+    pub struct TestPointAnswer of (point: &TestPoint) {
         /// A or B.
-        method: String,
+        method: String = point.method.to_string();
         /// Velocity change of the pulse.
-        velocity_change_m_s: f64,
+        velocity_change_m_s: f64;
         /// Peak of the pulse.
-        peak_acceleration_g: f64,
+        peak_acceleration_g: f64;
         /// Whether it damaged the object.
-        damaged: bool,
+        damaged: bool;
         /// Line of the file.
-        line: usize,
+        line: usize;
     }
 }
 

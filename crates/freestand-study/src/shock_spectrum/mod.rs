@@ -178,15 +178,15 @@ answer! {
 
 answer! {
     /// The size of a pulse.
-    pub struct PulseSize {
+    pub struct PulseSize of (peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) {
         /// Its peak.
-        peak_acceleration_g: f64,
+        peak_acceleration_g: f64 = peak_m_s2 / G0_M_S2;
         /// The same.
-        peak_acceleration_m_s2: f64,
+        peak_acceleration_m_s2: f64 = peak_m_s2;
         /// How long it is.
-        duration_s: f64,
+        duration_s: f64 = duration_s;
         /// Its area.
-        velocity_change_m_s: f64,
+        velocity_change_m_s: f64 = velocity_change_m_s;
     }
 }
 
@@ -320,7 +320,7 @@ pub fn pulse_shock_spectrum(
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
     one.pulse = Some(GivenPulse {
         shape: name_of(SHAPES, pulse.shape()),
-        size: pulse_size(peak_m_s2, duration_s, pulse.velocity_change_m_s()),
+        size: PulseSize::of(peak_m_s2, duration_s, pulse.velocity_change_m_s()),
     });
     let few = found
         .samples_per_period
@@ -408,21 +408,12 @@ fn one(
                 let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
                 EnvelopingPulse {
                     rule: "smallest-peak",
-                    size: pulse_size(peak_acceleration, duration_s, velocity_change_m_s),
+                    size: PulseSize::of(peak_acceleration, duration_s, velocity_change_m_s),
                 }
             },
         ),
         values_si,
     })
-}
-
-fn pulse_size(peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) -> PulseSize {
-    PulseSize {
-        peak_acceleration_g: peak_m_s2 / G0_M_S2,
-        peak_acceleration_m_s2: peak_m_s2,
-        duration_s,
-        velocity_change_m_s,
-    }
 }
 
 fn report(
