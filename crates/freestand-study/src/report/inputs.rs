@@ -15,6 +15,7 @@ use crate::study::{
 use crate::suite::Suite;
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
+use freestand_input::file::file_name;
 use freestand_input::words::{fixed, number, percent};
 
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
@@ -233,10 +234,7 @@ fn suite_selected(suite: &Suite) -> String {
         .iter()
         .map(|(name, value)| (name.as_str(), value.clone()))
         .collect();
-    let folder = suite
-        .folder
-        .file_name()
-        .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
         (
             "Suite",
@@ -281,11 +279,7 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
         .iter()
         .map(|record| {
             let motion = &record.motion;
-            let file = record
-                .path
-                .file_name()
-                .map(|name| name.to_string_lossy().into_owned())
-                .unwrap_or_default();
+            let file = file_name(&record.path).unwrap_or_default();
             vec![
                 words(&record.name),
                 words(&file),

@@ -4,6 +4,7 @@ use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summaries};
+use freestand_input::file::file_name;
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::escape;
 
@@ -49,11 +50,8 @@ pub(super) fn title(study: &Study) -> String {
 
 /// The line under the title.
 pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
-    let source = study.source.as_deref().and_then(|path| path.file_name());
-    let source = source.map_or_else(
-        || "the built-in study".to_owned(),
-        |name| name.to_string_lossy().into_owned(),
-    );
+    let source = study.source.as_deref().and_then(file_name);
+    let source = source.unwrap_or_else(|| "the built-in study".to_owned());
     format!(
         "Shock and overturning by rocking · {source} · freestand {}",
         provenance.version

@@ -4,7 +4,7 @@ use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::decision::Looks;
 
-use super::{Resolver, or};
+use super::{Resolver, or, stated};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
@@ -74,7 +74,7 @@ impl Resolver<'_> {
         let [inventory, library, cushion_library] = paths.each_mut().map(Option::take);
         Settings {
             inventory,
-            sheet: written.sheet.as_ref().map(|sheet| sheet.value.clone()),
+            sheet: stated(&written.sheet),
             library,
             cushion_library,
             accepted: self.accepted(written, defaults.accepted),
@@ -244,7 +244,7 @@ impl Resolver<'_> {
             ),
             // What it refuses was told above.
             looks: Looks::new(first, most, confidence).unwrap_or_default(),
-            shares: written.shares.as_ref().map(|shares| shares.value),
+            shares: stated(&written.shares),
         }
     }
 
@@ -275,7 +275,7 @@ impl Resolver<'_> {
                 key,
                 "a factor above 0, at most 20",
             );
-            written.as_ref().map(|factor| factor.value)
+            stated(written)
         });
         let [
             overstrength_ratio,
@@ -310,13 +310,10 @@ impl Resolver<'_> {
             response_ratio,
             resonance_ratio,
             strength_ratio,
-            building_ductility_ratio: written
-                .building_ductility_ratio
-                .as_ref()
-                .map(|factor| factor.value),
+            building_ductility_ratio: stated(&written.building_ductility_ratio),
             importance_ratio,
-            bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
-            anchor_inset_m: written.anchor_inset_m.as_ref().map(|inset| inset.value),
+            bracket_height_m: stated(&written.bracket_height_m),
+            anchor_inset_m: stated(&written.anchor_inset_m),
             bracket: self
                 .named("bracket", &written.bracket, &Bracket::ALL)
                 .unwrap_or(defaults.bracket),
@@ -443,7 +440,7 @@ impl Resolver<'_> {
         for (key, one) in &keys[1..] {
             self.exclusive(keys[0], (key, one));
         }
-        let both = written.pad_damping.as_ref().map(|one| one.value);
+        let both = stated(&written.pad_damping);
         let low = or(&written.pad_damping_low, both.unwrap_or(default.0));
         let high = or(&written.pad_damping_high, both.unwrap_or(default.1));
         if low > high {

@@ -4,7 +4,7 @@ use freestand::block::Block;
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::{Accuracy, Restitution};
 
-use super::{MAX_OBJECTS, Resolver, or};
+use super::{MAX_OBJECTS, Resolver, or, stated};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
 use crate::shape::squat_warning;
@@ -103,8 +103,8 @@ impl Resolver<'_> {
             cushion_file,
             restitution: restitution?,
             accuracy: accuracy?,
-            tolerance_m_s2: written.tolerance_m_s2.as_ref().map(|w| w.value),
-            friction: written.friction.as_ref().map(|w| w.value),
+            tolerance_m_s2: stated(&written.tolerance_m_s2),
+            friction: stated(&written.friction),
         })
     }
 

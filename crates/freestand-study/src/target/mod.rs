@@ -27,7 +27,7 @@ pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
 
 use crate::places::{Confidence, Place};
-use freestand_input::file::InputFile;
+use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
@@ -337,11 +337,8 @@ impl Target {
 
     /// The name of the table's file.
     fn file_name(&self) -> String {
-        let name = self.file.as_ref().and_then(|file| file.path.file_name());
-        name.map_or_else(
-            || "of the user".to_owned(),
-            |name| name.to_string_lossy().into_owned(),
-        )
+        let name = self.file.as_ref().and_then(|file| file_name(&file.path));
+        name.unwrap_or_else(|| "of the user".to_owned())
     }
 }
 
