@@ -112,6 +112,16 @@ pub enum ObjectResponse {
     Failed(String),
 }
 
+impl ObjectResponse {
+    /// The response, where it could be calculated.
+    pub fn done(&self) -> Option<(&UpliftCell, &ShockCell)> {
+        match self {
+            Self::Done { uplift, shock, .. } => Some((uplift, shock)),
+            Self::FreeFlight(_) | Self::Failed(_) => None,
+        }
+    }
+}
+
 /// A quantile over motions in which an overturned object ranks above every number.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]

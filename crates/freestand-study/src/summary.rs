@@ -77,35 +77,24 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         .map(|floor| floor.peak_m_s2() / G0_M_S2)
         .collect();
     let rows = || level.responses.iter().flatten();
+    let done = || rows().filter_map(ObjectResponse::done);
     let histories = rows().count();
     let count = |holds: &dyn Fn(Outcome) -> bool| {
-        rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.rocking.outcome))).count()
+        done()
+            .filter(|(uplift, _)| holds(uplift.rocking.outcome))
+            .count()
     };
-    let done = count(&|_| true);
-    let share = |n: usize| {
-        if done == 0 {
-            0.0
-        } else {
-            n as f64 / done as f64
-        }
-    };
+    let calculated = done().count();
+    let share = |n: usize| n as f64 / calculated.max(1) as f64;
     let statistics = || level.statistics.iter().flatten();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
-    let shocks = |velocity: bool| {
-        rows().filter_map(move |r| match r {
-            ObjectResponse::Done { shock, .. } if velocity => {
-                shock.edge_acceleration_impact_velocity_g
-            }
-            ObjectResponse::Done { shock, .. } => shock.edge_acceleration_g,
-            ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
-        })
-    };
+
     LevelSummary {
         level: level.level.name.clone(),
         level_ratio: level.level.level_ratio,
         pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value(),
         histories,
-        failed: histories - done,
+        failed: histories - calculated,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
         overturned_share: share(count(&|o| o.has_fallen())),
         exceeded_objects: tolerance_m_s2.map(|tolerance| {
@@ -116,11 +105,15 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         overturned_objects: statistics()
             .filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned)
             .count(),
-        edge_acceleration_g_max: largest(&mut shocks(false)),
+        edge_acceleration_g_max: largest(
+            &mut done().filter_map(|(_, shock)| shock.edge_acceleration_g),
+        ),
         edge_acceleration_g_median: largest(
             &mut statistics().filter_map(|s| s.edge_acceleration_g[1].value()),
         ),
-        edge_acceleration_impact_velocity_g_max: largest(&mut shocks(true)),
+        edge_acceleration_impact_velocity_g_max: largest(
+            &mut done().filter_map(|(_, shock)| shock.edge_acceleration_impact_velocity_g),
+        ),
         edge_acceleration_impact_velocity_g_median: largest(
             &mut statistics().filter_map(|s| s.edge_acceleration_impact_velocity_g[1].value()),
         ),

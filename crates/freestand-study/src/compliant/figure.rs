@@ -26,8 +26,11 @@ const WIDTHS_PX: [f64; 2] = [2.4, 1.0];
 const SHOWN_BEFORE: f64 = 2.0;
 const SHOWN_AFTER: f64 = 14.0;
 
-/// The first impact of a sampled history, or all of the history if there was no impact.
-fn trace_page(report: &CompliantReport) -> Page {
+/// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn trace_figure(report: &CompliantReport) -> Result<Figure, FigureError> {
     let (rocking, base) = (&report.history.rocking, &report.base);
     let (from, to) = rocking
         .touches
@@ -102,7 +105,7 @@ fn trace_page(report: &CompliantReport) -> Page {
             |mu| format!("friction {}", significant(mu, 3))
         ),
     );
-    Page {
+    draw(Page {
         name: "trace".to_owned(),
         title: plain("Landing on the cushions"),
         caption,
@@ -110,7 +113,7 @@ fn trace_page(report: &CompliantReport) -> Page {
         columns: 1,
         row_heights_px: PANELS_PX.to_vec(),
         legend,
-    }
+    })
 }
 
 /// A panel whose axis includes the value `also` as well as its curves.
@@ -146,12 +149,4 @@ fn panel(
         plots,
         layout: stacked(x, y, lowest),
     }
-}
-
-/// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn trace_figure(report: &CompliantReport) -> Result<Figure, FigureError> {
-    draw(trace_page(report))
 }

@@ -12,8 +12,15 @@ const PANEL_PX: f64 = 330.0;
 /// The largest number of levels that is drawn, from the lowest to the highest.
 const MOST_LEVELS: usize = 6;
 
-/// The spectra of a report; `motions` is the number of motions that the medians are over.
-pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usize) -> Page {
+/// Draws response spectra of floors; `motions` is the number of motions that the medians are over.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_response_figure(
+    report: &SpectraReport,
+    height_m: f64,
+    motions: usize,
+) -> Result<Figure, FigureError> {
     let drawn = drawn_levels(report.levels.len());
     let positive = || report.periods_s.iter().copied().filter(|&t| t > 0.0);
     let (mut from, mut to) = (
@@ -71,7 +78,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
     } else {
         "one motion".to_owned()
     };
-    Page {
+    draw(Page {
         name: "spectra".to_owned(),
         title: "Response spectra of the floors".to_owned(),
         caption: format!(
@@ -82,7 +89,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
         panels,
         columns,
-    }
+    })
 }
 
 /// The drawn levels of `count`: all, or an even selection from the first to the last.
@@ -93,18 +100,6 @@ fn drawn_levels(count: usize) -> Vec<usize> {
     (0..MOST_LEVELS)
         .map(|i| i * (count - 1) / (MOST_LEVELS - 1))
         .collect()
-}
-
-/// Draws response spectra of floors; `motions` is the number of motions that the medians are over.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn floor_response_figure(
-    report: &crate::floor::SpectraReport,
-    height_m: f64,
-    motions: usize,
-) -> Result<Figure, FigureError> {
-    draw(floor_response(report, height_m, motions))
 }
 
 #[cfg(test)]

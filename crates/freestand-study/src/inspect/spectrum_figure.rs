@@ -24,12 +24,15 @@ const MARKED_PERIODS: usize = 12;
 /// The curve of a spectrum that a panel draws.
 type Values = fn(&DampedSpectrum) -> &[f64];
 
-/// PSA, PSV and SD against period.
-pub(crate) fn response_spectrum(
+/// Draws response spectra of one motion at one or several dampings: PSA, PSV and SD against period.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn response_spectrum_figure(
     words: Words<'_>,
     periods_s: &[f64],
     spectra: &[&DampedSpectrum],
-) -> Page {
+) -> Result<Figure, FigureError> {
     let periods = || periods_s.iter().copied().filter(|&t| t > 0.0);
     let (mut from, mut to) = (
         periods().fold(f64::INFINITY, f64::min),
@@ -66,7 +69,7 @@ pub(crate) fn response_spectrum(
     } else {
         format!(" Processing: {}.", words.processing.join("; "))
     };
-    Page {
+    draw(Page {
         name: "spectrum".to_owned(),
         title: plain(&format!("Response spectrum of {}", shorten(words.name))),
         caption: format!(
@@ -78,7 +81,7 @@ pub(crate) fn response_spectrum(
         columns: 1,
         row_heights_px: PANELS_PX.to_vec(),
         legend: legend.collect(),
-    }
+    })
 }
 
 fn panel(
@@ -122,16 +125,4 @@ fn panel(
     let top = y.to;
     let layout = over_periods(stacked(x, y, lowest), top);
     Panel { plots, layout }
-}
-
-/// Draws response spectra of one motion at one or several dampings: PSA, PSV and SD against period.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn response_spectrum_figure(
-    words: Words<'_>,
-    periods_s: &[f64],
-    spectra: &[&DampedSpectrum],
-) -> Result<Figure, FigureError> {
-    draw(response_spectrum(words, periods_s, spectra))
 }

@@ -20,29 +20,30 @@ const PANEL_PX: f64 = 430.0;
 /// The largest number of tests that have a line of their own in the legend.
 const MAX_NAMES: usize = 8;
 
-/// Force against compression, and acceleration against compression, of all drops, with the fitted
-/// laws.
-pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
+/// Draws the loops of drop tests: force and acceleration against compression.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn drop_figures(report: &DropsReport) -> Result<Vec<Figure>, FigureError> {
     let has_loop = |drop: &&DropReport| drop.test.points.len() > 1;
     let tests: Vec<&DropReport> = report.tests.iter().filter(has_loop).collect();
-    let force: Drawn = |_, force_n| force_n;
-    let accel: Drawn = |a, _| a / G0_M_S2;
-    vec![
+    let pages = [
         page(
             &tests,
             "force_displacement",
             "Dynamic force and compression",
             "Force (N)",
-            force,
+            |_, force_n| force_n,
         ),
         page(
             &tests,
             "acceleration_displacement",
             "Acceleration and compression",
             "Acceleration (g)",
-            accel,
+            |a, _| a / G0_M_S2,
         ),
-    ]
+    ];
+    pages.into_iter().map(draw).collect()
 }
 
 fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Drawn) -> Page {
@@ -169,8 +170,11 @@ fn thinned(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Force against compression of static tests.
-pub(crate) fn statics(report: &StaticsReport) -> Page {
+/// Draws the curves of static tests.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn static_figure(report: &StaticsReport) -> Result<Figure, FigureError> {
     let curves: Vec<Vec<(f64, f64)>> = report
         .tests
         .iter()
@@ -197,7 +201,7 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
         report.tests.iter().map(|test| test.path.as_str()),
         "tangent at the working load",
     );
-    Page {
+    draw(Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),
         caption: "Static tests, corrected for machine and toe: loading and unloading, and the tangents at the \
@@ -207,21 +211,5 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
-}
-
-/// Draws the loops of drop tests: force and acceleration against compression.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn drop_figures(report: &DropsReport) -> Result<Vec<Figure>, FigureError> {
-    drops(report).into_iter().map(draw).collect()
-}
-
-/// Draws the curves of static tests.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn static_figure(report: &StaticsReport) -> Result<Figure, FigureError> {
-    draw(statics(report))
+    })
 }

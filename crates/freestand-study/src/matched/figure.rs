@@ -30,8 +30,11 @@ pub struct MatchedPicture<'a> {
     pub motions: &'a [&'a Motion],
 }
 
-/// PSA of each motion, their geometric mean, and the target, against period.
-pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
+/// Draws the spectra of motions against their target.
+///
+/// # Errors
+/// The error of the plot library.
+pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
     let periods_s = matched_periods_s();
     let psa_g: Vec<Vec<f64>> = picture
         .motions
@@ -81,7 +84,7 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         stacked(Axis::between(first, last, "Period (s)"), y, true),
         top,
     );
-    Page {
+    draw(Page {
         name: "target".to_owned(),
         title: plain(picture.title),
         caption: format!(
@@ -109,13 +112,5 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         .into_iter()
         .flatten()
         .collect(),
-    }
-}
-
-/// Draws the spectra of motions against their target.
-///
-/// # Errors
-/// The error of the plot library.
-pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
-    draw(matched(picture))
+    })
 }

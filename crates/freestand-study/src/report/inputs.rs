@@ -24,8 +24,8 @@ use freestand_output::html::{figure, heading, paragraph, properties, table, word
 pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     let mut html = heading("Ground motions");
     match &study.ground {
-        Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
-        Ground::Simulated(simulated) => html.push_str(&simulated_ground(simulated, result)),
+        Ground::Synthetic(synthetic) => html += &synthetic_ground(synthetic, result),
+        Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
                 let facts: Vec<_> = target
@@ -33,45 +33,36 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
                     .iter()
                     .map(|(name, value)| (name.as_str(), value.clone()))
                     .collect();
-                html.push_str(&properties("", &facts));
+                html += &properties("", &facts);
             }
-            html.push_str(
-                &study
-                    .ground
-                    .suite()
-                    .map_or_else(String::new, suite_selected),
-            );
-            html.push_str(&recorded_motions(
+            html += &study
+                .ground
+                .suite()
+                .map_or_else(String::new, suite_selected);
+            html += &recorded_motions(
                 "Recorded motions as used",
                 &records.iter().collect::<Vec<_>>(),
-            ));
-            html.push_str(
-                &study
-                    .ground
-                    .target()
-                    .map_or_else(String::new, |target| misfits(target, result)),
             );
+            html += &study
+                .ground
+                .target()
+                .map_or_else(String::new, |target| misfits(target, result));
         }
-        Ground::OnFloors => html.push_str(&paragraph(
-            "None: the study gives the motions of the floors.",
-        )),
+        Ground::OnFloors => html += &paragraph("None: the study gives the motions of the floors."),
     }
-    html.push_str(&vertical_motion(study, result));
+    html += &vertical_motion(study, result);
     if let Some(input) = &study.building {
-        html.push_str(&heading("Building"));
-        html.push_str(&building(study, input, result));
+        html += &heading("Building");
+        html += &building(study, input, result);
     } else {
-        html.push_str(&heading("Floor motions"));
+        html += &heading("Floor motions");
         for level in &study.levels {
             let caption = format!("Motions given for the level {}, as used", level.name);
-            html.push_str(&recorded_motions(
-                &caption,
-                &level.motions.iter().collect::<Vec<_>>(),
-            ));
+            html += &recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>());
         }
     }
-    html.push_str(&heading("Objects"));
-    html.push_str(&objects(study));
+    html += &heading("Objects");
+    html += &objects(study);
     html
 }
 
@@ -292,11 +283,9 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
         })
         .collect();
     let mut html = table(caption, &headings, &rows);
-    html.push_str(&processing(records));
+    html += &processing(records);
     if records.len() < 7 {
-        html.push_str(&paragraph(
-            "Percentiles of so few motions are coarse estimates.",
-        ));
+        html += &paragraph("Percentiles of so few motions are coarse estimates.");
     }
     html
 }
@@ -406,7 +395,7 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)"
         }
     };
-    html.push_str(&table(title, &headings, &rows));
+    html += &table(title, &headings, &rows);
     html
 }
 

@@ -62,25 +62,25 @@ pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
 pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     let levels: Vec<LevelSummary> = level_summaries(study, result);
     let mut html = paragraph(&job_words(study, result, &levels));
-    html.push_str("<ul>\n");
+    html += "<ul>\n";
     for level in &levels {
-        html.push_str(&format!(
+        html += &format!(
             "<li><strong>{}</strong>: {}</li>\n",
             escape(&level.level),
             escape(&level_words(level))
-        ));
+        );
     }
-    html.push_str("</ul>\n");
-    html.push_str(&first_table(&levels));
-    html.push_str(&tolerance_words(study, &levels));
-    html.push_str(&failures(result));
-    html.push_str("<div class=\"warn\">\n<h2>Validity warnings</h2>\n");
+    html += "</ul>\n";
+    html += &first_table(&levels);
+    html += &tolerance_words(study, &levels);
+    html += &failures(result);
+    html += "<div class=\"warn\">\n<h2>Validity warnings</h2>\n";
     if result.warnings.is_empty() {
-        html.push_str("<p>None.</p>\n");
+        html += "<p>None.</p>\n";
     } else {
-        html.push_str(&list(&result.warnings));
+        html += &list(&result.warnings);
     }
-    html.push_str("</div>\n");
+    html += "</div>\n";
     html
 }
 
@@ -223,12 +223,12 @@ fn first_table(levels: &[LevelSummary]) -> String {
         })
         .collect();
     let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
-    html.push_str(&paragraph(
+    html += &paragraph(
         "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
          the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
          of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
          the two sources of the energy at impact; the paper uses the uplift.",
-    ));
+    );
     html
 }
 
@@ -286,9 +286,7 @@ fn failures(result: &StudyResult) -> String {
         &rows,
     );
     if more > 0 {
-        html.push_str(&paragraph(&format!(
-            "Other reasons: {more}. srs.csv lists all."
-        )));
+        html += &paragraph(&format!("Other reasons: {more}. srs.csv lists all."));
     }
     html
 }

@@ -94,19 +94,19 @@ pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> Stri
                 ]
             })
             .collect();
-        html.push_str(&table(
+        html += &table(
             "Files that were read",
             &[vec![words("File"), figure("SHA-256")]],
             &rows,
-        ));
+        );
     }
-    html.push_str(&paragraph(
+    html += &paragraph(
         "The same version with the same study and files gives the same numbers on any number of threads. urs.csv \
          and srs.csv list every object and motion; summary.json contains the key figures and all inputs.",
-    ));
-    html.push_str(&format!(
+    );
+    html += &format!(
         "<details>\n<summary>The study as TOML, ready to run again</summary>\n<pre>{}</pre>\n</details>\n",
         escape(&study.toml)
-    ));
+    );
     html
 }

@@ -34,12 +34,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
             .filter(|row| row.level == *name)
             .map(row)
             .collect();
-        html.push_str(&classed_table(
-            "glance",
-            &format!("Level {name}"),
-            &headings,
-            &rows,
-        ));
+        html += &classed_table("glance", &format!("Level {name}"), &headings, &rows);
     }
     let mut remarks: Vec<String> = Vec::new();
     // A remark belongs to a variation, not to a level: it is printed once.
@@ -50,7 +45,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
     }
     remarks.extend(sensitivity.left_out.iter().cloned());
     if !remarks.is_empty() {
-        html.push_str(&list(&remarks));
+        html += &list(&remarks);
     }
     html
 }

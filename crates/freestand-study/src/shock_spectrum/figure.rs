@@ -64,8 +64,15 @@ fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
     Panel { plots, layout }
 }
 
-/// Spectra over frequency.
-pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) -> Page {
+/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn shock_spectrum_figure(
+    title: &str,
+    label: &str,
+    curves: &[ShockCurve],
+) -> Result<Figure, FigureError> {
     let of = |pick: fn(&(f64, f64)) -> f64| {
         curves
             .iter()
@@ -111,7 +118,7 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
         let words = format!("and {} more", curves.len() - MAX_NAMED);
         legend.push(Entry::line(DARK, 1.0, Some("2 3"), words));
     }
-    Page {
+    draw(Page {
         name: "shock_spectrum".to_owned(),
         title: plain(title),
         caption: format!("{label} of damped oscillators under the shock, against their frequency."),
@@ -119,11 +126,14 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
+    })
 }
 
-/// A boundary with the demand.
-pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
+/// Draws a damage boundary and a demand.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
     let (v_c, a_c) = picture.corner;
     let (v, a) = picture.demand;
     let points = || picture.survived.iter().chain(&picture.damaged);
@@ -194,7 +204,7 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
             .map(|(filled, words)| Entry::new(square(filled), words)),
     );
     legend.push(Entry::new(demand, words));
-    Page {
+    draw(Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
         caption: "A shock does damage only if both its peak and its velocity change are too large: above and to the \
@@ -206,25 +216,5 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
-}
-
-/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn shock_spectrum_figure(
-    title: &str,
-    label: &str,
-    curves: &[ShockCurve],
-) -> Result<Figure, FigureError> {
-    draw(shock_spectrum(title, label, curves))
-}
-
-/// Draws a damage boundary and a demand.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
-    draw(damage_boundary(picture))
+    })
 }

@@ -15,9 +15,11 @@ use super::spectrum::{CodeSpectrumReport, PartsLevel};
 
 const PANEL_PX: f64 = 330.0;
 
-/// Acceleration against period; in a second panel, if there is a clause, floor accelerations over
-/// the height.
-pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
+/// Draws the spectrum of a code, and the accelerations of parts over the height of a building.
+///
+/// # Errors
+/// The error of the plot library.
+pub fn code_spectrum_figure(report: &CodeSpectrumReport) -> Result<Figure, FigureError> {
     let mut panels = vec![spectrum_panel(report)];
     let mut legend = vec![line_entry(0, "horizontal")];
     if report.vertical_sa_g.is_some() {
@@ -46,7 +48,7 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
         ));
     }
     let columns = panels.len();
-    Page {
+    draw(Page {
         name: "spectrum".to_owned(),
         title: plain(&report.target.one_line()),
         caption,
@@ -54,7 +56,7 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
         columns,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
+    })
 }
 
 fn line_entry(index: usize, words: &str) -> Entry {
@@ -118,12 +120,4 @@ fn parts_panel(levels: &[PartsLevel]) -> Panel {
     let mut layout = axes(x, y);
     layout.x_tick_format = x_ticks;
     Panel { plots, layout }
-}
-
-/// Draws the spectrum of a code, and the accelerations of parts over the height of a building.
-///
-/// # Errors
-/// The error of the plot library.
-pub fn code_spectrum_figure(report: &CodeSpectrumReport) -> Result<Figure, FigureError> {
-    draw(code_spectrum(report))
 }
