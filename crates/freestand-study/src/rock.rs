@@ -4,20 +4,18 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, ValidityWarning, compression_warnings,
-    impact_friction_needed_ratio, stiffness_warnings,
+    ASSUMED_FRICTION, ImpactModel, ValidityWarning, impact_friction_needed_ratio,
 };
 use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, RigidHistory, RigidPlane};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingImpact, RockingModel,
-    Until,
+    Accuracy, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingImpact, RockingModel, Until,
 };
 use freestand::spectra::{ShockCell, UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
 use crate::shape::Sizes;
-use crate::unsolved::{self, unresolved_warning};
+use crate::unsolved::{self, base, unresolved_warning};
 use crate::walls::{WallAnswer, WallStiffness};
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, name_of};
@@ -210,10 +208,7 @@ pub fn edge_landings(
 /// # Errors
 /// An input that the solver refuses, with a hint.
 pub fn rock(request: &RockRequest) -> Result<RockReport, Problem> {
-    let base = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let base = base(&request.horizontal, &request.vertical);
     let history = request
         .object
         .follow(base, &request.how)
@@ -253,29 +248,18 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         &request.object.walls,
         rocking.contacts,
     ));
-    if let Some((
-        mass,
-        EdgeCushion {
-            cushion,
-            pad_thickness_m,
-            ..
-        },
-    )) = request.cushion.as_ref()
-    {
-        warnings.extend(
-            stiffness_warnings(*mass, cushion, *pad_thickness_m)
-                .iter()
-                .map(ToString::to_string),
-        );
+    if let Some((mass, edge)) = cushion {
+        warnings.extend(edge.stiffness_doubts(*mass));
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
             let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
-            landing.impact(*mass, cushion, rise_m, gravity)
+            landing.impact(*mass, &edge.cushion, rise_m, gravity)
         });
         let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-        let beyond = deepest
-            .map(|impact| compression_warnings(impact.compression_m, cushion, *pad_thickness_m))
-            .unwrap_or_default();
-        warnings.extend(beyond.iter().map(ToString::to_string));
+        warnings.extend(
+            deepest
+                .into_iter()
+                .flat_map(|impact| edge.compression_doubts(impact.compression_m)),
+        );
     }
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
     let mut sliding = |needed: f64, when| {

@@ -10,7 +10,7 @@ use freestand::rocking::{Base, RockingError};
 use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_speed_m_s};
 
 use crate::rock::RockImpact;
-use crate::unsolved::{self, rocking_problem, sliding_problem};
+use crate::unsolved::{self, base, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::answer;
@@ -275,10 +275,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
     if !surface.carries(block)? {
         return Err(surface.refused(block));
     }
-    let base = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let base = base(&request.horizontal, &request.vertical);
     let glider = surface.glider(*block);
     let history = glider
         .follow(base, &request.how)

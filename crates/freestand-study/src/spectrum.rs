@@ -7,7 +7,7 @@ use std::time::Instant;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
+use freestand::impact::{ImpactModel, Landing};
 use freestand::motion::Motion;
 use freestand::respond::{RigidPlane, Settings};
 use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError};
@@ -204,24 +204,15 @@ impl SpectrumRequest {
                 .flat_map(|block| Sizes::of(&block).doubts())
                 .next(),
         );
-        if let Some((
-            mass_kg,
-            EdgeCushion {
-                cushion,
-                pad_thickness_m,
-                ..
-            },
-        )) = &self.cushion
-        {
-            let soft = stiffness_warnings(*mass_kg, cushion, *pad_thickness_m);
-            warnings.extend(soft.iter().map(ToString::to_string));
+        if let Some((mass_kg, edge)) = &self.cushion {
+            warnings.extend(edge.stiffness_doubts(*mass_kg));
             let deepest_m = tallies
                 .iter()
                 .filter_map(|tally| tally.largest_compression_m)
                 .reduce(f64::max);
             let beyond = deepest_m
-                .map(|deepest_m| compression_warnings(deepest_m, cushion, *pad_thickness_m));
-            let beyond = beyond.iter().flatten();
+                .into_iter()
+                .flat_map(|deepest_m| edge.compression_doubts(deepest_m));
             warnings.extend(
                 beyond
                     .map(|warning| format!("the landing with the largest compression: {warning}")),

@@ -12,9 +12,10 @@ use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
-use freestand::rocking::{Base, Outcome, Until};
+use freestand::rocking::{Outcome, Until};
 
-use crate::unsolved::{self, unresolved_warning};
+use crate::cushion::told;
+use crate::unsolved::{self, base, unresolved_warning};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::answer;
@@ -277,10 +278,7 @@ pub struct CompliantReport {
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_on_cushions(request: &CompliantRequest) -> Result<CompliantReport, Problem> {
-    let motion = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let motion = base(&request.horizontal, &request.vertical);
     let is_free = motion.horizontal.is_none() && motion.vertical.is_none();
     let mut how = request.how.clone();
     if is_free && matches!(how.settings.until, Until::Settled { .. }) {
@@ -324,10 +322,7 @@ fn is_one_realisation(request: &CompliantRequest, how: &HistoryOptions, outcome:
         else {
             return false;
         };
-        let motion = Base {
-            horizontal: horizontal.as_ref(),
-            vertical: vertical.as_ref(),
-        };
+        let motion = base(&horizontal, &vertical);
         let found = request.object.follow(motion, &how);
         found.map_or(true, |found| found.rocking.outcome != outcome)
     };
@@ -459,10 +454,13 @@ const ENERGY_LIMIT: f64 = 1e-5;
 fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
     let (base, pad_thickness_m) = (&request.object.base, request.pad_thickness_m);
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
-    let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
-    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
-    let beyond = compression_warnings(rocking.peak_compression_m, &base.cushion, pad_thickness_m);
-    warnings.extend(beyond.iter().map(ToString::to_string));
+    let mut doubts = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
+    doubts.extend(compression_warnings(
+        rocking.peak_compression_m,
+        &base.cushion,
+        pad_thickness_m,
+    ));
+    let mut warnings: Vec<String> = told(doubts).collect();
     warnings.extend(ringing_warning(&base.cushion, is_shaken));
     if rocking.equilibrium.is_none() {
         warnings.push(

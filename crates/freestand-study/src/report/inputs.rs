@@ -28,12 +28,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
-                let facts: Vec<_> = target
-                    .facts
-                    .iter()
-                    .map(|(name, value)| (name.as_str(), value.clone()))
-                    .collect();
-                html += &properties("", &facts);
+                html += &properties("", &target.fact_rows());
             }
             html += &study
                 .ground
@@ -91,11 +86,7 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
     let target = &synthetic.target;
-    let mut facts: Vec<(&str, String)> = target
-        .facts
-        .iter()
-        .map(|(name, value)| (name.as_str(), value.clone()))
-        .collect();
+    let mut facts = target.fact_rows();
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
     properties("", &facts) + &misfits(target, result)
@@ -219,12 +210,7 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
 fn suite_selected(suite: &Suite) -> String {
-    let mut facts: Vec<(&str, String)> = suite
-        .target
-        .facts
-        .iter()
-        .map(|(name, value)| (name.as_str(), value.clone()))
-        .collect();
+    let mut facts = suite.target.fact_rows();
     let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
         (

@@ -92,25 +92,22 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         1 => "1 thickness".to_owned(),
         n => format!("{n} thicknesses"),
     };
-    let is_matched = study.ground.target().is_some();
-    let kind = match (&study.ground, result.motions.len()) {
-        (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
-        (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
-        (Ground::Simulated(_), 1) => "one simulated ground motion".to_owned(),
-        (Ground::Simulated(_), n) => format!("{n} simulated ground motions"),
-        (Ground::Recorded(_), 1) if is_matched => {
-            "one recorded ground motion, matched to a spectrum".to_owned()
+    let (kind, chosen) = match &study.ground {
+        Ground::Synthetic(_) => ("synthetic ground", ""),
+        Ground::Simulated(_) => ("simulated ground", ""),
+        Ground::Recorded(_) if study.ground.target().is_some() => {
+            ("recorded ground", ", matched to a spectrum")
         }
-        (Ground::Recorded(_), n) if is_matched => {
-            format!("{n} recorded ground motions, matched to a spectrum")
+        Ground::Recorded(_) if study.ground.suite().is_some() && result.motions.len() != 1 => {
+            ("recorded ground", ", selected for a spectrum")
         }
-        (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
-        (Ground::Recorded(_), n) if study.ground.suite().is_some() => {
-            format!("{n} recorded ground motions, selected for a spectrum")
-        }
-        (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
-        (Ground::OnFloors, 1) => "one given floor motion".to_owned(),
-        (Ground::OnFloors, n) => format!("{n} given floor motions each"),
+        Ground::Recorded(_) => ("recorded ground", ""),
+        Ground::OnFloors if result.motions.len() != 1 => ("given floor", " each"),
+        Ground::OnFloors => ("given floor", ""),
+    };
+    let kind = match result.motions.len() {
+        1 => format!("one {kind} motion{chosen}"),
+        n => format!("{n} {kind} motions{chosen}"),
     };
     let failed = match failed {
         0 => "none failed".to_owned(),

@@ -1,7 +1,7 @@
 //! Resolves `[objects]`.
 
 use freestand::block::Block;
-use freestand::impact::stiffness_warnings;
+
 use freestand::rocking::{Accuracy, Restitution};
 
 use super::{MAX_OBJECTS, Resolver, or, stated};
@@ -90,8 +90,7 @@ impl Resolver<'_> {
             return None;
         }
         let (cushion, cushion_file) = cushion?;
-        let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
-        self.warnings.extend(soft.iter().map(ToString::to_string));
+        self.warnings.extend(cushion.stiffness_doubts(mass_kg));
         self.warnings
             .extend(squat_warning(blocks.len(), blocks.iter().copied()));
         Some(Objects {

@@ -1,12 +1,9 @@
 //! Warnings that follow from a result.
 
 use freestand::G0_M_S2;
-use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio,
-};
+use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome, RockingModel, StopReason};
 
-use crate::cushion::EdgeCushion;
 use crate::matched::peak_warning;
 use crate::result::{GroundMotion, LevelResult, ObjectResponse};
 use crate::study::Study;
@@ -81,24 +78,20 @@ pub(super) fn result_warnings(
             objects.blocks.len()
         ));
     }
-    let EdgeCushion {
-        cushion,
-        pad_thickness_m,
-        ..
-    } = &objects.cushion;
     let worst = done()
         .filter(|(uplift, _)| uplift.rocking.outcome == Outcome::Rocked)
         .map(|(uplift, _)| {
             let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
-            landing.impact(objects.mass_kg, cushion, uplift.rocking.cg_rise_m, G0_M_S2)
+            landing.impact(
+                objects.mass_kg,
+                &objects.cushion.cushion,
+                uplift.rocking.cg_rise_m,
+                G0_M_S2,
+            )
         })
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(impact) = worst {
-        warnings.extend(
-            compression_warnings(impact.compression_m, cushion, *pad_thickness_m)
-                .iter()
-                .map(ToString::to_string),
-        );
+        warnings.extend(objects.cushion.compression_doubts(impact.compression_m));
     }
     warnings
 }

@@ -137,21 +137,21 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
             Err(problem) => problems.push(problem),
         }
     }
-    for (method, what, size) in [
-        (TestMethod::A, "velocity change", velocity_change as Size),
-        (TestMethod::B, "peak", peak as Size),
-    ] {
-        problems.extend(contradiction(&points, method, what, size));
-    }
+    problems.extend(contradiction(
+        &points,
+        TestMethod::A,
+        "velocity change",
+        velocity_change,
+    ));
+    problems.extend(contradiction(&points, TestMethod::B, "peak", peak));
+    let problems: Problems = problems
+        .into_iter()
+        .map(|problem| problem.in_file(path))
+        .collect();
     if problems.is_empty() {
         return Ok(evaluated(points));
     }
-    Err(Problems {
-        problems: problems
-            .into_iter()
-            .map(|problem| problem.in_file(path))
-            .collect(),
-    })
+    Err(problems)
 }
 
 /// The quantity that a method increases from shock to shock.
@@ -189,6 +189,17 @@ fn method(row: &DamageRow) -> Result<TestMethod, Problem> {
     }
 }
 
+/// The shocks of a method that did damage, or did not.
+fn tested(
+    points: &[TestPoint],
+    method: TestMethod,
+    damaged: bool,
+) -> impl Iterator<Item = &TestPoint> {
+    points
+        .iter()
+        .filter(move |point| point.method == method && point.damaged == damaged)
+}
+
 /// A problem where a shock of a method was survived at or above the first damage.
 fn contradiction(
     points: &[TestPoint],
@@ -196,11 +207,7 @@ fn contradiction(
     what: &str,
     size: Size,
 ) -> Option<Problem> {
-    let of = |damaged: bool| {
-        points
-            .iter()
-            .filter(move |point| point.method == method && point.damaged == damaged)
-    };
+    let of = |damaged| tested(points, method, damaged);
     let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
@@ -217,11 +224,7 @@ fn contradiction(
 fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     let mut warnings = Vec::new();
     let bracket = |method: TestMethod, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
-        let of = |damaged: bool| {
-            points
-                .iter()
-                .filter(move |point| point.method == method && point.damaged == damaged)
-        };
+        let of = |damaged| tested(&points, method, damaged);
         Bracket {
             survived: of(false)
                 .filter(|point| counts(point))

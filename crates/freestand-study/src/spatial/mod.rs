@@ -5,12 +5,12 @@ mod wall;
 
 use freestand::compliant::CompliantEffort;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::impact::stiffness_warnings;
+
 use freestand::motion::Motion;
 use freestand::respond::{
     HistoryOptions, Settings, SpatialHistory, SpatialPoint, StackHistory, StackPoint,
 };
-use freestand::rocking::Base;
+
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
     BodyMotion, Patterns, Shape, SpatialMotion, SpatialObject, SpatialRocking, Stack, StackRocking,
@@ -26,7 +26,7 @@ pub use wall::{CushionWallAnswer, walls_on_cushions};
 
 use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
-use crate::unsolved::{self, unresolved_warning};
+use crate::unsolved::{self, base, unresolved_warning};
 
 /// What a single history in space is worth.
 const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
@@ -442,8 +442,7 @@ fn notes(edge: &EdgeCushion) -> Vec<String> {
 }
 
 fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f64) -> Vec<String> {
-    let stiffness = stiffness_warnings(mass_kg, &edge.cushion, edge.pad_thickness_m);
-    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
+    let mut warnings: Vec<String> = edge.stiffness_doubts(mass_kg).collect();
     warnings.extend(ringing_warning(&edge.cushion, is_shaken));
     warnings.extend(energy_warning(residual_ratio));
     warnings
@@ -454,10 +453,7 @@ fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
-    let motion = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let motion = base(&request.horizontal, &request.vertical);
     let given = motion.horizontal.or(motion.vertical);
     let history = request
         .stack

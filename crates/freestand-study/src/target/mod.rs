@@ -163,6 +163,14 @@ impl Target {
     }
 
     /// The facts for reports, each as a name and a value.
+    pub(crate) fn fact_rows(&self) -> Vec<(&str, String)> {
+        self.facts
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.clone()))
+            .collect()
+    }
+
+    /// Its facts, as documents have them.
     pub(crate) fn named_facts(&self) -> Vec<NamedFact<'_>> {
         self.facts.iter().map(NamedFact).collect()
     }
