@@ -194,6 +194,8 @@ impl From<&InputFile> for Input {
 /// part on the same level, `skip` leaves a field out; a field with none of them is for programs only. With `if`
 /// people read it where another field has a value.
 ///
+/// `named` before the fields says that their names say enough. Several structs may follow each other.
+///
 /// With `of` it also says what the values follow from, as [`answer_of!`](crate::answer_of!) does: the struct gets a
 /// function `of`, and a value that is not said is the field of that name of its first argument.
 ///
@@ -290,6 +292,23 @@ macro_rules! answer {
             }
         }
     };
+    // Names that say enough: those of the document, with their units.
+    ($(#[$meta:meta])* pub struct $name:ident named { $($fields:tt)* }) => {
+        $crate::answer! {
+            $(#[$meta])*
+            #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+            pub struct $name { $($fields)* }
+        }
+    };
+    // Several.
+    ($(#[$meta:meta])* pub struct $name:ident $(of $source:tt)? { $($fields:tt)* } $($more:tt)+) => {
+        $crate::answer! { $(#[$meta])* pub struct $name $(of $source)? { $($fields)* } }
+        $crate::answer! { $($more)+ }
+    };
+    ($(#[$meta:meta])* pub struct $name:ident named { $($fields:tt)* } $($more:tt)+) => {
+        $crate::answer! { $(#[$meta])* pub struct $name named { $($fields)* } }
+        $crate::answer! { $($more)+ }
+    };
     (@name __) => { "" };
     (@name $name:ident) => { stringify!($name) };
     (@doc flat) => { "Values on the same level." };
@@ -327,7 +346,8 @@ macro_rules! answer {
 /// Says how a struct is told: the names of its values in JSON, CSV and Python, their types, the values, and after
 /// `=>` the label under which people read one, in parentheses if it is calculated; `flat` puts the values of a part on
 /// the same level, and a value that is called `__` is a line for people alone. A value that is not said is the field
-/// of that name, of the struct itself or of the part that stands behind its name (`as of.0`).
+/// of that name, of the struct itself or of the part that stands behind its name (`as of.0`). With `struct` the struct is
+/// defined as well, by what it tells of: `struct OfMotion<'m>(&'m Motion) as of.0`.
 ///
 /// # Example
 /// ```
@@ -393,6 +413,16 @@ macro_rules! answer_of {
                 $crate::answer::Answer::facts(self).serialize(serializer)
             }
         }
+    };
+    (
+        $(#[$meta:meta])*
+        $seen:vis struct $name:ident<$life:lifetime>($($of:vis $inner:ty),+) as $($told:tt)+
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy)]
+        $seen struct $name<$life>($($of $inner),+);
+
+        $crate::answer_of!($name<'_> as $($told)+);
     };
     ($told:ty as $me:ident { $($values:tt)* }) => {
         $crate::answer_of!(@tell $told, $me, ($me), { $($values)* });

@@ -59,11 +59,9 @@ answer_of!(Check<'_> as check.0 {
     tolerance_g: Option<f64> = check.0.objects.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2);
 });
 
-/// A level.
-#[derive(Clone, Copy)]
-struct OfLevel<'s>(&'s Level);
-
-answer_of!(OfLevel<'_> as level.0 {
+answer_of!(
+    /// A level.
+    struct OfLevel<'s>(&'s Level) as level.0 {
     name: String;
     /// Its height as a share of the building's.
     level_ratio: Option<f64>;
@@ -149,11 +147,9 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
     )
 }
 
-/// How the motions were selected.
-#[derive(Clone, Copy)]
-struct OfSuite<'s>(&'s Suite);
-
-answer_of!(OfSuite<'_> as of {
+answer_of!(
+    /// How the motions were selected.
+    struct OfSuite<'s>(&'s Suite) as of {
     __: String = format!("{}, of {}", of.0.count_words(), of.0.folder.display()) => "suite";
     __: String = of.0.period_words() => "periods";
     __: String = of.0.mean_words() => "mean ln Sa";
@@ -177,11 +173,9 @@ fn rms_misfit_ratio(one: &RecordedMotion) -> Option<f64> {
     one.matched.as_ref().map(|matched| matched.misfit.rms_ratio)
 }
 
-/// A motion that was read from a file.
-#[derive(Clone, Copy)]
-struct OfMotion<'s>(&'s RecordedMotion);
-
-answer_of!(OfMotion<'_> as one.0 {
+answer_of!(
+    /// A motion that was read from a file.
+    struct OfMotion<'s>(&'s RecordedMotion) as one.0 {
     name: String;
     path: String = one.0.path.display().to_string();
     description: String;

@@ -136,9 +136,7 @@ answer! {
         evaluations: usize = rocking.effort.evaluations;
         notes: Vec<String> = notes(rocking, shock.is_some()) => "note";
     }
-}
 
-answer! {
     /// An impact on the floor.
     pub struct RockImpact of (impact: &RockingImpact, landed: &EdgeLanding) {
         /// When it happened.

@@ -261,18 +261,14 @@ answer! {
         block_steps: u64,
         sensitivity: Option<SensitivityTiming> = flat,
     }
-}
 
-answer! {
     /// Time for the sensitivities.
     #[derive(Copy, Default)]
     pub struct SensitivityTiming {
         /// For the spectrum under the changed motion.
         sensitivity_s: f64,
     }
-}
 
-answer! {
     /// One object under a motion. Values are missing if there is no cushion, the object overturns or the history
     /// failed.
     pub struct SpectrumRow {
@@ -304,26 +300,20 @@ answer! {
         /// Why there is no result.
         reason: Option<String>,
     }
-}
 
-answer! {
     /// What an object does at its walls.
     pub struct AtWalls {
         /// Fastest impact on a wall.
         wall_speed_max_m_s: Option<f64>,
         shock: Option<WallShock> = flat,
     }
-}
 
-answer! {
     /// The shock on a wall of known stiffness.
     pub struct WallShock {
         /// Shock of the fastest impact on a wall.
         wall_acceleration_g: Option<f64>,
     }
-}
 
-answer! {
     /// How strongly an object amplifies an error of the motion.
     pub struct SensitivityCells {
         /// Change of the peak rotation, divided by that of the motion.
@@ -331,9 +321,7 @@ answer! {
         /// Whether an error of the motion makes the result uncertain.
         sensitive: Option<bool>,
     }
-}
 
-answer! {
     /// How an object slides or rolls.
     pub struct SlideCells {
         /// Largest slide.

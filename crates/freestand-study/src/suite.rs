@@ -392,11 +392,9 @@ answer_of!(Suite as suite {
     skipped: Vec<String>;
 });
 
-/// A record of a suite.
-#[derive(Clone, Copy)]
-struct Member<'s>(&'s (String, f64));
-
-answer_of!(Member<'_> as member {
+answer_of!(
+    /// A record of a suite.
+    struct Member<'s>(&'s (String, f64)) as member {
     motion: String = member.0.0.clone();
     factor: f64 = member.0.1;
 });

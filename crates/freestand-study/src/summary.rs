@@ -200,11 +200,9 @@ answer_of!(Versions as _of {
     freestand: &'static str = env!("CARGO_PKG_VERSION");
 });
 
-/// What a study was run with.
-#[derive(Clone, Copy)]
-struct Inputs<'r>(&'r Study, &'r StudyResult);
-
-answer_of!(Inputs<'_> as of.0 {
+answer_of!(
+    /// What a study was run with.
+    struct Inputs<'r>(&'r Study, &'r StudyResult) as of.0 {
     study: String =
         of.0.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string());
     study_sha256: String = sha256_hex(of.0.toml.as_bytes());
@@ -224,11 +222,9 @@ answer_of!(Inputs<'_> as of.0 {
     objects: ObjectInputs<'_> = ObjectInputs(&of.0.objects);
 });
 
-/// A ground motion as used.
-#[derive(Clone, Copy)]
-struct OfMotion<'r>(&'r GroundMotion);
-
-answer_of!(OfMotion<'_> as of {
+answer_of!(
+    /// A ground motion as used.
+    struct OfMotion<'r>(&'r GroundMotion) as of {
     motion: String = of.0.name.clone();
     dt_s: f64 = of.0.motion.along.dt_s();
     npts: usize = of.0.motion.along.accel_m_s2().len();
@@ -239,11 +235,9 @@ answer_of!(OfMotion<'_> as of {
     misfit: Option<OfMisfit<'_>> = of.0.misfit.as_ref().map(OfMisfit);
 });
 
-/// The grid of objects.
-#[derive(Clone, Copy)]
-struct ObjectInputs<'s>(&'s Objects);
-
-answer_of!(ObjectInputs<'_> as of.0 {
+answer_of!(
+    /// The grid of objects.
+    struct ObjectInputs<'s>(&'s Objects) as of.0 {
     heights_m: Vec<f64>;
     thicknesses_m: Vec<f64>;
     mass_kg: f64;
@@ -259,11 +253,9 @@ answer_of!(ObjectInputs<'_> as of.0 {
     model: &'static str = "paper";
 });
 
-/// The building, with its name.
-#[derive(Clone, Copy)]
-struct BuildingInputs<'s>(Option<&'s str>, &'s BuildingInput);
-
-answer_of!(BuildingInputs<'_> as of {
+answer_of!(
+    /// The building, with its name.
+    struct BuildingInputs<'s>(Option<&'s str>, &'s BuildingInput) as of {
     name: Option<String> = of.0.map(str::to_owned);
     storeys: usize = of.1.storeys;
     storey_height_m: Option<f64> = of.1.storey_height_m;
@@ -275,11 +267,9 @@ answer_of!(BuildingInputs<'_> as of {
     tables: Vec<Input> = of.1.tables.iter().map(|(_, table)| Input::from(&table.file)).collect();
 });
 
-/// A building along an axis, and what its period is from.
-#[derive(Clone, Copy)]
-struct AxisInputs<'s>(&'s Building, Option<&'s str>);
-
-answer_of!(AxisInputs<'_> as of {
+answer_of!(
+    /// A building along an axis, and what its period is from.
+    struct AxisInputs<'s>(&'s Building, Option<&'s str>) as of {
     model: String = model_words(of.0);
     period_s: f64 = of.0.period_s();
     period_from: Option<String> = of.1.map(str::to_owned);
@@ -310,11 +300,9 @@ impl From<GroundInputs<'_>> for Value<'static> {
     }
 }
 
-/// How well a motion fits its target.
-#[derive(Clone, Copy)]
-struct OfMisfit<'r>(&'r Misfit);
-
-answer_of!(OfMisfit<'_> as misfit.0 {
+answer_of!(
+    /// How well a motion fits its target.
+    struct OfMisfit<'r>(&'r Misfit) as misfit.0 {
     rms_ratio: f64;
     worst_ratio: f64;
     worst_period_s: f64;
@@ -324,11 +312,9 @@ answer_of!(OfMisfit<'_> as misfit.0 {
     pgv_m_s: f64;
 });
 
-/// Synthetic motions of a study.
-#[derive(Clone, Copy)]
-struct SyntheticInputs<'s>(&'s SyntheticGround);
-
-answer_of!(SyntheticInputs<'_> as of.0 {
+answer_of!(
+    /// Synthetic motions of a study.
+    struct SyntheticInputs<'s>(&'s SyntheticGround) as of.0 {
     code: &'static str = of.0.target.code();
     edition: &'static str = of.0.target.spectrum.name();
     site: Option<&'static str> = of.0.target.spectrum.site_name();
@@ -341,11 +327,9 @@ answer_of!(SyntheticInputs<'_> as of.0 {
     seed: u64;
 });
 
-/// Simulated motions of a study.
-#[derive(Clone, Copy)]
-struct SimulatedInputs<'s>(&'s SimulatedGround);
-
-answer_of!(SimulatedInputs<'_> as of {
+answer_of!(
+    /// Simulated motions of a study.
+    struct SimulatedInputs<'s>(&'s SimulatedGround) as of {
     preset: &'static str = of.0.request.preset.name();
     parameters: Parameters = Parameters(of.0.request.any_source());
     earthquakes: Vec<&FoundEarthquake> = of.0.earthquakes.iter().collect();
@@ -360,11 +344,9 @@ answer_of!(SimulatedInputs<'_> as of {
     generator: &'static str = synthesis::GENERATOR;
 });
 
-/// The files of a level.
-#[derive(Clone, Copy)]
-struct FloorInputs<'s>(&'s Level);
-
-answer_of!(FloorInputs<'_> as of {
+answer_of!(
+    /// The files of a level.
+    struct FloorInputs<'s>(&'s Level) as of {
     level: String = of.0.name.clone();
     motions: Vec<RecordedInput<'_>> = recorded(&of.0.motions);
 });
@@ -373,11 +355,9 @@ fn recorded(records: &[RecordedMotion]) -> Vec<RecordedInput<'_>> {
     records.iter().map(RecordedInput).collect()
 }
 
-/// A record of a study.
-#[derive(Clone, Copy)]
-struct RecordedInput<'s>(&'s RecordedMotion);
-
-answer_of!(RecordedInput<'_> as of.0 {
+answer_of!(
+    /// A record of a study.
+    struct RecordedInput<'s>(&'s RecordedMotion) as of.0 {
     motion: String = of.0.name.clone();
     path: String = of.0.path.display().to_string();
     sha256: String;
@@ -397,11 +377,9 @@ fn file(component: Option<&SecondComponent>) -> Option<Input> {
     component?.file.as_ref().map(Input::from)
 }
 
-/// The spectrum that a record was matched to.
-#[derive(Clone, Copy)]
-struct MatchedInputs<'s>(&'s Matched);
-
-answer_of!(MatchedInputs<'_> as of {
+answer_of!(
+    /// The spectrum that a record was matched to.
+    struct MatchedInputs<'s>(&'s Matched) as of {
     method: &'static str = of.0.method.name();
     target: String = of.0.target.one_line();
     facts: Vec<NamedFact<'_>> = of.0.target.named_facts();

@@ -108,9 +108,7 @@ answer! {
         /// Whether it leans on a wall at the end.
         leaning: bool;
     }
-}
 
-answer! {
     /// An impact on a wall.
     pub struct WallStrike of (impact: &WallImpact, shock: Option<&WallShock>, stiffness: WallStiffness) {
         /// When it happened.

@@ -183,9 +183,7 @@ answer! {
         evaluations: usize = rocking.effort.evaluations;
         notes: Vec<String> = request.notes.clone() => "note";
     }
-}
 
-answer! {
     /// A contact of an edge with its cushion.
     pub struct PadImpact of (touch: &Touch) {
         /// When it happened.
@@ -207,9 +205,7 @@ answer! {
         /// Largest force under the edge.
         force_n: f64 = touch.peak_force_n;
     }
-}
 
-answer! {
     /// A swing.
     pub struct PadSwing of (swing: &Swing) {
         /// When the rotation is largest.
@@ -219,9 +215,7 @@ answer! {
         /// √(Δh/Δh of the swing before), of free rocking.
         restitution_ratio: Option<f64> = swing.effective_restitution_ratio;
     }
-}
 
-answer! {
     /// The peaks at a point of an object.
     pub struct PointPeaks of (point_m: &(f64, f64), peaks: &freestand::compliant::PointPeaks) {
         /// From the left edge.
@@ -231,9 +225,7 @@ answer! {
         horizontal_g: f64 = in_g(peaks.horizontal_m_s2) => "acceleration of the point, horizontal";
         vertical_g: f64 = in_g(peaks.vertical_m_s2) => "acceleration of the point, vertical";
     }
-}
 
-answer! {
     /// The energy balance of a history.
     pub struct PadEnergy of (energy: &EnergyAudit) {
         /// Energy at the start.

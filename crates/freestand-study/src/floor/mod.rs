@@ -86,11 +86,7 @@ pub struct MotionFloors {
 
 answer! {
     /// The report on the floors under all motions; of several, the median of each number.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct FloorReport {
+    pub struct FloorReport named {
         motion: String,
         processing: Vec<String>,
         building_height_m: f64,
@@ -107,9 +103,7 @@ answer! {
         /// The clause of the code that `code_part_g` of the levels is from.
         code_clause: Option<&'static str>,
     }
-}
 
-answer! {
     /// The second axis, where it differs from the first.
     #[expect(
         missing_docs,
@@ -120,33 +114,23 @@ answer! {
         damping: String = damping_words(axis);
         modes: Vec<FloorMode> = mode_reports(axis);
     }
-}
 
-answer! {
     /// A mode of the building.
     pub struct FloorMode of (mode: &Mode) {
         mode: ModeReport = ModeReport::of(mode) => flat;
         /// Γφ at the roof.
         roof_share_ratio: f64 = mode.share_ratio(1.0);
     }
-}
 
-answer! {
     /// One level over all motions.
     pub struct LevelReport {
         profile: LevelProfile = flat,
         /// The file of the floor motion, where there is one motion and it was written.
         path: Option<String>,
     }
-}
 
-answer! {
     /// A row of the profile.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct LevelProfile {
+    pub struct LevelProfile named {
         level_ratio: f64,
         height_m: f64,
         pfa_g: f64,
@@ -160,39 +144,25 @@ answer! {
         code_part_g: Option<f64>,
         vertical: Option<VerticalPeak> = flat,
     }
-}
 
-answer! {
     /// Of motions with a vertical component.
     pub struct VerticalPeak {
         /// Peak vertical acceleration.
         pfa_vertical_g: f64,
     }
-}
 
-answer! {
     /// The part of the report on one motion.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct MotionReport {
+    pub struct MotionReport named {
         motion: String,
         processing: Vec<String>,
         components: usize,
         pga_g: f64,
         levels: Vec<MotionLevel>,
     }
-}
 
-answer! {
     /// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
     /// directions; displacement (relative to the ground) and drift are the larger of the two axes.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct MotionLevel {
+    pub struct MotionLevel named {
         level_ratio: f64,
         pfa_g: f64,
         pfa_along_g: f64,

@@ -329,11 +329,9 @@ answer_of!(InfoReport as report {
     plots: Vec<String>;
 });
 
-/// A file that could not be read, and what to do.
-#[derive(Clone, Copy)]
-struct FailedFile<'r>(&'r Failed);
-
-answer_of!(FailedFile<'_> as file {
+answer_of!(
+    /// A file that could not be read, and what to do.
+    struct FailedFile<'r>(&'r Failed) as file {
     failed: &Failed = file.0 => flat;
     /// What to do.
     hint: Option<String> = file.0.problem.hint.clone();

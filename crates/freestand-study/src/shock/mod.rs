@@ -258,18 +258,14 @@ answer! {
         max_stiffness_n_m: Option<f64> = "largest stiffness at this rise",
         notes: Vec<String> = "note",
     }
-}
 
-answer! {
     /// The shock by each impact model; none where it does not apply.
     pub struct ShockOfModels {
         paper_g: Option<f64> = "shock by the paper's model, Eq. (5)",
         halted_g: Option<f64> = "shock by the halted model, Eq. (8)",
         free_corner_g: Option<f64> = "shock by the free-corner model",
     }
-}
 
-answer! {
     /// The shock at a point of the object.
     pub struct PointShock {
         /// From the pivot.

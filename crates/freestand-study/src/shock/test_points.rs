@@ -72,25 +72,19 @@ answer! {
         /// All tests.
         points: Vec<TestPointAnswer> = tests.points.iter().map(TestPointAnswer::of).collect();
     }
-}
 
-answer! {
     /// What was survived last and damaged first.
     pub struct BracketAnswer of (bracket: &Bracket) {
         survived: Option<f64> => "largest survived velocity change";
         damaged: Option<f64> => "smallest damaging velocity change";
     }
-}
 
-answer! {
     /// What was survived last and damaged first.
     pub struct PeakBracket of (bracket: &Bracket) {
         survived: Option<f64> => "largest survived peak";
         damaged: Option<f64> => "smallest damaging peak";
     }
-}
 
-answer! {
     /// A shock test.
     pub struct TestPointAnswer of (point: &TestPoint) {
         /// A or B.

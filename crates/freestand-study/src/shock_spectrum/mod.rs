@@ -174,9 +174,7 @@ answer! {
         rule: &'static str,
         size: PulseSize = flat,
     }
-}
 
-answer! {
     /// The size of a pulse.
     pub struct PulseSize of (peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) {
         /// Its peak.
@@ -188,9 +186,7 @@ answer! {
         /// Its area.
         velocity_change_m_s: f64 = velocity_change_m_s;
     }
-}
 
-answer! {
     /// Time taken.
     pub struct Timing {
         /// By the spectra alone, without reading and writing.

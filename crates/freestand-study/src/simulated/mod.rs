@@ -442,11 +442,9 @@ answer_of!(Parameters as of.0 {
     window: &'static str = of.0.window.into();
 });
 
-/// Geometric spreading from a distance on.
-#[derive(Clone, Copy)]
-struct Spreading<'s>(&'s SpreadingPiece);
-
-answer_of!(Spreading<'_> as piece.0 {
+answer_of!(
+    /// Geometric spreading from a distance on.
+    struct Spreading<'s>(&'s SpreadingPiece) as piece.0 {
     from_distance_m: f64;
     exponent_ratio: f64;
 });

@@ -164,9 +164,7 @@ answer! {
         ) => flat;
         notes: Vec<String> = notes(&request.edge) => "note";
     }
-}
 
-answer! {
     /// What an object in space or a stack rests on, and how it was followed.
     pub struct SupportAnswer of (support: &Support, mass_kg: f64, settings: &Settings, effort: CompliantEffort) {
         /// Mass of the object.
@@ -184,9 +182,7 @@ answer! {
         /// Evaluations of the equations of motion.
         evaluations: usize = effort.evaluations;
     }
-}
 
-answer! {
     /// What a stack did.
     pub struct StackAnswer of (rocking: &StackRocking, request: &StackRequest) {
         /// What the lower body stands on.
@@ -214,9 +210,7 @@ answer! {
         interface_friction_ratio: Option<f64> = request.stack.interface.friction_ratio;
         notes: Vec<String> = notes(&request.edge) => "note";
     }
-}
 
-answer! {
     /// What a body of a stack did.
     pub struct StackBodyAnswer of (body: &BodyMotion) {
         /// How it ended.
@@ -232,26 +226,20 @@ answer! {
         /// When it overturned.
         overturn_time_s: Option<f64>;
     }
-}
 
-answer! {
     /// What the lower body of a stack did.
     pub struct LowerBody of (motion: &BodyMotion) {
         peak_rotation_rad: f64 = motion.peak_tilt_rad => "largest rotation, lower body";
         body: StackBodyAnswer = StackBodyAnswer::of(motion) => flat;
     }
-}
 
-answer! {
     /// What the upper body of a stack did.
     pub struct UpperBody of (motion: &BodyMotion, peak_relative_rotation_rad: f64) {
         peak_rotation_rad: f64 = motion.peak_tilt_rad => "largest rotation, upper body";
         peak_relative_rotation_rad: f64 = peak_relative_rotation_rad => "  relative to the lower one";
         body: StackBodyAnswer = StackBodyAnswer::of(motion) => flat;
     }
-}
 
-answer! {
     /// Shares of the time in which a stack moves in a pattern.
     pub struct StackPatterns of (patterns: &Patterns) {
         /// Neither body has an edge off its support.

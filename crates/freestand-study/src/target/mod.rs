@@ -371,22 +371,18 @@ answer_of!(Target as target {
     facts: Vec<NamedFact<'_>> = target.named_facts();
 });
 
-/// The hazard of a target; without one, its values are null.
-#[derive(Clone, Copy)]
-pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>);
-
-answer_of!(HazardOf<'_> as of {
+answer_of!(
+    /// The hazard of a target; without one, its values are null.
+    pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>) as of {
     /// Z.
     hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
     return_period_years: Option<u64> = of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
     kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
 });
 
-/// A name and a value.
-#[derive(Clone, Copy)]
-pub(crate) struct NamedFact<'t>(&'t (String, String));
-
-answer_of!(NamedFact<'_> as fact {
+answer_of!(
+    /// A name and a value.
+    pub(crate) struct NamedFact<'t>(&'t (String, String)) as fact {
     name: String = fact.0.0.clone();
     value: String = fact.0.1.clone();
 });

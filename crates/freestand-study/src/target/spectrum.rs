@@ -80,11 +80,7 @@ answer_of!(CodeSpectrumReport as report {
 
 answer! {
     /// Accelerations of rigid parts over the height of a building.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct PartsReport {
+    pub struct PartsReport named {
         clause: &'static str,
         building_height_m: Option<f64>,
         building_period_s: Option<f64>,
@@ -94,11 +90,7 @@ answer! {
 
 answer! {
     /// The acceleration of a rigid part on one level.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct PartsLevel {
+    pub struct PartsLevel named {
         level_ratio: f64,
         height_m: Option<f64>,
         floor_acceleration_g: f64,

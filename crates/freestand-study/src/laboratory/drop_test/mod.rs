@@ -528,11 +528,9 @@ answer_of!(Estimates as k {
     energy: Option<f64> = k.0.map(|k| k.energy_n_m) => "  2E/d²";
 });
 
-/// A law that was fitted.
-#[derive(Clone, Copy)]
-struct Fitted<'r>(&'r Candidate);
-
-answer_of!(Fitted<'_> as fitted.0 {
+answer_of!(
+    /// A law that was fitted.
+    struct Fitted<'r>(&'r Candidate) as fitted.0 {
     law: &'static str = fitted.0.law.name();
     stiffness_n_m: f64 = fitted.0.secant_n_m;
     exponent: f64;
@@ -541,11 +539,9 @@ answer_of!(Fitted<'_> as fitted.0 {
     chi_squared: f64;
 });
 
-/// How far a drop can be trusted.
-#[derive(Clone, Copy)]
-struct OfQuality<'r>(&'r DropReport);
-
-answer_of!(OfQuality<'_> as of {
+answer_of!(
+    /// How far a drop can be trusted.
+    struct OfQuality<'r>(&'r DropReport) as of {
     samples_per_contact: Option<f64> = of.0.test.samples_per_contact => "samples per contact";
     zero_shift_ratio: Option<f64> = of.0.test.zero_shift_ratio => "zero shift over peak";
     noise_ratio: Option<f64> = of.0.test.noise_ratio => "noise over peak";
