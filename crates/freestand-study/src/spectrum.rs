@@ -51,22 +51,20 @@ pub struct Grid {
     is_paired: bool,
 }
 
+fn too_many(objects: impl std::fmt::Display) -> Problem {
+    let hint = format!("give at most {MAX_OBJECTS} objects in one call");
+    Problem::value(format!("{objects} objects are too many"), hint)
+}
+
 impl Grid {
     /// The grid; each of its objects is checked.
     ///
     /// # Errors
     /// More than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
-        if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
-            let message = format!(
-                "{} × {} objects are too many",
-                heights_m.len(),
-                thicknesses_m.len()
-            );
-            return Err(Problem::value(
-                message,
-                format!("give at most {MAX_OBJECTS} objects in one call"),
-            ));
+        let (heights, thicknesses) = (heights_m.len(), thicknesses_m.len());
+        if heights.saturating_mul(thicknesses) > MAX_OBJECTS {
+            return Err(too_many(format!("{heights} × {thicknesses}")));
         }
         Self {
             heights_m,
@@ -81,23 +79,16 @@ impl Grid {
     /// # Errors
     /// Lists of different lengths, more than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn pairs(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
-        if heights_m.len() != thicknesses_m.len() {
-            let message = format!(
-                "{} heights and {} thicknesses are not pairs",
-                heights_m.len(),
-                thicknesses_m.len()
-            );
+        let (heights, thicknesses) = (heights_m.len(), thicknesses_m.len());
+        if heights != thicknesses {
+            let message = format!("{heights} heights and {thicknesses} thicknesses are not pairs");
             return Err(Problem::value(
                 message,
                 "give as many `heights` as `thicknesses`",
             ));
         }
-        if heights_m.len() > MAX_OBJECTS {
-            let message = format!("{} objects are too many", heights_m.len());
-            return Err(Problem::value(
-                message,
-                format!("give at most {MAX_OBJECTS} objects in one call"),
-            ));
+        if heights > MAX_OBJECTS {
+            return Err(too_many(heights));
         }
         Self {
             heights_m,
@@ -108,13 +99,12 @@ impl Grid {
     }
 
     fn checked(self) -> Result<Self, Problem> {
-        let grid = self;
-        for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
+        for (height_m, thickness_m) in self.sizes(0..self.objects()) {
             Block::uniform(height_m, thickness_m).map_err(|error| {
                 Problem::value(error.to_string(), "check `heights` and `thicknesses`")
             })?;
         }
-        Ok(grid)
+        Ok(self)
     }
 
     /// The number of objects.

@@ -216,17 +216,12 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
             .collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
-    let second = recorded.across.as_ref().map(|second| second.motion.clone());
-    let ground = HorizontalMotion {
-        along: recorded.motion.clone(),
-        across: second,
-    };
     Ok(MotionFloors {
         report: MotionReport {
             motion: recorded.name.clone(),
             processing: recorded.processing.clone(),
             components: if across.is_some() { 2 } else { 1 },
-            pga_g: ground.peak_m_s2() / G0_M_S2,
+            pga_g: recorded.as_used().peak_m_s2() / G0_M_S2,
             levels,
         },
         floors: pairs(along.floors, across.map(|axis| axis.floors)),
@@ -251,32 +246,25 @@ fn verticals(recorded: &RecordedMotion, request: &FloorRequest) -> Result<Vec<Mo
         } else {
             amplification
         };
-        padded.scaled(factor).map_err(|error| {
-            Problem::new(ProblemKind::Computation, error.to_string())
-                .hint("check the record and its scale")
-        })
+        padded
+            .scaled(factor)
+            .map_err(|error| failed(error.to_string()))
     };
     request.levels_ratio.iter().map(at).collect()
 }
 
+fn failed(message: String) -> Problem {
+    Problem::new(ProblemKind::Computation, message).hint("check the record and its scale")
+}
+
 fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotion> {
-    match across {
-        Some(across) => {
-            let both = along.into_iter().zip(across);
-            both.map(|(along, across)| HorizontalMotion {
-                along,
-                across: Some(across),
-            })
-            .collect()
-        }
-        None => along
-            .into_iter()
-            .map(|along| HorizontalMotion {
-                along,
-                across: None,
-            })
-            .collect(),
-    }
+    let across = across.map_or_else(
+        || vec![None; along.len()],
+        |across| across.into_iter().map(Some).collect(),
+    );
+    let both = along.into_iter().zip(across);
+    both.map(|(along, across)| HorizontalMotion { along, across })
+        .collect()
 }
 
 /// The levels along one axis.
@@ -294,10 +282,7 @@ impl AxisFloors {
     fn new(ground: &Motion, building: &Building, request: &FloorRequest) -> Result<Self, Problem> {
         let ground = &with_tail(ground, request.tail_s)?;
         check_upsampling(request.upsample, ground.accel_m_s2().len())?;
-        let failed = |error: freestand::building::BuildingError| {
-            Problem::new(ProblemKind::Computation, error.to_string())
-                .hint("check the record and its scale")
-        };
+        let failed = |error: freestand::building::BuildingError| failed(error.to_string());
         let levels_ratio = &request.levels_ratio;
         let floors = floor_motions(ground, building, levels_ratio).map_err(failed)?;
         let later = floor_peaks(
@@ -344,16 +329,14 @@ fn motion_level(
         Problem::new(ProblemKind::Computation, "a level has no motion")
             .hint("this is a defect of freestand; please report it")
     };
-    let fine = axes
+    let on_level = axes
         .iter()
-        .map(|axis| axis.fine.get(index))
+        .map(|axis| Some((axis.fine.get(index)?, axis.peaks.get(index)?)));
+    let (fine, peaks): (Vec<&Motion>, Vec<&FloorPeaks>) = on_level
         .collect::<Option<Vec<_>>>()
-        .ok_or_else(gone)?;
-    let peaks = axes
-        .iter()
-        .map(|axis| axis.peaks.get(index))
-        .collect::<Option<Vec<_>>>()
-        .ok_or_else(gone)?;
+        .ok_or_else(gone)?
+        .into_iter()
+        .unzip();
     let accelerations: Vec<&[f64]> = fine.iter().map(|motion| motion.accel_m_s2()).collect();
     let velocities: Vec<Vec<f64>> = fine
         .iter()

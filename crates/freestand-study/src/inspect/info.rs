@@ -110,24 +110,18 @@ struct Found {
 }
 
 fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
+    let refused = |problems: Problems| Found {
+        problems,
+        ..Found::default()
+    };
     let file = match read_motions(path, &request.files.read) {
         Ok(file) => file,
-        Err(error) => {
-            return Found {
-                problems: error,
-                ..Found::default()
-            };
-        }
+        Err(problems) => return refused(problems),
     };
     let components: Vec<&Component> = match request.files.component.as_deref() {
         Some(wanted) => match file.select(Some(wanted)) {
             Ok(component) => vec![component],
-            Err(problem) => {
-                return Found {
-                    problems: problem.into(),
-                    ..Found::default()
-                };
-            }
+            Err(problem) => return refused(problem.into()),
         },
         None => file.components.iter().collect(),
     };

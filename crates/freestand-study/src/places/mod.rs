@@ -134,6 +134,12 @@ impl PlaceHazard {
             .into_iter()
             .filter_map(|value| value.split_once('='))
             .collect();
+        let eurocode8 =
+            |ground_acceleration_g, type2_ground_acceleration_g, annex| Self::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g,
+                annex,
+            };
         match (code, numbers.as_slice(), named.as_slice()) {
             ("as1170.4", &[hazard_factor], []) => Some(Self::As1170_4 { hazard_factor }),
             ("nzs1170.5", &[hazard_factor], [("fault", km)]) => Some(Self::Nzs1170_5 {
@@ -141,35 +147,17 @@ impl PlaceHazard {
                 fault_distance_km: km.parse().ok()?,
             }),
             ("asce7", &[ss_g, s1_g], []) => Some(Self::Asce7 { ss_g, s1_g }),
-            ("eurocode8", &[ground_acceleration_g], []) => Some(Self::Eurocode8 {
-                ground_acceleration_g,
-                type2_ground_acceleration_g: None,
-                annex: None,
-            }),
-            ("eurocode8", &[ground_acceleration_g], [("annex", "fr")]) => {
-                let annex = Some(NationalAnnex::France);
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: None,
-                    annex,
-                })
+            ("eurocode8", &[a_g], []) => Some(eurocode8(a_g, None, None)),
+            ("eurocode8", &[a_g], [("annex", "fr")]) => {
+                Some(eurocode8(a_g, None, Some(NationalAnnex::France)))
             }
-            ("eurocode8", &[ground_acceleration_g, two], [("annex", "pt")]) => {
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: Some(two),
-                    annex: Some(NationalAnnex::Portugal),
-                })
+            ("eurocode8", &[a_g, two], [("annex", "pt")]) => {
+                Some(eurocode8(a_g, Some(two), Some(NationalAnnex::Portugal)))
             }
-            ("eurocode8", &[ground_acceleration_g], [("annex", "ro"), ("tc", corner)]) => {
-                let annex = Some(NationalAnnex::Romania {
-                    corner_period_s: corner.parse().ok()?,
-                });
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: None,
-                    annex,
-                })
+            ("eurocode8", &[a_g], [("annex", "ro"), ("tc", corner)]) => {
+                let corner_period_s = corner.parse().ok()?;
+                let annex = NationalAnnex::Romania { corner_period_s };
+                Some(eurocode8(a_g, None, Some(annex)))
             }
             _ => None,
         }
