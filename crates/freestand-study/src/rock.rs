@@ -82,15 +82,23 @@ pub struct RockRequest {
 
 answer! {
     /// What an object on a rigid base did.
-    pub struct RockAnswer of (rocking: &Rocking, block: &Block, request: &RockRequest, friction: Option<f64>, impact_friction: f64,
-        shock: Option<ShockCell>, landed: &[EdgeLanding]) {
+    pub struct RockAnswer of (
+        rocking: &Rocking,
+        block: &Block,
+        request: &RockRequest,
+        friction: Option<f64>,
+        impact_friction: f64,
+        shock: Option<ShockCell>,
+        landed: &[EdgeLanding],
+    ) {
         outcome: &'static str = rocking.outcome.name() => "outcome";
         stopped: &'static str = rocking.stop.name() => "reason for the end";
         end_time_s: f64 => "end";
         peak_rotation_rad: f64 => "largest rotation";
         /// The largest rotation divided by the angle α at which the object balances on that edge.
         peak_rotation_ratio: f64 = peak_rotation_ratio(block, rocking) => "  divided by α";
-        peak_rotation_time_s: Option<f64> = rocking.peak_rotation_time_s.filter(|_| rocking.outcome != Outcome::NoUplift) => "  at";
+        peak_rotation_time_s: Option<f64> =
+            rocking.peak_rotation_time_s.filter(|_| rocking.outcome != Outcome::NoUplift) => "  at";
         /// Largest uplift of an edge.
         uplift_m: f64 => "uplift";
         cg_rise_m: f64 => "rise of the centre of gravity";
@@ -99,14 +107,16 @@ answer! {
         uplift_count: usize;
         impact_count: usize = rocking.impacts.len() => "impacts";
         /// All impacts on the floor.
-        impacts: Vec<RockImpact> = rocking.impacts.iter().zip(landed).map(|(impact, landed)| RockImpact::of(impact, landed)).collect();
+        impacts: Vec<RockImpact> =
+            rocking.impacts.iter().zip(landed).map(|(impact, landed)| RockImpact::of(impact, landed)).collect();
         walls: WallAnswer = WallAnswer::of(rocking, block, request.wall) => flat;
         passed_alpha_time_s: Option<f64> => "passes the balance point";
         overturn_time_s: Option<f64> => "overturns";
         rest_time_s: Option<f64> => "comes to rest";
         /// Whether it is at rest at the end.
         at_rest: bool;
-        friction_needed_ratio: Option<f64> = friction.filter(|ratio| ratio.is_finite()) => "friction needed while rocking";
+        friction_needed_ratio: Option<f64> =
+            friction.filter(|ratio| ratio.is_finite()) => "friction needed while rocking";
         impact_friction_needed_ratio: f64 = impact_friction => "friction needed in an impact";
         restitution_ratio: f64 => "restitution";
         /// Rotation at the end.
@@ -117,16 +127,19 @@ answer! {
         half_diagonal_m: f64 = block.pivot().half_diagonal_m;
         /// α of the left edge.
         slenderness_angle_rad: f64 = block.pivot().slenderness_angle_rad;
-        frequency_parameter_rad_s: f64 = block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2) => "frequency parameter p";
+        frequency_parameter_rad_s: f64 =
+            block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2) => "frequency parameter p";
         uplift_threshold_g: f64 =
-            request.how.settings.model.uplift_threshold_ratio(block) * request.how.settings.gravity_m_s2 / G0_M_S2 => "uplift threshold";
+            request.how.settings.model.uplift_threshold_ratio(block) * request.how.settings.gravity_m_s2 / G0_M_S2
+            => "uplift threshold";
         /// The equation of motion.
         model: &'static str = name_of(MODELS, request.how.settings.model);
         /// What the object stands on.
         base: &'static str = "rigid";
         /// The accuracy of the solver.
         accuracy: String = crate::summary::accuracy_words(request.how.settings.accuracy);
-        edge_acceleration_g: Option<f64> = shock.and_then(|shock| shock.edge_acceleration_g) => "shock, from the uplift";
+        edge_acceleration_g: Option<f64> =
+            shock.and_then(|shock| shock.edge_acceleration_g) => "shock, from the uplift";
         edge_acceleration_impact_velocity_g: Option<f64> =
             shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g) => "shock, from the impact velocity";
         ceiling_g: Option<f64> = shock.map(|shock| shock.ceiling_g) => "ceiling of the shock";

@@ -234,10 +234,13 @@ answer! {
         clearance_left_m: Option<f64> = request.surface.clearance.left_m => "clearance to the left";
         clearance_right_m: Option<f64> = request.surface.clearance.right_m => "clearance to the right";
         clearance_time_s: Option<f64> = sliding.contact.map(|(time_s, _)| time_s) => "clearance reached at";
-        clearance_speed_m_s: Option<f64> = sliding.contact.map(|(_, velocity_m_s)| velocity_m_s) => "  with the velocity";
+        clearance_speed_m_s: Option<f64> =
+            sliding.contact.map(|(_, velocity_m_s)| velocity_m_s) => "  with the velocity";
         stop_acceleration_g: Option<f64> = request.stop.zip(sliding.contact)
-            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2) => "  shock of the stop there";
-        trip_speed_m_s: f64 = trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2) => "speed at which a stop trips it";
+            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2)
+            => "  shock of the stop there";
+        trip_speed_m_s: f64 =
+            trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2) => "speed at which a stop trips it";
         friction_ratio: f64 = request.surface.friction.static_ratio() => "friction or rolling resistance";
         friction_kinetic_ratio: f64 = request.surface.friction.kinetic_ratio() => "  while it moves";
         slide_threshold_g: f64 =

@@ -97,14 +97,19 @@ impl WallStiffness {
 answer! {
     /// What a history says about walls.
     pub struct WallAnswer of (rocking: &Rocking, block: &Block, stiffness: WallStiffness) {
-        wall_angle_left_rad: Option<f64> = rocking.contacts[1].map(|contact| contact.angle_rad) => "touches the left wall at";
-        wall_angle_right_rad: Option<f64> = rocking.contacts[0].map(|contact| contact.angle_rad) => "touches the right wall at";
+        wall_angle_left_rad: Option<f64> =
+            rocking.contacts[1].map(|contact| contact.angle_rad) => "touches the left wall at";
+        wall_angle_right_rad: Option<f64> =
+            rocking.contacts[0].map(|contact| contact.angle_rad) => "touches the right wall at";
         wall_impact_count: usize = rocking.wall_impacts.len() => "impacts on walls" if wall_speed_max_m_s;
         /// All impacts on walls.
         wall_impacts: Vec<WallStrike> = strikes(rocking, block, stiffness);
-        wall_speed_max_m_s: Option<f64> = speed_m_s(block, rocking.contacts, rocking.sides) => "  largest speed";
-        wall_acceleration_g: Option<f64> = acceleration_g(block, rocking.contacts, rocking.sides, stiffness) => "  shock at the point of contact";
-        wall_impulse_max_n_s: Option<f64> = stiffness.mass_kg.and_then(|mass_kg| impulse_n_s(rocking, block, mass_kg)) => "  largest impulse";
+        wall_speed_max_m_s: Option<f64> =
+            speed_m_s(block, rocking.contacts, rocking.sides) => "  largest speed";
+        wall_acceleration_g: Option<f64> =
+            acceleration_g(block, rocking.contacts, rocking.sides, stiffness) => "  shock at the point of contact";
+        wall_impulse_max_n_s: Option<f64> =
+            stiffness.mass_kg.and_then(|mass_kg| impulse_n_s(rocking, block, mass_kg)) => "  largest impulse";
         /// Whether it leans on a wall at the end.
         leaning: bool;
     }

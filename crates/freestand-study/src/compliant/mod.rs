@@ -88,8 +88,15 @@ pub fn with_tangential_stiffness(
 answer! {
     /// What an object on its cushions did. An impact is a contact of an edge with its cushion; `first_impact_…` belong
     /// to a release and are missing under a motion.
-    pub struct PadAnswer of (rocking: &CompliantRocking, request: &CompliantRequest, block: &Block, base: &CompliantBase,
-        paper_m_s2: Option<f64>, damped_m_s2: Option<f64>, first_m_s2: Option<f64>) {
+    pub struct PadAnswer of (
+        rocking: &CompliantRocking,
+        request: &CompliantRequest,
+        block: &Block,
+        base: &CompliantBase,
+        paper_m_s2: Option<f64>,
+        damped_m_s2: Option<f64>,
+        first_m_s2: Option<f64>,
+    ) {
         /// What the object stands on.
         base: &'static str = "compliant";
         outcome: &'static str = rocking.outcome.name() => "outcome";
@@ -164,7 +171,8 @@ answer! {
         /// α of the left edge.
         slenderness_angle_rad: f64 = block.pivot().slenderness_angle_rad;
         /// p of the left edge.
-        frequency_parameter_rad_s: f64 = block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2);
+        frequency_parameter_rad_s: f64 =
+            block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2);
         /// Mass of the object.
         mass_kg: f64 = base.mass_kg;
         /// The law of the cushions.

@@ -186,8 +186,14 @@ fn info_of_component(
 answer! {
     /// What is in a component, and its measures. First and last values, mean and sum are those of the file;
     /// the measures, and the values called processed, those of the motion after `processing`.
-    pub struct Contents of (component: &Component, file: &MotionFile, motion: &Motion, rocking: Option<RockingMeasures>,
-        scale_ratio: f64, processing: Vec<String>) {
+    pub struct Contents of (
+        component: &Component,
+        file: &MotionFile,
+        motion: &Motion,
+        rocking: Option<RockingMeasures>,
+        scale_ratio: f64,
+        processing: Vec<String>,
+    ) {
         format: &'static str = file.format => "format";
         component: String = component.name.clone() => "component";
         station: Option<String> => "station";
@@ -269,7 +275,8 @@ answer_of!(MotionMeasures as m {
 pub struct AboveThreshold(Option<RockingMeasures>);
 
 answer_of!(AboveThreshold as of {
-    uplift_threshold_g: Option<f64> = of.0.map(|r| r.uplift_threshold_m_s2 / G0_M_S2) => "uplift threshold g tan α";
+    uplift_threshold_g: Option<f64> =
+        of.0.map(|r| r.uplift_threshold_m_s2 / G0_M_S2) => "uplift threshold g tan α";
     pga_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pga_ratio) => "PGA/(g tan α)";
     pgv_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pgv_ratio) => "p PGV/(g tan α)";
     time_above_threshold_s: Option<f64> = of.0.map(|r| r.time_above_s) => "time above the threshold";

@@ -80,7 +80,8 @@ answer_of!(StaticReport as one {
     /// Cycles of the file that were not evaluated.
     other_cycles: usize = one.test.other_cycles;
     exponent: Option<f64> = one.test.exponent;
-    dynamic_over_static_ratio: Option<f64> = one.dynamic_stiffness_n_m.map(|k| k / one.test.secant_stiffness_n_m);
+    dynamic_over_static_ratio: Option<f64> =
+        one.dynamic_stiffness_n_m.map(|k| k / one.test.secant_stiffness_n_m);
     impactor: Option<String>;
     boundary: Option<String>;
 });

@@ -18,6 +18,7 @@ use crate::target::Target;
 use freestand_input::file::file_name;
 use freestand_input::words::{fixed, number, percent};
 
+use super::{headings, or_dash};
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
 
 /// Ground, building and objects.
@@ -94,17 +95,19 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
 
 /// How well the motions fit their target.
 fn misfits(target: &Target, result: &StudyResult) -> String {
-    let headings = vec![vec![
-        words("Motion"),
-        figure("rms misfit"),
-        figure("worst misfit"),
-        figure("at T (s)"),
-        figure("PGA (g)"),
-        figure("target ZPA (g)"),
-        figure("PGA/ZPA"),
-        figure("PGV (m/s)"),
-        figure("D5–95 (s)"),
-    ]];
+    let headings = headings(
+        ["Motion"],
+        [
+            "rms misfit",
+            "worst misfit",
+            "at T (s)",
+            "PGA (g)",
+            "target ZPA (g)",
+            "PGA/ZPA",
+            "PGV (m/s)",
+            "D5–95 (s)",
+        ],
+    );
     let rows: Vec<_> = result
         .ground
         .iter()
@@ -168,16 +171,18 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
         ("Motions of each earthquake", request.count.to_string()),
         ("Seed", request.seed.to_string()),
     ]);
-    let headings = vec![vec![
-        words("Motion"),
-        figure("M"),
-        figure("R (km)"),
-        figure("corner (Hz)"),
-        figure("T_d (s)"),
-        figure("PGA (g)"),
-        figure("PGV (m/s)"),
-        figure("D5–95 (s)"),
-    ]];
+    let headings = headings(
+        ["Motion"],
+        [
+            "M",
+            "R (km)",
+            "corner (Hz)",
+            "T_d (s)",
+            "PGA (g)",
+            "PGV (m/s)",
+            "D5–95 (s)",
+        ],
+    );
     let rows: Vec<_> = simulated
         .motions()
         .zip(&result.ground)
@@ -243,15 +248,10 @@ fn suite_selected(suite: &Suite) -> String {
 }
 
 fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
-    let headings = vec![vec![
-        words("Motion"),
-        words("File"),
-        words("Read as"),
-        figure("Scale"),
-        figure("PGA (g)"),
-        figure("dt (s)"),
-        figure("Duration (s)"),
-    ]];
+    let headings = headings(
+        ["Motion", "File", "Read as"],
+        ["Scale", "PGA (g)", "dt (s)", "Duration (s)"],
+    );
     let rows: Vec<_> = records
         .iter()
         .map(|record| {
@@ -346,13 +346,16 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             ),
         ],
     );
-    let headings = vec![vec![
-        figure("Mode"),
-        figure("Period (s)"),
-        figure("Participation Γ"),
-        figure("Effective mass"),
-        figure("Sum"),
-    ]];
+    let headings = headings(
+        [],
+        [
+            "Mode",
+            "Period (s)",
+            "Participation Γ",
+            "Effective mass",
+            "Sum",
+        ],
+    );
     let mut sum = Some(0.0);
     let rows: Vec<_> = result
         .modes
@@ -362,15 +365,13 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             sum = sum
                 .zip(mode.effective_mass_ratio())
                 .map(|(sum, mass)| sum + mass);
-            let share = |ratio: Option<f64>| {
-                ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1))
-            };
+            let share = |ratio: Option<f64>| or_dash(ratio, |ratio| percent(ratio, 1));
             vec![
                 figure((i + 1).to_string()),
                 figure(fixed(mode.period_s(), 3)),
                 figure(fixed(mode.participation_ratio(), 3)),
-                figure(share(mode.effective_mass_ratio())),
-                figure(share(sum)),
+                share(mode.effective_mass_ratio()),
+                share(sum),
             ]
         })
         .collect();

@@ -8,6 +8,7 @@ use freestand_input::file::file_name;
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::escape;
 
+use super::or_dash;
 use super::provenance::Provenance;
 use freestand_output::html::{classed_table, figure, list, markup, paragraph, table, words};
 
@@ -197,16 +198,8 @@ fn first_table(levels: &[LevelSummary]) -> String {
         .map(|level| {
             vec![
                 words(&level.level),
-                figure(
-                    level
-                        .level_ratio
-                        .map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3)),
-                ),
-                figure(
-                    level
-                        .pfa_g_median
-                        .map_or_else(|| "–".to_owned(), |pfa_g| fixed(pfa_g, 3)),
-                ),
+                or_dash(level.level_ratio, |ratio| number(ratio, 3)),
+                or_dash(level.pfa_g_median, |pfa_g| fixed(pfa_g, 3)),
                 figure(level.histories.to_string()),
                 figure(level.failed.to_string()),
                 figure(percent(level.uplift_share, 1)),

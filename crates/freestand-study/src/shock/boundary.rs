@@ -28,8 +28,10 @@ answer! {
     /// A damage boundary, with the demand.
     pub struct BoundaryAnswer of (report: &DamageBoundaryReport) {
         source: &'static str => "damage boundary from";
-        critical_acceleration_g: f64 = report.boundary.acceleration_m_s2() / G0_M_S2 => "  critical acceleration";
-        critical_velocity_change_m_s: f64 = report.boundary.velocity_change_m_s() => "  critical velocity change";
+        critical_acceleration_g: f64 =
+            report.boundary.acceleration_m_s2() / G0_M_S2 => "  critical acceleration";
+        critical_velocity_change_m_s: f64 =
+            report.boundary.velocity_change_m_s() => "  critical velocity change";
         /// Beyond the knee, at (π/2) V_c, the critical acceleration alone is the boundary.
         knee_velocity_change_m_s: f64 = KNEE_RATIO * report.boundary.velocity_change_m_s();
         /// min(A/A_c, Δv/V_c).

@@ -453,9 +453,14 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     }
     if request.scenario.overturns() {
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
-            Some(fall) => Ok(Fall { warning: Some(
+            Some(fall) => Ok(Fall {
+                warning: Some(
                     "the fall starts from rest at the balance point: this is a lower estimate, because an object \
-     that overturns while rocking still has some speed there" .to_owned(), ), ..Fall::new(EnergySource::FallFromBalance, Some(fall), None) }),
+                     that overturns while rocking still has some speed there"
+                        .to_owned(),
+                ),
+                ..Fall::new(EnergySource::FallFromBalance, Some(fall), None)
+            }),
             None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
                 "on its side the centre of gravity is higher than at the balance point: there is no fall to provide \
                  the energy",

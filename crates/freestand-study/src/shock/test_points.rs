@@ -66,7 +66,8 @@ answer! {
     /// Shock tests of an object.
     pub struct TestsAnswer of (tests: &BoundaryTests) {
         /// Between which velocity changes the critical one lies.
-        critical_velocity_change_m_s: BracketAnswer = BracketAnswer::of(&tests.critical_velocity_change_m_s);
+        critical_velocity_change_m_s: BracketAnswer =
+            BracketAnswer::of(&tests.critical_velocity_change_m_s);
         /// Between which peaks the critical one lies.
         critical_acceleration_g: PeakBracket = PeakBracket::of(&tests.critical_acceleration_g);
         /// All tests.

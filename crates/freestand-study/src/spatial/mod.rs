@@ -138,7 +138,8 @@ answer! {
         impact_count: usize = rocking.base_contact_count => "contacts with the floor";
         walls: Option<CushionWallAnswer> = wall::answer(&request.object, rocking) => flat;
         threshold_x_g: f64 = request.object.shape.uplift_thresholds()[0] => "uplift threshold, thickness";
-        threshold_y_g: Option<f64> = in_space(&request.object.shape, request.object.shape.uplift_thresholds()[1]) => "uplift threshold, width";
+        threshold_y_g: Option<f64> =
+            in_space(&request.object.shape, request.object.shape.uplift_thresholds()[1]) => "uplift threshold, width";
         static_compression_m: f64 = rocking.static_compression_m => "compression at rest";
         energy_error_ratio: f64 = rocking.energy.residual_ratio => "error of the energy balance";
         /// Dissipated in the cushions.
@@ -190,7 +191,8 @@ answer! {
         /// How it is followed.
         model: &'static str = "stack";
         outcome: &'static str = rocking.outcome.name() => "outcome";
-        overturned_body: Option<&'static str> = rocking.overturned_body.map(Into::into) => "body that falls";
+        overturned_body: Option<&'static str> =
+            rocking.overturned_body.map(Into::into) => "body that falls";
         end_time_s: f64 => "end";
         /// The lower body.
         lower: LowerBody = LowerBody::of(&rocking.lower);

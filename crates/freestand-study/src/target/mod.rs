@@ -376,7 +376,8 @@ answer_of!(
     pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>) as of {
     /// Z.
     hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
-    return_period_years: Option<u64> = of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
+    return_period_years: Option<u64> =
+        of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
     kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
 });
 
