@@ -46,6 +46,12 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
         })
 }
 
+/// The name of a file without its folder, as far as it is text.
+pub fn file_name(path: &Path) -> Option<String> {
+    path.file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+}
+
 /// The path of a file that is read where its name says, relative to the current folder.
 ///
 /// # Errors

@@ -194,6 +194,11 @@ impl From<&InputFile> for Input {
 /// part on the same level, `skip` leaves a field out; a field with none of them is for programs only. With `if`
 /// people read it where another field has a value.
 ///
+/// `named` before the fields says that their names say enough. Several structs may follow each other.
+///
+/// With `of` it also says what the values follow from, as [`answer_of!`](crate::answer_of!) does: the struct gets a
+/// function `of`, and a value that is not said is the field of that name of its first argument.
+///
 /// # Example
 /// ```
 /// use freestand_output::answer;
@@ -212,6 +217,17 @@ impl From<&InputFile> for Input {
 /// assert_eq!(serde_json::to_string(&landing)?, r#"{"edge_acceleration_g":2.5,"impact_count":3}"#);
 /// assert_eq!(landing.facts().lines(), [("shock", "2.500 g".to_owned())]);
 /// assert_eq!(Landing::properties()["edge_acceleration_g"]["type"], serde_json::json!(["number", "null"]));
+///
+/// answer! {
+///     /// Where a landing leads.
+///     pub struct Rebound of (landing: &Landing, mass_kg: f64) {
+///         impact_count: usize;
+///         force_n: Option<f64> = landing.edge_acceleration_g.map(|g| 9.81 * g * mass_kg) => "force";
+///     }
+/// }
+///
+/// let rebound = Rebound::of(&landing, 2.0);
+/// assert_eq!((rebound.impact_count, rebound.facts().lines()), (3, vec![("force", "49.05 N".to_owned())]));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[macro_export]
@@ -254,6 +270,45 @@ macro_rules! answer {
             }
         }
     };
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident of ($me:ident : $source:ty $(, $other:ident : $kind:ty)* $(,)?) {
+            $(
+                $(#[doc = $doc:literal])*
+                $field:ident : $type:ty $(= $value:expr)? $(=> $label:tt $(if $given:ident)?)?;
+            )*
+        }
+    ) => {
+        $crate::answer! {
+            $(#[$meta])*
+            pub struct $name {
+                $( $(#[doc = $doc])* $field: $type $(= $label $(if $given)?)?, )*
+            }
+        }
+
+        impl $name {
+            pub(crate) fn of($me: $source $(, $other: $kind)*) -> Self {
+                Self { $( $field: $crate::answer_of!(@value ($me), $field, $($value)?), )* }
+            }
+        }
+    };
+    // Names that say enough: those of the document, with their units.
+    ($(#[$meta:meta])* pub struct $name:ident named { $($fields:tt)* }) => {
+        $crate::answer! {
+            $(#[$meta])*
+            #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+            pub struct $name { $($fields)* }
+        }
+    };
+    // Several.
+    ($(#[$meta:meta])* pub struct $name:ident $(of $source:tt)? { $($fields:tt)* } $($more:tt)+) => {
+        $crate::answer! { $(#[$meta])* pub struct $name $(of $source)? { $($fields)* } }
+        $crate::answer! { $($more)+ }
+    };
+    ($(#[$meta:meta])* pub struct $name:ident named { $($fields:tt)* } $($more:tt)+) => {
+        $crate::answer! { $(#[$meta])* pub struct $name named { $($fields)* } }
+        $crate::answer! { $($more)+ }
+    };
     (@name __) => { "" };
     (@name $name:ident) => { stringify!($name) };
     (@doc flat) => { "Values on the same level." };
@@ -290,7 +345,9 @@ macro_rules! answer {
 
 /// Says how a struct is told: the names of its values in JSON, CSV and Python, their types, the values, and after
 /// `=>` the label under which people read one, in parentheses if it is calculated; `flat` puts the values of a part on
-/// the same level, and a value that is called `__` is a line for people alone.
+/// the same level, and a value that is called `__` is a line for people alone. A value that is not said is the field
+/// of that name, of the struct itself or of the part that stands behind its name (`as of.0`). With `struct` the struct is
+/// defined as well, by what it tells of: `struct OfMotion<'m>(&'m Motion) as of.0`.
 ///
 /// # Example
 /// ```
@@ -302,7 +359,7 @@ macro_rules! answer {
 /// }
 ///
 /// answer_of!(Fall as fall {
-///     height_m: f64 = fall.height_m => "height";
+///     height_m: f64 => "height";
 ///     /// Just before the landing.
 ///     speed_m_s: f64 = (2.0 * 9.81 * fall.height_m).sqrt();
 ///     __: &'static str = "no air" => "assumed";
@@ -316,15 +373,17 @@ macro_rules! answer {
 /// ```
 #[macro_export]
 macro_rules! answer_of {
-    ($told:ty as $me:ident { $(
-        $(#[doc = $doc:literal])* $field:ident : $type:ty = $value:expr $(=> $label:tt)?;
+    (@value $of:tt, $field:ident,) => { $of.$field.clone() };
+    (@value $of:tt, $field:ident, $value:expr) => { $value };
+    (@tell $told:ty, $me:ident, $of:tt, { $(
+        $(#[doc = $doc:literal])* $field:ident : $type:ty $(= $value:expr)? $(=> $label:tt)?;
     )* }) => {
         impl $crate::answer::Answer for $told {
             fn facts(&self) -> $crate::facts::Facts<'static> {
                 let $me = self;
                 let facts = $crate::facts::Facts::default();
                 $(
-                    let value: $type = $value;
+                    let value: $type = $crate::answer_of!(@value $of, $field, $($value)?);
                     let facts = $crate::answer!(@add facts, $crate::answer!(@name $field), value, $($label)?);
                 )*
                 facts
@@ -354,6 +413,22 @@ macro_rules! answer_of {
                 $crate::answer::Answer::facts(self).serialize(serializer)
             }
         }
+    };
+    (
+        $(#[$meta:meta])*
+        $seen:vis struct $name:ident<$life:lifetime>($($of:vis $inner:ty),+) as $($told:tt)+
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy)]
+        $seen struct $name<$life>($($of $inner),+);
+
+        $crate::answer_of!($name<'_> as $($told)+);
+    };
+    ($told:ty as $me:ident { $($values:tt)* }) => {
+        $crate::answer_of!(@tell $told, $me, ($me), { $($values)* });
+    };
+    ($told:ty as $me:ident . $part:tt { $($values:tt)* }) => {
+        $crate::answer_of!(@tell $told, $me, ($me.$part), { $($values)* });
     };
 }
 

@@ -26,7 +26,7 @@ impl<'s> Check<'s> {
     }
 }
 
-answer_of!(Check<'_> as check {
+answer_of!(Check<'_> as check.0 {
     /// The file; `null` for the built-in study.
     path: Option<String> = check.path();
     __: String = format!("{}: valid", check.path().as_deref().unwrap_or("built-in")) => "study";
@@ -38,7 +38,7 @@ answer_of!(Check<'_> as check {
     selected: Option<OfSuite<'_>> = check.0.ground.suite().map(OfSuite) => flat;
     // The motions are listed below `ground`, without a label of their own.
     __: Vec<String> = check.recorded().into_iter().map(motion_words).collect() => " ";
-    directions_deg: Vec<f64> = check.0.directions_deg.clone();
+    directions_deg: Vec<f64>;
     building: Option<OfBuilding<'_>> = OfBuilding::of(check.0) => flat;
     __: Option<String> = directions_words(&check.0.directions_deg) => "directions";
     __: String = check.0.levels.iter().map(level_words).collect::<Vec<_>>().join(", ") => "levels";
@@ -59,14 +59,12 @@ answer_of!(Check<'_> as check {
     tolerance_g: Option<f64> = check.0.objects.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2);
 });
 
-/// A level.
-#[derive(Clone, Copy)]
-struct OfLevel<'s>(&'s Level);
-
-answer_of!(OfLevel<'_> as level {
-    name: String = level.0.name.clone();
+answer_of!(
+    /// A level.
+    struct OfLevel<'s>(&'s Level) as level.0 {
+    name: String;
     /// Its height as a share of the building's.
-    level_ratio: Option<f64> = level.0.level_ratio;
+    level_ratio: Option<f64>;
 });
 
 fn level_words(level: &Level) -> String {
@@ -149,11 +147,9 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
     )
 }
 
-/// How the motions were selected.
-#[derive(Clone, Copy)]
-struct OfSuite<'s>(&'s Suite);
-
-answer_of!(OfSuite<'_> as of {
+answer_of!(
+    /// How the motions were selected.
+    struct OfSuite<'s>(&'s Suite) as of {
     __: String = format!("{}, of {}", of.0.count_words(), of.0.folder.display()) => "suite";
     __: String = of.0.period_words() => "periods";
     __: String = of.0.mean_words() => "mean ln Sa";
@@ -177,15 +173,13 @@ fn rms_misfit_ratio(one: &RecordedMotion) -> Option<f64> {
     one.matched.as_ref().map(|matched| matched.misfit.rms_ratio)
 }
 
-/// A motion that was read from a file.
-#[derive(Clone, Copy)]
-struct OfMotion<'s>(&'s RecordedMotion);
-
-answer_of!(OfMotion<'_> as one {
-    name: String = one.0.name.clone();
+answer_of!(
+    /// A motion that was read from a file.
+    struct OfMotion<'s>(&'s RecordedMotion) as one.0 {
+    name: String;
     path: String = one.0.path.display().to_string();
-    description: String = one.0.description.clone();
-    sha256: String = one.0.sha256.clone();
+    description: String;
+    sha256: String;
     dt_s: f64 = one.0.motion.dt_s();
     npts: usize = one.0.motion.accel_m_s2().len();
     components: usize = if one.0.across.is_some() { 2 } else { 1 };

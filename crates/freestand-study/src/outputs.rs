@@ -190,6 +190,8 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         _ => toml,
     };
     let names = study.ground.names(&study.levels);
+    let two = study.ground.has_two_components(&study.levels);
+    let step_deg = two.then(|| rotation_step_deg(study));
     match &study.ground {
         Ground::Synthetic(synthetic) => {
             let seeded = with_seed(&toml, synthetic.seed)?;
@@ -202,34 +204,20 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         Ground::Simulated(simulated) => with_seed(&toml, simulated.request.seed),
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
-            let step_deg = study
-                .ground
-                .has_two_components(&study.levels)
-                .then(|| rotation_step_deg(study));
             let verticals: Vec<String> = names.iter().map(|name| vertical_name(name)).collect();
             let verticals = study.ground.has_vertical().then_some(verticals.as_slice());
             with_motions(&toml, &files, verticals, step_deg)
         }
         Ground::OnFloors => {
-            let files = |level: &Level| {
-                names
+            let files = |level: &Level| LevelFiles {
+                name: level.name.clone(),
+                level_ratio: level.level_ratio,
+                motions: names
                     .iter()
                     .map(|name| floor_name(name, &level.name))
-                    .collect()
+                    .collect(),
             };
-            let levels: Vec<LevelFiles> = study
-                .levels
-                .iter()
-                .map(|level| LevelFiles {
-                    name: level.name.clone(),
-                    level_ratio: level.level_ratio,
-                    motions: files(level),
-                })
-                .collect();
-            let step_deg = study
-                .ground
-                .has_two_components(&study.levels)
-                .then(|| rotation_step_deg(study));
+            let levels: Vec<LevelFiles> = study.levels.iter().map(files).collect();
             with_floor_motions(&toml, &levels, step_deg)
         }
     }

@@ -1,6 +1,6 @@
 //! Changes the text of a study, so that it can be run again from the folder of its outputs.
 
-use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value, value};
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -20,17 +20,10 @@ use freestand_input::problem::{Problem, ProblemKind};
 pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let seed = i64::try_from(seed).map_err(|_| broken(format!("{seed} is too large for TOML")))?;
-    let ground = study.entry("ground").or_insert_with(toml_edit::table);
-    let Some(ground) = ground.as_table_like_mut() else {
-        return Err(broken("ground is not a table"));
-    };
+    let ground = table(&mut study, "ground")?;
     match ground.get_mut("seed").and_then(Item::as_value_mut) {
         Some(old) if old.as_integer() == Some(seed) => {}
-        Some(old) => {
-            let decor = old.decor().clone();
-            *old = seed.into();
-            *old.decor_mut() = decor;
-        }
+        Some(old) => replace(old, seed),
         None => {
             ground.insert("seed", value(seed));
         }
@@ -44,10 +37,7 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
 /// A text that is not TOML, or in which `ground` is not a table.
 pub(crate) fn with_hazard(toml: &str, removed: &[&str], words: &Words) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let ground = study.entry("ground").or_insert_with(toml_edit::table);
-    let Some(ground) = ground.as_table_like_mut() else {
-        return Err(broken("ground is not a table"));
-    };
+    let ground = table(&mut study, "ground")?;
     let is = |name: &str, key: &str| {
         name.strip_prefix(key)
             .is_some_and(|unit| unit.is_empty() || unit.starts_with('_'))
@@ -60,12 +50,7 @@ pub(crate) fn with_hazard(toml: &str, removed: &[&str], words: &Words) -> Result
     {
         ground.remove(name);
     }
-    for (key, text) in words.entries() {
-        match text.parse::<i64>() {
-            Ok(whole) if key == "return_period_years" => ground.insert(key, value(whole)),
-            _ => ground.insert(key, value(text)),
-        };
-    }
+    insert_words(ground, words, "return_period_years");
     Ok(study.to_string())
 }
 
@@ -81,10 +66,7 @@ pub(crate) fn with_storeys(
     is_renamed: bool,
 ) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let building = study.entry("building").or_insert_with(toml_edit::table);
-    let Some(building) = building.as_table_like_mut() else {
-        return Err(broken("building is not a table"));
-    };
+    let building = table(&mut study, "building")?;
     if is_renamed {
         building.remove("name");
     }
@@ -101,10 +83,7 @@ pub(crate) fn with_storeys(
 /// A text that is not TOML, or in which `building` is not a table.
 pub fn with_period_code(toml: &str, code: &str) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let building = study.entry("building").or_insert_with(toml_edit::table);
-    let Some(building) = building.as_table_like_mut() else {
-        return Err(broken("building is not a table"));
-    };
+    let building = table(&mut study, "building")?;
     building.insert("period_code", value(code));
     Ok(study.to_string())
 }
@@ -171,9 +150,7 @@ pub fn with_floor_motions(
         entries.push(entry);
     }
     broken_lines(&mut entries);
-    let Some(building) = study.get_mut("building").and_then(Item::as_table_like_mut) else {
-        return Err(broken("building is not a table"));
-    };
+    let building = own_table(&mut study, "building")?;
     building.insert("levels", value(entries));
     Ok(study.to_string())
 }
@@ -214,16 +191,9 @@ fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
 /// A text that is not TOML, or without `[objects]`.
 pub fn with_cushion(toml: &str, words: &Words) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let Some(objects) = study.get_mut("objects").and_then(Item::as_table_like_mut) else {
-        return Err(broken("objects is not a table"));
-    };
+    let objects = own_table(&mut study, "objects")?;
     objects.remove("cushion");
-    for (key, text) in words.entries() {
-        match text.parse::<i64>() {
-            Ok(count) if key == "pads_per_edge" => objects.insert(key, value(count)),
-            _ => objects.insert(key, value(text)),
-        };
-    }
+    insert_words(objects, words, "pads_per_edge");
     Ok(study.to_string())
 }
 
@@ -247,9 +217,7 @@ pub fn with_building_tables(
         else {
             return Err(broken(format!("it has no {key}")));
         };
-        let decor = old.decor().clone();
-        *old = file.as_str().into();
-        *old.decor_mut() = decor;
+        replace(old, file.as_str());
     }
     Ok(study.to_string())
 }
@@ -260,11 +228,38 @@ pub fn with_building_tables(
 /// A text that is not TOML, or without `[ground]`.
 pub fn with_spectrum(toml: &str, file: &str) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let Some(ground) = study.get_mut("ground").and_then(Item::as_table_like_mut) else {
-        return Err(broken("ground is not a table"));
-    };
+    let ground = own_table(&mut study, "ground")?;
     ground.insert("spectrum", value(file));
     Ok(study.to_string())
+}
+
+/// A table of the study, which is added if it has none.
+fn table<'s>(study: &'s mut DocumentMut, name: &str) -> Result<&'s mut dyn TableLike, Problem> {
+    study.entry(name).or_insert_with(toml_edit::table);
+    own_table(study, name)
+}
+
+/// A table that the study has.
+fn own_table<'s>(study: &'s mut DocumentMut, name: &str) -> Result<&'s mut dyn TableLike, Problem> {
+    let own = study.get_mut(name).and_then(Item::as_table_like_mut);
+    own.ok_or_else(|| broken(format!("{name} is not a table")))
+}
+
+/// Puts another value in place of one, and keeps the comments about it.
+fn replace(old: &mut Value, new: impl Into<Value>) {
+    let decor = old.decor().clone();
+    *old = new.into();
+    *old.decor_mut() = decor;
+}
+
+/// Writes keys as text, and one of them as a whole number where it is one.
+fn insert_words(table: &mut dyn TableLike, words: &Words, whole: &str) {
+    for (key, text) in words.entries() {
+        match text.parse::<i64>() {
+            Ok(number) if key == whole => table.insert(key, value(number)),
+            _ => table.insert(key, value(text)),
+        };
+    }
 }
 
 fn parse(toml: &str) -> Result<DocumentMut, Problem> {

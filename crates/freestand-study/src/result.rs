@@ -112,6 +112,16 @@ pub enum ObjectResponse {
     Failed(String),
 }
 
+impl ObjectResponse {
+    /// The response, where it could be calculated.
+    pub fn done(&self) -> Option<(&UpliftCell, &ShockCell)> {
+        match self {
+            Self::Done { uplift, shock, .. } => Some((uplift, shock)),
+            Self::FreeFlight(_) | Self::Failed(_) => None,
+        }
+    }
+}
+
 /// A quantile over motions in which an overturned object ranks above every number.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -235,26 +245,26 @@ impl std::fmt::Display for NoResult {
 
 answer_of!(VariedLevel as row {
     /// The key that was changed; `base` for the unchanged study.
-    parameter: String = row.parameter.clone();
+    parameter: String;
     /// Its value, as a study writes it; empty for `base`.
-    value: String = row.value.clone();
-    level: String = row.level.clone();
+    value: String;
+    level: String;
     /// Height as a share of the building's, if it is known.
-    level_ratio: Option<f64> = row.level_ratio;
-    pfa_g_median: Option<f64> = row.pfa_g_median;
-    uplift_share: Option<f64> = row.uplift_share;
-    overturned_share: Option<f64> = row.overturned_share;
-    overturned_objects: Option<usize> = row.overturned_objects;
-    edge_acceleration_g_median: Option<f64> = row.edge_acceleration_g_median;
-    edge_acceleration_g_max: Option<f64> = row.edge_acceleration_g_max;
+    level_ratio: Option<f64>;
+    pfa_g_median: Option<f64>;
+    uplift_share: Option<f64>;
+    overturned_share: Option<f64>;
+    overturned_objects: Option<usize>;
+    edge_acceleration_g_median: Option<f64>;
+    edge_acceleration_g_max: Option<f64>;
     /// Sum of the median shocks of the objects, divided by that of the unchanged study.
-    edge_acceleration_ratio: Option<f64> = row.edge_acceleration_ratio;
+    edge_acceleration_ratio: Option<f64>;
     /// Number of objects in these sums.
-    compared_objects: Option<usize> = row.compared_objects;
+    compared_objects: Option<usize>;
     /// Why there is no result.
     reason: Option<String> = row.reason.as_ref().map(ToString::to_string);
     /// Warnings that the unchanged study does not have.
-    warnings: Option<String> = row.warnings.clone();
+    warnings: Option<String>;
 });
 
 impl VariedLevel {

@@ -4,21 +4,19 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, compression_warnings,
-    impact_friction_needed_ratio, stiffness_warnings,
+    ASSUMED_FRICTION, ImpactModel, ValidityWarning, impact_friction_needed_ratio,
 };
 use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, RigidHistory, RigidPlane};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingImpact, RockingModel,
-    SideExtremes, Until,
+    Accuracy, HistoryPoint, LONGEST_TAIL_S, Outcome, Rocking, RockingImpact, RockingModel, Until,
 };
-use freestand::spectra::{UpliftCell, landings};
+use freestand::spectra::{ShockCell, UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
 use crate::shape::Sizes;
-use crate::unsolved::{self, unresolved_warning};
-use crate::walls::{WallAnswer, WallStiffness, wall_answer};
+use crate::unsolved::{self, base, unresolved_warning};
+use crate::walls::{WallAnswer, WallStiffness};
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, name_of};
 use freestand_output::answer;
@@ -84,70 +82,84 @@ pub struct RockRequest {
 
 answer! {
     /// What an object on a rigid base did.
-    pub struct RockAnswer {
-        outcome: &'static str = "outcome",
-        stopped: &'static str = "reason for the end",
-        end_time_s: f64 = "end",
-        peak_rotation_rad: f64 = "largest rotation",
+    pub struct RockAnswer of (
+        rocking: &Rocking,
+        block: &Block,
+        request: &RockRequest,
+        friction: Option<f64>,
+        impact_friction: f64,
+        shock: Option<ShockCell>,
+        landed: &[EdgeLanding],
+    ) {
+        outcome: &'static str = rocking.outcome.name() => "outcome";
+        stopped: &'static str = rocking.stop.name() => "reason for the end";
+        end_time_s: f64 => "end";
+        peak_rotation_rad: f64 => "largest rotation";
         /// The largest rotation divided by the angle α at which the object balances on that edge.
-        peak_rotation_ratio: f64 = "  divided by α",
-        peak_rotation_time_s: Option<f64> = "  at",
+        peak_rotation_ratio: f64 = peak_rotation_ratio(block, rocking) => "  divided by α";
+        peak_rotation_time_s: Option<f64> =
+            rocking.peak_rotation_time_s.filter(|_| rocking.outcome != Outcome::NoUplift) => "  at";
         /// Largest uplift of an edge.
-        uplift_m: f64 = "uplift",
-        cg_rise_m: f64 = "rise of the centre of gravity",
-        first_uplift_time_s: Option<f64> = "first uplift",
+        uplift_m: f64 => "uplift";
+        cg_rise_m: f64 => "rise of the centre of gravity";
+        first_uplift_time_s: Option<f64> => "first uplift";
         /// How often the object left its base.
-        uplift_count: usize,
-        impact_count: usize = "impacts",
+        uplift_count: usize;
+        impact_count: usize = rocking.impacts.len() => "impacts";
         /// All impacts on the floor.
-        impacts: Vec<RockImpact>,
-        walls: WallAnswer = flat,
-        passed_alpha_time_s: Option<f64> = "passes the balance point",
-        overturn_time_s: Option<f64> = "overturns",
-        rest_time_s: Option<f64> = "comes to rest",
+        impacts: Vec<RockImpact> =
+            rocking.impacts.iter().zip(landed).map(|(impact, landed)| RockImpact::of(impact, landed)).collect();
+        walls: WallAnswer = WallAnswer::of(rocking, block, request.wall) => flat;
+        passed_alpha_time_s: Option<f64> => "passes the balance point";
+        overturn_time_s: Option<f64> => "overturns";
+        rest_time_s: Option<f64> => "comes to rest";
         /// Whether it is at rest at the end.
-        at_rest: bool,
-        friction_needed_ratio: Option<f64> = "friction needed while rocking",
-        impact_friction_needed_ratio: f64 = "friction needed in an impact",
-        restitution_ratio: f64 = "restitution",
+        at_rest: bool;
+        friction_needed_ratio: Option<f64> =
+            friction.filter(|ratio| ratio.is_finite()) => "friction needed while rocking";
+        impact_friction_needed_ratio: f64 = impact_friction => "friction needed in an impact";
+        restitution_ratio: f64 => "restitution";
         /// Rotation at the end.
-        final_rotation_rad: f64,
+        final_rotation_rad: f64;
         /// Angular velocity at the end.
-        final_omega_rad_s: f64,
+        final_omega_rad_s: f64;
         /// R: from the left edge to the centre of gravity.
-        half_diagonal_m: f64,
+        half_diagonal_m: f64 = block.pivot().half_diagonal_m;
         /// α of the left edge.
-        slenderness_angle_rad: f64,
-        frequency_parameter_rad_s: f64 = "frequency parameter p",
-        uplift_threshold_g: f64 = "uplift threshold",
+        slenderness_angle_rad: f64 = block.pivot().slenderness_angle_rad;
+        frequency_parameter_rad_s: f64 =
+            block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2) => "frequency parameter p";
+        uplift_threshold_g: f64 =
+            request.how.settings.model.uplift_threshold_ratio(block) * request.how.settings.gravity_m_s2 / G0_M_S2
+            => "uplift threshold";
         /// The equation of motion.
-        model: &'static str,
+        model: &'static str = name_of(MODELS, request.how.settings.model);
         /// What the object stands on.
-        base: &'static str,
+        base: &'static str = "rigid";
         /// The accuracy of the solver.
-        accuracy: String,
-        edge_acceleration_g: Option<f64> = "shock, from the uplift",
-        edge_acceleration_impact_velocity_g: Option<f64> = "shock, from the impact velocity",
-        ceiling_g: Option<f64> = "ceiling of the shock",
+        accuracy: String = crate::summary::accuracy_words(request.how.settings.accuracy);
+        edge_acceleration_g: Option<f64> =
+            shock.and_then(|shock| shock.edge_acceleration_g) => "shock, from the uplift";
+        edge_acceleration_impact_velocity_g: Option<f64> =
+            shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g) => "shock, from the impact velocity";
+        ceiling_g: Option<f64> = shock.map(|shock| shock.ceiling_g) => "ceiling of the shock";
         /// Steps of the solver.
-        steps: usize,
+        steps: usize = rocking.effort.steps;
         /// Evaluations of the equation of motion.
-        evaluations: usize,
-        notes: Vec<String> = "note",
+        evaluations: usize = rocking.effort.evaluations;
+        notes: Vec<String> = notes(rocking, shock.is_some()) => "note";
     }
-}
 
-answer! {
     /// An impact on the floor.
-    pub struct RockImpact {
+    pub struct RockImpact of (impact: &RockingImpact, landed: &EdgeLanding) {
         /// When it happened.
-        time_s: f64,
+        time_s: f64;
         /// Angular velocity before the impact, signed.
-        omega_before_rad_s: f64,
+        omega_before_rad_s: f64;
         /// Angular velocity after the impact.
-        omega_after_rad_s: f64,
+        omega_after_rad_s: f64;
         /// Shock of the edge that lands, from the speed of the impact.
-        edge_acceleration_impact_velocity_g: Option<f64>,
+        edge_acceleration_impact_velocity_g: Option<f64> = landed.edge_acceleration_g;
     }
 }
 
@@ -207,10 +219,7 @@ pub fn edge_landings(
 /// # Errors
 /// An input that the solver refuses, with a hint.
 pub fn rock(request: &RockRequest) -> Result<RockReport, Problem> {
-    let base = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let base = base(&request.horizontal, &request.vertical);
     let history = request
         .object
         .follow(base, &request.how)
@@ -222,7 +231,7 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
     let (block, settings) = (&request.object.plane.block, &request.how.settings);
     let (rocking, friction) = (&history.rocking, history.friction_needed_ratio);
     let gravity = settings.gravity_m_s2;
-    let pivot = block.pivot();
+
     let cell = UpliftCell::new(*block, rocking);
     let landings = landings(block, ImpactModel::Paper);
     let impact_friction = [*block, block.mirrored()]
@@ -250,29 +259,18 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         &request.object.walls,
         rocking.contacts,
     ));
-    if let Some((
-        mass,
-        EdgeCushion {
-            cushion,
-            pad_thickness_m,
-            ..
-        },
-    )) = request.cushion.as_ref()
-    {
-        warnings.extend(
-            stiffness_warnings(*mass, cushion, *pad_thickness_m)
-                .iter()
-                .map(ToString::to_string),
-        );
+    if let Some((mass, edge)) = cushion {
+        warnings.extend(edge.stiffness_doubts(*mass));
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
             let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
-            landing.impact(*mass, cushion, rise_m, gravity)
+            landing.impact(*mass, &edge.cushion, rise_m, gravity)
         });
         let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-        let beyond = deepest
-            .map(|impact| compression_warnings(impact.compression_m, cushion, *pad_thickness_m))
-            .unwrap_or_default();
-        warnings.extend(beyond.iter().map(ToString::to_string));
+        warnings.extend(
+            deepest
+                .into_iter()
+                .flat_map(|impact| edge.compression_doubts(impact.compression_m)),
+        );
     }
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
     let mut sliding = |needed: f64, when| {
@@ -306,64 +304,30 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         );
     }
 
-    let share = |(landing, side): (&Landing, SideExtremes)| {
-        side.peak_rotation_rad / landing.pivot.slenderness_angle_rad
-    };
-    let impact = |(i, landed): (&RockingImpact, &EdgeLanding)| RockImpact {
-        time_s: i.time_s,
-        omega_before_rad_s: i.omega_before_rad_s,
-        omega_after_rad_s: i.omega_after_rad_s,
-        edge_acceleration_impact_velocity_g: landed.edge_acceleration_g,
-    };
-    let is_up = rocking.outcome != Outcome::NoUplift;
-    let answer = RockAnswer {
-        outcome: rocking.outcome.name(),
-        stopped: rocking.stop.name(),
-        end_time_s: rocking.end_time_s,
-        peak_rotation_rad: rocking.peak_rotation_rad,
-        peak_rotation_ratio: landings
-            .iter()
-            .zip(rocking.sides)
-            .map(share)
-            .fold(0.0, f64::max),
-        peak_rotation_time_s: rocking.peak_rotation_time_s.filter(|_| is_up),
-        uplift_m: rocking.uplift_m,
-        cg_rise_m: rocking.cg_rise_m,
-        first_uplift_time_s: rocking.first_uplift_time_s,
-        uplift_count: rocking.uplift_count,
-        impact_count: rocking.impacts.len(),
-        impacts: rocking.impacts.iter().zip(&landed).map(impact).collect(),
-        walls: wall_answer(block, rocking, request.wall),
-        passed_alpha_time_s: rocking.passed_alpha_time_s,
-        overturn_time_s: rocking.overturn_time_s,
-        rest_time_s: rocking.rest_time_s,
-        at_rest: rocking.at_rest,
-        friction_needed_ratio: friction.filter(|ratio| ratio.is_finite()),
-        impact_friction_needed_ratio: impact_friction,
-        restitution_ratio: rocking.restitution_ratio,
-        final_rotation_rad: rocking.final_rotation_rad,
-        final_omega_rad_s: rocking.final_omega_rad_s,
-        half_diagonal_m: pivot.half_diagonal_m,
-        slenderness_angle_rad: pivot.slenderness_angle_rad,
-        frequency_parameter_rad_s: pivot.frequency_parameter_rad_s(gravity),
-        uplift_threshold_g: settings.model.uplift_threshold_ratio(block) * gravity / G0_M_S2,
-        model: name_of(MODELS, settings.model),
-        base: "rigid",
-        accuracy: crate::summary::accuracy_words(settings.accuracy),
-        edge_acceleration_g: shock.and_then(|shock| shock.edge_acceleration_g),
-        edge_acceleration_impact_velocity_g: shock
-            .and_then(|shock| shock.edge_acceleration_impact_velocity_g),
-        ceiling_g: shock.map(|shock| shock.ceiling_g),
-        steps: rocking.effort.steps,
-        evaluations: rocking.effort.evaluations,
-        notes: notes(rocking, shock.is_some()),
-    };
+    let answer = RockAnswer::of(
+        rocking,
+        block,
+        request,
+        friction,
+        impact_friction,
+        shock,
+        &landed,
+    );
     RockReport {
         answer,
         warnings,
         history,
         landings: landed,
     }
+}
+
+/// The largest rotation as a share of the slenderness angle of its side.
+fn peak_rotation_ratio(block: &Block, rocking: &Rocking) -> f64 {
+    let landings = landings(block, ImpactModel::Paper);
+    let sides = landings.iter().zip(rocking.sides);
+    sides
+        .map(|(landing, side)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad)
+        .fold(0.0, f64::max)
 }
 
 fn notes(rocking: &Rocking, has_shock: bool) -> Vec<String> {

@@ -120,6 +120,15 @@ impl Shape {
     }
 }
 
+/// The size of an object in figures.
+pub(crate) fn size_words(thickness_m: f64, height_m: f64) -> String {
+    format!(
+        "{} mm × {} m",
+        number(1e3 * thickness_m, 4),
+        number(height_m, 4)
+    )
+}
+
 /// How many of `objects` blocks are squat, and the first of them; `None` if there is none.
 pub(crate) fn squat_warning(objects: usize, blocks: impl Iterator<Item = Block>) -> Option<String> {
     let mut squat = blocks.filter(|block| block.landing_ratio() < 0.0);

@@ -10,7 +10,7 @@ use freestand::rocking::{Base, RockingError};
 use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_speed_m_s};
 
 use crate::rock::RockImpact;
-use crate::unsolved::{self, rocking_problem, sliding_problem};
+use crate::unsolved::{self, base, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::answer;
@@ -220,36 +220,41 @@ impl StopShock {
 
 answer! {
     /// The slide of an object.
-    pub struct SlideAnswer {
-        outcome: &'static str = "outcome",
-        model: &'static str = "model",
-        end_time_s: f64 = "end",
-        slide_peak_m: f64 = "largest slide",
-        slide_peak_time_s: Option<f64> = "  at",
-        slide_final_m: f64 = "slide at the end",
-        slide_path_m: f64 = "length of the path",
-        slide_speed_max_m_s: f64 = "largest speed",
-        slide_count: usize = "slides from rest",
-        first_slide_time_s: Option<f64> = "  first at",
-        clearance_left_m: Option<f64> = "clearance to the left",
-        clearance_right_m: Option<f64> = "clearance to the right",
-        clearance_time_s: Option<f64> = "clearance reached at",
-        clearance_speed_m_s: Option<f64> = "  with the velocity",
-        stop_acceleration_g: Option<f64> = "  shock of the stop there",
-        trip_speed_m_s: f64 = "speed at which a stop trips it",
-        friction_ratio: f64 = "friction or rolling resistance",
-        friction_kinetic_ratio: f64 = "  while it moves",
-        slide_threshold_g: f64 = "slides above",
+    pub struct SlideAnswer of (sliding: &Sliding, request: &SlideRequest) {
+        outcome: &'static str = sliding.outcome.name() => "outcome";
+        model: &'static str = request.surface.contact.model() => "model";
+        end_time_s: f64 => "end";
+        slide_peak_m: f64 = sliding.peak_m => "largest slide";
+        slide_peak_time_s: Option<f64> = sliding.peak_time_s => "  at";
+        slide_final_m: f64 = sliding.final_m => "slide at the end";
+        slide_path_m: f64 = sliding.path_m => "length of the path";
+        slide_speed_max_m_s: f64 = sliding.speed_max_m_s => "largest speed";
+        slide_count: usize => "slides from rest";
+        first_slide_time_s: Option<f64> => "  first at";
+        clearance_left_m: Option<f64> = request.surface.clearance.left_m => "clearance to the left";
+        clearance_right_m: Option<f64> = request.surface.clearance.right_m => "clearance to the right";
+        clearance_time_s: Option<f64> = sliding.contact.map(|(time_s, _)| time_s) => "clearance reached at";
+        clearance_speed_m_s: Option<f64> =
+            sliding.contact.map(|(_, velocity_m_s)| velocity_m_s) => "  with the velocity";
+        stop_acceleration_g: Option<f64> = request.stop.zip(sliding.contact)
+            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2)
+            => "  shock of the stop there";
+        trip_speed_m_s: f64 =
+            trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2) => "speed at which a stop trips it";
+        friction_ratio: f64 = request.surface.friction.static_ratio() => "friction or rolling resistance";
+        friction_kinetic_ratio: f64 = request.surface.friction.kinetic_ratio() => "  while it moves";
+        slide_threshold_g: f64 =
+            request.surface.friction.static_ratio() * request.how.settings.gravity_m_s2 / G0_M_S2 => "slides above";
         /// It does not rock.
-        peak_rotation_rad: f64,
+        peak_rotation_rad: f64 = 0.0;
         /// It does not rock.
-        uplift_m: f64,
+        uplift_m: f64 = 0.0;
         /// It does not rock.
-        cg_rise_m: f64,
+        cg_rise_m: f64 = 0.0;
         /// It does not rock.
-        impact_count: usize,
+        impact_count: usize = 0;
         /// It does not rock.
-        impacts: Vec<RockImpact>,
+        impacts: Vec<RockImpact> = Vec::new();
     }
 }
 
@@ -273,10 +278,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
     if !surface.carries(block)? {
         return Err(surface.refused(block));
     }
-    let base = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let base = base(&request.horizontal, &request.vertical);
     let glider = surface.glider(*block);
     let history = glider
         .follow(base, &request.how)
@@ -287,7 +289,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
         }));
     }
     Ok(SlideReport {
-        answer: answer(request, &history.sliding),
+        answer: SlideAnswer::of(&history.sliding, request),
         warnings: warnings(request, &history.sliding),
         history,
     })
@@ -303,40 +305,6 @@ pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Slidin
         .glider(block)
         .follow(base, &HistoryOptions::default());
     found.map(|found| found.sliding).map_err(unsolved::problem)
-}
-
-fn answer(request: &SlideRequest, sliding: &Sliding) -> SlideAnswer {
-    let (friction, clearance) = (request.surface.friction, request.surface.clearance);
-    let struck = request.stop.zip(sliding.contact);
-    let gravity = request.how.settings.gravity_m_s2;
-    SlideAnswer {
-        outcome: sliding.outcome.name(),
-        model: request.surface.contact.model(),
-        end_time_s: sliding.end_time_s,
-        slide_peak_m: sliding.peak_m,
-        slide_peak_time_s: sliding.peak_time_s,
-        slide_final_m: sliding.final_m,
-        slide_path_m: sliding.path_m,
-        slide_speed_max_m_s: sliding.speed_max_m_s,
-        slide_count: sliding.slide_count,
-        first_slide_time_s: sliding.first_slide_time_s,
-        clearance_left_m: clearance.left_m,
-        clearance_right_m: clearance.right_m,
-        clearance_time_s: sliding.contact.map(|(time_s, _)| time_s),
-        clearance_speed_m_s: sliding.contact.map(|(_, velocity_m_s)| velocity_m_s),
-        stop_acceleration_g: struck
-            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2),
-        trip_speed_m_s: trip_speed_m_s(&request.block, gravity),
-        friction_ratio: friction.static_ratio(),
-        friction_kinetic_ratio: friction.kinetic_ratio(),
-        slide_threshold_g: friction.static_ratio() * gravity / G0_M_S2,
-        // It does not rock: zeros, not missing values.
-        peak_rotation_rad: 0.0,
-        uplift_m: 0.0,
-        cg_rise_m: 0.0,
-        impact_count: 0,
-        impacts: Vec::new(),
-    }
 }
 
 fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {

@@ -7,7 +7,7 @@ use std::time::Instant;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
+use freestand::impact::{ImpactModel, Landing};
 use freestand::motion::Motion;
 use freestand::respond::{RigidPlane, Settings};
 use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError};
@@ -51,22 +51,20 @@ pub struct Grid {
     is_paired: bool,
 }
 
+fn too_many(objects: impl std::fmt::Display) -> Problem {
+    let hint = format!("give at most {MAX_OBJECTS} objects in one call");
+    Problem::value(format!("{objects} objects are too many"), hint)
+}
+
 impl Grid {
     /// The grid; each of its objects is checked.
     ///
     /// # Errors
     /// More than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
-        if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
-            let message = format!(
-                "{} × {} objects are too many",
-                heights_m.len(),
-                thicknesses_m.len()
-            );
-            return Err(Problem::value(
-                message,
-                format!("give at most {MAX_OBJECTS} objects in one call"),
-            ));
+        let (heights, thicknesses) = (heights_m.len(), thicknesses_m.len());
+        if heights.saturating_mul(thicknesses) > MAX_OBJECTS {
+            return Err(too_many(format!("{heights} × {thicknesses}")));
         }
         Self {
             heights_m,
@@ -81,23 +79,16 @@ impl Grid {
     /// # Errors
     /// Lists of different lengths, more than [`MAX_OBJECTS`] objects, or one without a size.
     pub fn pairs(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
-        if heights_m.len() != thicknesses_m.len() {
-            let message = format!(
-                "{} heights and {} thicknesses are not pairs",
-                heights_m.len(),
-                thicknesses_m.len()
-            );
+        let (heights, thicknesses) = (heights_m.len(), thicknesses_m.len());
+        if heights != thicknesses {
+            let message = format!("{heights} heights and {thicknesses} thicknesses are not pairs");
             return Err(Problem::value(
                 message,
                 "give as many `heights` as `thicknesses`",
             ));
         }
-        if heights_m.len() > MAX_OBJECTS {
-            let message = format!("{} objects are too many", heights_m.len());
-            return Err(Problem::value(
-                message,
-                format!("give at most {MAX_OBJECTS} objects in one call"),
-            ));
+        if heights > MAX_OBJECTS {
+            return Err(too_many(heights));
         }
         Self {
             heights_m,
@@ -108,13 +99,12 @@ impl Grid {
     }
 
     fn checked(self) -> Result<Self, Problem> {
-        let grid = self;
-        for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
+        for (height_m, thickness_m) in self.sizes(0..self.objects()) {
             Block::uniform(height_m, thickness_m).map_err(|error| {
                 Problem::value(error.to_string(), "check `heights` and `thicknesses`")
             })?;
         }
-        Ok(grid)
+        Ok(self)
     }
 
     /// The number of objects.
@@ -204,24 +194,15 @@ impl SpectrumRequest {
                 .flat_map(|block| Sizes::of(&block).doubts())
                 .next(),
         );
-        if let Some((
-            mass_kg,
-            EdgeCushion {
-                cushion,
-                pad_thickness_m,
-                ..
-            },
-        )) = &self.cushion
-        {
-            let soft = stiffness_warnings(*mass_kg, cushion, *pad_thickness_m);
-            warnings.extend(soft.iter().map(ToString::to_string));
+        if let Some((mass_kg, edge)) = &self.cushion {
+            warnings.extend(edge.stiffness_doubts(*mass_kg));
             let deepest_m = tallies
                 .iter()
                 .filter_map(|tally| tally.largest_compression_m)
                 .reduce(f64::max);
             let beyond = deepest_m
-                .map(|deepest_m| compression_warnings(deepest_m, cushion, *pad_thickness_m));
-            let beyond = beyond.iter().flatten();
+                .into_iter()
+                .flat_map(|deepest_m| edge.compression_doubts(deepest_m));
             warnings.extend(
                 beyond
                     .map(|warning| format!("the landing with the largest compression: {warning}")),
@@ -270,18 +251,14 @@ answer! {
         block_steps: u64,
         sensitivity: Option<SensitivityTiming> = flat,
     }
-}
 
-answer! {
     /// Time for the sensitivities.
     #[derive(Copy, Default)]
     pub struct SensitivityTiming {
         /// For the spectrum under the changed motion.
         sensitivity_s: f64,
     }
-}
 
-answer! {
     /// One object under a motion. Values are missing if there is no cushion, the object overturns or the history
     /// failed.
     pub struct SpectrumRow {
@@ -313,26 +290,20 @@ answer! {
         /// Why there is no result.
         reason: Option<String>,
     }
-}
 
-answer! {
     /// What an object does at its walls.
     pub struct AtWalls {
         /// Fastest impact on a wall.
         wall_speed_max_m_s: Option<f64>,
         shock: Option<WallShock> = flat,
     }
-}
 
-answer! {
     /// The shock on a wall of known stiffness.
     pub struct WallShock {
         /// Shock of the fastest impact on a wall.
         wall_acceleration_g: Option<f64>,
     }
-}
 
-answer! {
     /// How strongly an object amplifies an error of the motion.
     pub struct SensitivityCells {
         /// Change of the peak rotation, divided by that of the motion.
@@ -340,9 +311,7 @@ answer! {
         /// Whether an error of the motion makes the result uncertain.
         sensitive: Option<bool>,
     }
-}
 
-answer! {
     /// How an object slides or rolls.
     pub struct SlideCells {
         /// Largest slide.

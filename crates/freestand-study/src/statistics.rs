@@ -44,12 +44,7 @@ fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
 pub fn object_statistics<'a>(
     responses: impl Iterator<Item = &'a ObjectResponse>,
 ) -> Option<ObjectStatistics> {
-    let done: Vec<_> = responses
-        .filter_map(|response| match response {
-            ObjectResponse::Done { uplift, shock, .. } => Some((uplift, shock)),
-            ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
-        })
-        .collect();
+    let done: Vec<_> = responses.filter_map(ObjectResponse::done).collect();
     let (first, shock) = done.first()?;
     let share = |holds: &dyn Fn(&UpliftCell) -> bool| {
         done.iter().filter(|(uplift, _)| holds(uplift)).count() as f64 / done.len() as f64

@@ -374,34 +374,32 @@ answer_of!(Suite as suite {
     scale: &'static str = suite.scale.name();
     count: usize = suite.members.len();
     /// Records that could have been selected.
-    usable: usize = suite.usable;
+    usable: usize;
     records: Vec<Member<'_>> = suite.members.iter().map(Member).collect();
     /// At which spectra are compared.
-    periods_s: Vec<f64> = suite.periods_s.clone();
-    periods_from: String = suite.periods_from.clone();
+    periods_s: Vec<f64>;
+    periods_from: String;
     /// Mean of ln Sa over all components, less ln of the target.
-    mean_ln_ratio: Vec<f64> = suite.mean_ln_ratio.clone();
+    mean_ln_ratio: Vec<f64>;
     mean_ln_ratio_rms: f64 = suite.mean_rms();
     /// Standard deviation of ln Sa over all components.
-    sd_ln: Vec<f64> = suite.sd_ln.clone();
+    sd_ln: Vec<f64>;
     sd_ln_rms: f64 = suite.sd_rms();
     sd_ln_asked: f64 = suite.scale.dispersion();
     /// Files and records that cannot be used.
     left_out: Vec<&LeftOut> = suite.left_out.iter().collect();
     /// Files that are not horizontal motions.
-    skipped: Vec<String> = suite.skipped.clone();
+    skipped: Vec<String>;
 });
 
-/// A record of a suite.
-#[derive(Clone, Copy)]
-struct Member<'s>(&'s (String, f64));
-
-answer_of!(Member<'_> as member {
+answer_of!(
+    /// A record of a suite.
+    struct Member<'s>(&'s (String, f64)) as member {
     motion: String = member.0.0.clone();
     factor: f64 = member.0.1;
 });
 
 answer_of!(LeftOut as one {
-    file: String = one.file.clone();
-    reason: String = one.reason.clone();
+    file: String;
+    reason: String;
 });

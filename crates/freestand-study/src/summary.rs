@@ -77,35 +77,24 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         .map(|floor| floor.peak_m_s2() / G0_M_S2)
         .collect();
     let rows = || level.responses.iter().flatten();
+    let done = || rows().filter_map(ObjectResponse::done);
     let histories = rows().count();
     let count = |holds: &dyn Fn(Outcome) -> bool| {
-        rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.rocking.outcome))).count()
+        done()
+            .filter(|(uplift, _)| holds(uplift.rocking.outcome))
+            .count()
     };
-    let done = count(&|_| true);
-    let share = |n: usize| {
-        if done == 0 {
-            0.0
-        } else {
-            n as f64 / done as f64
-        }
-    };
+    let calculated = done().count();
+    let share = |n: usize| n as f64 / calculated.max(1) as f64;
     let statistics = || level.statistics.iter().flatten();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
-    let shocks = |velocity: bool| {
-        rows().filter_map(move |r| match r {
-            ObjectResponse::Done { shock, .. } if velocity => {
-                shock.edge_acceleration_impact_velocity_g
-            }
-            ObjectResponse::Done { shock, .. } => shock.edge_acceleration_g,
-            ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
-        })
-    };
+
     LevelSummary {
         level: level.level.name.clone(),
         level_ratio: level.level.level_ratio,
         pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value(),
         histories,
-        failed: histories - done,
+        failed: histories - calculated,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
         overturned_share: share(count(&|o| o.has_fallen())),
         exceeded_objects: tolerance_m_s2.map(|tolerance| {
@@ -116,11 +105,15 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         overturned_objects: statistics()
             .filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned)
             .count(),
-        edge_acceleration_g_max: largest(&mut shocks(false)),
+        edge_acceleration_g_max: largest(
+            &mut done().filter_map(|(_, shock)| shock.edge_acceleration_g),
+        ),
         edge_acceleration_g_median: largest(
             &mut statistics().filter_map(|s| s.edge_acceleration_g[1].value()),
         ),
-        edge_acceleration_impact_velocity_g_max: largest(&mut shocks(true)),
+        edge_acceleration_impact_velocity_g_max: largest(
+            &mut done().filter_map(|(_, shock)| shock.edge_acceleration_impact_velocity_g),
+        ),
         edge_acceleration_impact_velocity_g_median: largest(
             &mut statistics().filter_map(|s| s.edge_acceleration_impact_velocity_g[1].value()),
         ),
@@ -162,9 +155,9 @@ pub struct RunAnswer<'r> {
 }
 
 answer_of!(RunAnswer<'_> as of {
-    summary: Summary<'_> = of.summary => flat;
+    summary: Summary<'_> => flat;
     /// The folder.
-    out: String = of.out.clone();
+    out: String;
 });
 
 /// What the names of key figures mean.
@@ -207,11 +200,9 @@ answer_of!(Versions as _of {
     freestand: &'static str = env!("CARGO_PKG_VERSION");
 });
 
-/// What a study was run with.
-#[derive(Clone, Copy)]
-struct Inputs<'r>(&'r Study, &'r StudyResult);
-
-answer_of!(Inputs<'_> as of {
+answer_of!(
+    /// What a study was run with.
+    struct Inputs<'r>(&'r Study, &'r StudyResult) as of.0 {
     study: String =
         of.0.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string());
     study_sha256: String = sha256_hex(of.0.toml.as_bytes());
@@ -222,20 +213,18 @@ answer_of!(Inputs<'_> as of {
     floor_motions: Option<Vec<FloorInputs<'_>>> =
         matches!(of.0.ground, Ground::OnFloors).then(|| of.0.levels.iter().map(FloorInputs).collect());
     vertical: String = of.0.ground.vertical_words();
-    vertical_amplification_ratio: f64 = of.0.vertical_amplification_ratio;
+    vertical_amplification_ratio: f64;
     motions: Vec<OfMotion<'_>> = of.1.ground.iter().map(OfMotion).collect();
     /// In which every object is tried.
-    directions_deg: Vec<f64> = of.0.directions_deg.clone();
+    directions_deg: Vec<f64>;
     building: Option<BuildingInputs<'_>> =
         of.0.building.as_ref().map(|building| BuildingInputs(of.0.building_name.as_deref(), building));
     objects: ObjectInputs<'_> = ObjectInputs(&of.0.objects);
 });
 
-/// A ground motion as used.
-#[derive(Clone, Copy)]
-struct OfMotion<'r>(&'r GroundMotion);
-
-answer_of!(OfMotion<'_> as of {
+answer_of!(
+    /// A ground motion as used.
+    struct OfMotion<'r>(&'r GroundMotion) as of {
     motion: String = of.0.name.clone();
     dt_s: f64 = of.0.motion.along.dt_s();
     npts: usize = of.0.motion.along.accel_m_s2().len();
@@ -246,14 +235,12 @@ answer_of!(OfMotion<'_> as of {
     misfit: Option<OfMisfit<'_>> = of.0.misfit.as_ref().map(OfMisfit);
 });
 
-/// The grid of objects.
-#[derive(Clone, Copy)]
-struct ObjectInputs<'s>(&'s Objects);
-
-answer_of!(ObjectInputs<'_> as of {
-    heights_m: Vec<f64> = of.0.heights_m.clone();
-    thicknesses_m: Vec<f64> = of.0.thicknesses_m.clone();
-    mass_kg: f64 = of.0.mass_kg;
+answer_of!(
+    /// The grid of objects.
+    struct ObjectInputs<'s>(&'s Objects) as of.0 {
+    heights_m: Vec<f64>;
+    thicknesses_m: Vec<f64>;
+    mass_kg: f64;
     stiffness_n_m: Option<f64> = of.0.cushion.cushion.linear_stiffness_n_m();
     law: &'static str = of.0.cushion.cushion.law().name();
     cushion: String = cushion_words(&of.0.cushion.cushion);
@@ -261,16 +248,14 @@ answer_of!(ObjectInputs<'_> as of {
     cushion_file: Option<Input> = of.0.cushion_file.as_ref().map(|(file, _)| Input::from(file));
     restitution: String = restitution_words(of.0.restitution);
     accuracy: String = accuracy_words(of.0.accuracy);
-    tolerance_m_s2: Option<f64> = of.0.tolerance_m_s2;
+    tolerance_m_s2: Option<f64>;
     gravity_m_s2: f64 = G0_M_S2;
     model: &'static str = "paper";
 });
 
-/// The building, with its name.
-#[derive(Clone, Copy)]
-struct BuildingInputs<'s>(Option<&'s str>, &'s BuildingInput);
-
-answer_of!(BuildingInputs<'_> as of {
+answer_of!(
+    /// The building, with its name.
+    struct BuildingInputs<'s>(Option<&'s str>, &'s BuildingInput) as of {
     name: Option<String> = of.0.map(str::to_owned);
     storeys: usize = of.1.storeys;
     storey_height_m: Option<f64> = of.1.storey_height_m;
@@ -282,17 +267,15 @@ answer_of!(BuildingInputs<'_> as of {
     tables: Vec<Input> = of.1.tables.iter().map(|(_, table)| Input::from(&table.file)).collect();
 });
 
-/// A building along an axis, and what its period is from.
-#[derive(Clone, Copy)]
-struct AxisInputs<'s>(&'s Building, Option<&'s str>);
-
-answer_of!(AxisInputs<'_> as of {
+answer_of!(
+    /// A building along an axis, and what its period is from.
+    struct AxisInputs<'s>(&'s Building, Option<&'s str>) as of {
     model: String = model_words(of.0);
     period_s: f64 = of.0.period_s();
     period_from: Option<String> = of.1.map(str::to_owned);
     damping_ratio: Option<f64> = of.0.damping_ratio();
     shear_flexure_ratio: Option<f64> = of.0.shear_flexure_ratio();
-    modes: Vec<ModeReport> = of.0.modes().iter().map(ModeReport::from).collect();
+    modes: Vec<ModeReport> = of.0.modes().iter().map(ModeReport::of).collect();
 });
 
 /// Where the motions of a study are from.
@@ -317,25 +300,21 @@ impl From<GroundInputs<'_>> for Value<'static> {
     }
 }
 
-/// How well a motion fits its target.
-#[derive(Clone, Copy)]
-struct OfMisfit<'r>(&'r Misfit);
-
-answer_of!(OfMisfit<'_> as misfit {
-    rms_ratio: f64 = misfit.0.rms_ratio;
-    worst_ratio: f64 = misfit.0.worst_ratio;
-    worst_period_s: f64 = misfit.0.worst_period_s;
-    pga_g: f64 = misfit.0.pga_g;
-    target_zpa_g: f64 = misfit.0.target_zpa_g;
-    d5_95_s: f64 = misfit.0.d5_95_s;
-    pgv_m_s: f64 = misfit.0.pgv_m_s;
+answer_of!(
+    /// How well a motion fits its target.
+    struct OfMisfit<'r>(&'r Misfit) as misfit.0 {
+    rms_ratio: f64;
+    worst_ratio: f64;
+    worst_period_s: f64;
+    pga_g: f64;
+    target_zpa_g: f64;
+    d5_95_s: f64;
+    pgv_m_s: f64;
 });
 
-/// Synthetic motions of a study.
-#[derive(Clone, Copy)]
-struct SyntheticInputs<'s>(&'s SyntheticGround);
-
-answer_of!(SyntheticInputs<'_> as of {
+answer_of!(
+    /// Synthetic motions of a study.
+    struct SyntheticInputs<'s>(&'s SyntheticGround) as of.0 {
     code: &'static str = of.0.target.code();
     edition: &'static str = of.0.target.spectrum.name();
     site: Option<&'static str> = of.0.target.spectrum.site_name();
@@ -344,15 +323,13 @@ answer_of!(SyntheticInputs<'_> as of {
     hazard: HazardOf<'_> = HazardOf(Some(&of.0.target)) => flat;
     facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
     spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
-    count: usize = of.0.count;
-    seed: u64 = of.0.seed;
+    count: usize;
+    seed: u64;
 });
 
-/// Simulated motions of a study.
-#[derive(Clone, Copy)]
-struct SimulatedInputs<'s>(&'s SimulatedGround);
-
-answer_of!(SimulatedInputs<'_> as of {
+answer_of!(
+    /// Simulated motions of a study.
+    struct SimulatedInputs<'s>(&'s SimulatedGround) as of {
     preset: &'static str = of.0.request.preset.name();
     parameters: Parameters = Parameters(of.0.request.any_source());
     earthquakes: Vec<&FoundEarthquake> = of.0.earthquakes.iter().collect();
@@ -367,11 +344,9 @@ answer_of!(SimulatedInputs<'_> as of {
     generator: &'static str = synthesis::GENERATOR;
 });
 
-/// The files of a level.
-#[derive(Clone, Copy)]
-struct FloorInputs<'s>(&'s Level);
-
-answer_of!(FloorInputs<'_> as of {
+answer_of!(
+    /// The files of a level.
+    struct FloorInputs<'s>(&'s Level) as of {
     level: String = of.0.name.clone();
     motions: Vec<RecordedInput<'_>> = recorded(&of.0.motions);
 });
@@ -380,23 +355,21 @@ fn recorded(records: &[RecordedMotion]) -> Vec<RecordedInput<'_>> {
     records.iter().map(RecordedInput).collect()
 }
 
-/// A record of a study.
-#[derive(Clone, Copy)]
-struct RecordedInput<'s>(&'s RecordedMotion);
-
-answer_of!(RecordedInput<'_> as of {
+answer_of!(
+    /// A record of a study.
+    struct RecordedInput<'s>(&'s RecordedMotion) as of.0 {
     motion: String = of.0.name.clone();
     path: String = of.0.path.display().to_string();
-    sha256: String = of.0.sha256.clone();
-    description: String = of.0.description.clone();
+    sha256: String;
+    description: String;
     /// The file of its second component, if that is another.
     across: Option<Input> = file(of.0.across.as_ref());
     /// The file of its vertical component, if that is another.
     vertical: Option<Input> = file(of.0.vertical.as_ref());
-    scale_ratio: f64 = of.0.scale_ratio;
+    scale_ratio: f64;
     station_xml: Vec<Input> = of.0.station_xml.iter().map(Input::from).collect();
     scale_target: Option<Input> = of.0.scale_target.as_ref().map(Input::from);
-    processing: Vec<String> = of.0.processing.clone();
+    processing: Vec<String>;
     matched: Option<MatchedInputs<'_>> = of.0.matched.as_ref().map(MatchedInputs);
 });
 
@@ -404,11 +377,9 @@ fn file(component: Option<&SecondComponent>) -> Option<Input> {
     component?.file.as_ref().map(Input::from)
 }
 
-/// The spectrum that a record was matched to.
-#[derive(Clone, Copy)]
-struct MatchedInputs<'s>(&'s Matched);
-
-answer_of!(MatchedInputs<'_> as of {
+answer_of!(
+    /// The spectrum that a record was matched to.
+    struct MatchedInputs<'s>(&'s Matched) as of {
     method: &'static str = of.0.method.name();
     target: String = of.0.target.one_line();
     facts: Vec<NamedFact<'_>> = of.0.target.named_facts();

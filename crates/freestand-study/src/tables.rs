@@ -7,6 +7,7 @@ use freestand_output::table::Table;
 use crate::result::{FloorProfile, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::Study;
+use freestand::block::Block;
 use freestand::rocking::FREE_FLIGHT;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand_input::problem::Problem;
@@ -31,27 +32,22 @@ fn by_object(
                     .iter()
                     .zip(&level.responses[motion])
                     .map(move |(block, response)| {
-                        let (done, direction_deg, unfinished) = match response {
-                            ObjectResponse::Done {
-                                uplift,
-                                shock,
-                                direction_deg,
-                            } => (Some((uplift, shock)), *direction_deg, None),
+                        let (direction_deg, unfinished) = match response {
+                            ObjectResponse::Done { direction_deg, .. } => (*direction_deg, None),
                             ObjectResponse::FreeFlight(reason) => {
-                                (None, None, Some((FREE_FLIGHT, reason.as_str())))
+                                (None, Some((FREE_FLIGHT, reason.as_str())))
                             }
                             ObjectResponse::Failed(reason) => {
-                                (None, None, Some(("failed", reason.as_str())))
+                                (None, Some(("failed", reason.as_str())))
                             }
                         };
+                        let done = response.done();
                         let (failed, reason) = unfinished.unzip();
                         let (rocking, shock) =
                             done.map(|(uplift, shock)| (&uplift.rocking, shock)).unzip();
                         Facts::default()
                             .key("motion", name.as_str())
-                            .key("level", level.level.name.as_str())
-                            .key("height_m", block.height_m())
-                            .key("thickness_m", block.thickness_m())
+                            .and(object(&level.level.name, block))
                             .key(
                                 "outcome",
                                 rocking.map(|rocking| rocking.outcome.name()).or(failed),
@@ -107,6 +103,14 @@ pub fn srs_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> 
     })
 }
 
+/// An object on a level.
+fn object<'a>(level: &'a str, block: &Block) -> Facts<'a> {
+    Facts::default()
+        .key("level", level)
+        .key("height_m", block.height_m())
+        .key("thickness_m", block.thickness_m())
+}
+
 /// The quantiles of one value, under the names of [`QUANTILES`].
 fn quantiles<'a>(
     row: Facts<'a>,
@@ -133,10 +137,7 @@ pub fn statistics_table(study: &Study, result: &StudyResult) -> Result<Table, Pr
             .zip(&level.statistics)
             .map(|(block, statistics)| {
                 let s = statistics.as_ref();
-                let row = Facts::default()
-                    .key("level", level.level.name.as_str())
-                    .key("height_m", block.height_m())
-                    .key("thickness_m", block.thickness_m())
+                let row = object(&level.level.name, block)
                     .key("motions", s.map_or(0, |s| s.motions))
                     .key("uplift_share", s.map(|s| s.uplift_share))
                     .key("overturned_share", s.map(|s| s.overturned_share));

@@ -1,12 +1,21 @@
 //! Histories that a solver refused or did not end: what is wrong, and what to do about it.
 
 use freestand::compliant::CompliantError;
+use freestand::motion::Motion;
 use freestand::respond::RespondError;
-use freestand::rocking::{Outcome, RockingError};
+use freestand::rocking::{Base, Outcome, RockingError};
 use freestand::sliding::SlidingError;
 use freestand_input::problem::{Problem, ProblemKind};
 
 use crate::walls::wall_problem;
+
+/// The motions under an object, as far as they are given.
+pub(crate) fn base<'m>(horizontal: &'m Option<Motion>, vertical: &'m Option<Motion>) -> Base<'m> {
+    Base {
+        horizontal: horizontal.as_ref(),
+        vertical: vertical.as_ref(),
+    }
+}
 
 /// A problem of a history, with what to do about it.
 pub fn problem(error: RespondError) -> Problem {
@@ -68,39 +77,29 @@ pub(crate) fn sliding_problem(error: SlidingError) -> Problem {
 
 /// A problem of an object on its pads.
 fn compliant_problem(error: CompliantError) -> Problem {
-    let (kind, hint) = match error {
-        CompliantError::Value { .. } => (
-            ProblemKind::Value,
-            "check the values of the object and its cushion",
-        ),
-        CompliantError::Contacts { .. } => (
-            ProblemKind::Value,
-            "2 contact elements are the two edges alone",
-        ),
-        CompliantError::Unstable { .. } => (
-            ProblemKind::Value,
-            "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft",
-        ),
-        CompliantError::Duration { .. } => (
-            ProblemKind::Value,
-            "give `motion`, `cg_rise` or `initial_rotation`",
-        ),
-        CompliantError::BeyondWall => (
-            ProblemKind::Value,
-            "give a smaller `initial_rotation`, or a wider gap",
-        ),
-        CompliantError::VerticalMismatch => (
-            ProblemKind::Value,
-            "resample one of them so that both have the same step and length",
-        ),
-        CompliantError::StepTooSmall { .. } | CompliantError::NotFinite { .. } => (
-            ProblemKind::Computation,
-            "check the units of the motion and of the cushion, and whether the cushion bottoms",
-        ),
-        CompliantError::TooManySteps { .. } => (
-            ProblemKind::Computation,
-            "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`",
-        ),
+    let hint = match error {
+        CompliantError::Value { .. } => "check the values of the object and its cushion",
+        CompliantError::Contacts { .. } => "2 contact elements are the two edges alone",
+        CompliantError::Unstable { .. } => {
+            "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft"
+        }
+        CompliantError::Duration { .. } => "give `motion`, `cg_rise` or `initial_rotation`",
+        CompliantError::BeyondWall => "give a smaller `initial_rotation`, or a wider gap",
+        CompliantError::VerticalMismatch => {
+            "resample one of them so that both have the same step and length"
+        }
+        CompliantError::StepTooSmall { .. } | CompliantError::NotFinite { .. } => {
+            "check the units of the motion and of the cushion, and whether the cushion bottoms"
+        }
+        CompliantError::TooManySteps { .. } => {
+            "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`"
+        }
+    };
+    let kind = match error {
+        CompliantError::StepTooSmall { .. }
+        | CompliantError::NotFinite { .. }
+        | CompliantError::TooManySteps { .. } => ProblemKind::Computation,
+        _ => ProblemKind::Value,
     };
     Problem::new(kind, error.to_string()).hint(hint)
 }

@@ -96,72 +96,59 @@ impl WallStiffness {
 
 answer! {
     /// What a history says about walls.
-    pub struct WallAnswer {
-        wall_angle_left_rad: Option<f64> = "touches the left wall at",
-        wall_angle_right_rad: Option<f64> = "touches the right wall at",
-        wall_impact_count: usize = "impacts on walls" if wall_speed_max_m_s,
+    pub struct WallAnswer of (rocking: &Rocking, block: &Block, stiffness: WallStiffness) {
+        wall_angle_left_rad: Option<f64> =
+            rocking.contacts[1].map(|contact| contact.angle_rad) => "touches the left wall at";
+        wall_angle_right_rad: Option<f64> =
+            rocking.contacts[0].map(|contact| contact.angle_rad) => "touches the right wall at";
+        wall_impact_count: usize = rocking.wall_impacts.len() => "impacts on walls" if wall_speed_max_m_s;
         /// All impacts on walls.
-        wall_impacts: Vec<WallStrike>,
-        wall_speed_max_m_s: Option<f64> = "  largest speed",
-        wall_acceleration_g: Option<f64> = "  shock at the point of contact",
-        wall_impulse_max_n_s: Option<f64> = "  largest impulse",
+        wall_impacts: Vec<WallStrike> = strikes(rocking, block, stiffness);
+        wall_speed_max_m_s: Option<f64> =
+            speed_m_s(block, rocking.contacts, rocking.sides) => "  largest speed";
+        wall_acceleration_g: Option<f64> =
+            acceleration_g(block, rocking.contacts, rocking.sides, stiffness) => "  shock at the point of contact";
+        wall_impulse_max_n_s: Option<f64> =
+            stiffness.mass_kg.and_then(|mass_kg| impulse_n_s(rocking, block, mass_kg)) => "  largest impulse";
         /// Whether it leans on a wall at the end.
-        leaning: bool,
+        leaning: bool;
     }
-}
 
-answer! {
     /// An impact on a wall.
-    pub struct WallStrike {
+    pub struct WallStrike of (impact: &WallImpact, shock: Option<&WallShock>, stiffness: WallStiffness) {
         /// When it happened.
-        time_s: f64,
+        time_s: f64;
         /// `left` or `right`.
-        side: &'static str,
+        side: &'static str = impact.side.name();
         /// Angular velocity before the impact, signed.
-        omega_before_rad_s: f64,
+        omega_before_rad_s: f64;
         /// Angular velocity after the impact.
-        omega_after_rad_s: f64,
+        omega_after_rad_s: f64;
         /// Speed of the point of contact.
-        speed_m_s: Option<f64>,
+        speed_m_s: Option<f64> = shock.map(|shock| shock.speed_m_s(impact.omega_before_rad_s));
         /// Shock at the point of contact, with the mass of the object and the stiffness of the wall.
-        acceleration_g: Option<f64>,
+        acceleration_g: Option<f64> =
+            shock.and_then(|shock| stiffness.acceleration_g(shock, impact.omega_before_rad_s));
     }
 }
 
-/// What a history says about walls.
-pub(crate) fn wall_answer(
-    block: &Block,
-    rocking: &Rocking,
-    stiffness: WallStiffness,
-) -> WallAnswer {
-    let [right, left] = rocking.contacts;
+/// The impacts on the walls, in their order.
+fn strikes(rocking: &Rocking, block: &Block, stiffness: WallStiffness) -> Vec<WallStrike> {
     let shocks = WallShock::of_sides(block, rocking.contacts);
     let strike = |impact: &WallImpact| {
-        let shock = shocks[impact.side.index()].as_ref();
-        let omega = impact.omega_before_rad_s;
-        WallStrike {
-            time_s: impact.time_s,
-            side: impact.side.name(),
-            omega_before_rad_s: impact.omega_before_rad_s,
-            omega_after_rad_s: impact.omega_after_rad_s,
-            speed_m_s: shock.map(|shock| shock.speed_m_s(omega)),
-            acceleration_g: shock.and_then(|shock| stiffness.acceleration_g(shock, omega)),
-        }
+        WallStrike::of(impact, shocks[impact.side.index()].as_ref(), stiffness)
     };
-    let impulse = |mass_kg: f64| {
-        let of = |shock: &WallShock, omega: f64| shock.impulse_n_s(omega, mass_kg);
-        largest(shocks, rocking.sides, of)
-    };
-    WallAnswer {
-        wall_angle_left_rad: left.map(|contact| contact.angle_rad),
-        wall_angle_right_rad: right.map(|contact| contact.angle_rad),
-        wall_impact_count: rocking.wall_impacts.len(),
-        wall_impacts: rocking.wall_impacts.iter().map(strike).collect(),
-        wall_speed_max_m_s: speed_m_s(block, rocking.contacts, rocking.sides),
-        wall_acceleration_g: acceleration_g(block, rocking.contacts, rocking.sides, stiffness),
-        wall_impulse_max_n_s: stiffness.mass_kg.and_then(impulse),
-        leaning: rocking.leaning,
-    }
+    rocking.wall_impacts.iter().map(strike).collect()
+}
+
+/// The largest impulse of a wall on an object of this mass \[N s\].
+fn impulse_n_s(rocking: &Rocking, block: &Block, mass_kg: f64) -> Option<f64> {
+    let of = |shock: &WallShock, omega: f64| shock.impulse_n_s(omega, mass_kg);
+    largest(
+        WallShock::of_sides(block, rocking.contacts),
+        rocking.sides,
+        of,
+    )
 }
 
 /// What is said of walls that hold nothing: beyond the reach of the object, or past its balance

@@ -14,6 +14,29 @@ pub struct Entry {
     pub words: String,
 }
 
+impl Entry {
+    /// An entry with its meaning.
+    pub fn new(sign: Sign, words: impl Into<String>) -> Self {
+        let words = words.into();
+        Self { sign, words }
+    }
+
+    /// The entry of a line.
+    pub fn line(
+        colour: &'static str,
+        width_px: f64,
+        dash: Option<&'static str>,
+        words: impl Into<String>,
+    ) -> Self {
+        let sign = Sign::Line {
+            colour,
+            width_px,
+            dash,
+        };
+        Self::new(sign, words)
+    }
+}
+
 /// The sign of an [`Entry`].
 #[derive(Debug, Clone, Copy)]
 pub enum Sign {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use kuva::plot::line::{LinePlot, LineStyle};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
+use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::{Layout, TickAlign, TickFormat};
 use kuva::render::plots::Plot;
 
@@ -98,6 +99,26 @@ pub fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: 
     ]
 }
 
+/// The points of a curve, from its two columns.
+pub fn points<'v>(x: &'v [f64], y: &'v [f64]) -> impl Iterator<Item = (f64, f64)> + 'v {
+    x.iter().copied().zip(y.iter().copied())
+}
+
+/// A straight line over the whole panel.
+pub fn rule(at: ReferenceLine, colour: &str, width_px: f64, dash: &str) -> ReferenceLine {
+    at.with_color(colour)
+        .with_stroke_width(width_px)
+        .with_dasharray(dash)
+}
+
+/// A layout over periods on a logarithmic scale, with plain numbers on both axes; `top`: the end of the other axis.
+pub fn over_periods(layout: Layout, top: f64) -> Layout {
+    let mut layout = layout.with_log_x();
+    layout.x_tick_format = plain_ticks(0.0);
+    layout.y_tick_format = plain_ticks(top);
+    layout
+}
+
 /// Axes over exactly these ranges, without a legend and with the text sizes of all figures.
 pub fn axes(x: Axis, y: Axis) -> Layout {
     let mut layout = Layout::new((x.from, x.to), (y.from, y.to))
@@ -139,6 +160,16 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// An axis between two values, with ticks where they fit.
+    pub fn between(from: f64, to: f64, label: &str) -> Self {
+        Self {
+            from,
+            to,
+            step: None,
+            label: label.into(),
+        }
+    }
+
     /// An axis from 0 to a round number that is not below `max`.
     pub fn from_zero(max: f64, label: &str) -> Self {
         let max = if max > 0.0 && max.is_finite() {

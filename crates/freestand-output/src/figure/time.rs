@@ -48,6 +48,19 @@ pub fn symmetric(largest: f64, label: &str) -> Axis {
     y
 }
 
+/// The first and the last time of a history; `None` where there is nothing to draw between them.
+pub fn span<P>(history: &[P], time_s: impl Fn(&P) -> f64) -> Option<(f64, f64)> {
+    let (from, to) = (time_s(history.first()?), time_s(history.last()?));
+    (to > from).then_some((from, to))
+}
+
+/// The largest magnitude of a curve.
+pub fn peak(points: &[(f64, f64)]) -> f64 {
+    points
+        .iter()
+        .fold(0.0, |most, point| most.max(point.1.abs()))
+}
+
 /// The pixel column of `t` in a panel over the whole width.
 pub fn pixel(t: f64, from: f64, to: f64) -> usize {
     ((t - from) / (to - from) * (panel_width_px(1) - MARGINS_PX.0 - MARGINS_PX.1)) as usize

@@ -9,7 +9,7 @@ use freestand::building::{
 };
 use freestand::code_spectrum::PeriodCode;
 
-use freestand_input::file::InputFile;
+use freestand_input::file::{InputFile, file_name};
 use freestand_input::problem::Problem;
 use freestand_input::words::{counted, number, percent};
 use freestand_output::answer;
@@ -175,7 +175,7 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
         format!(
             "{}: the heights change from row to row by nearly the same step, like elevations above the ground; give \
              the height of each storey itself",
-            file_name(path)
+            file_name(path).unwrap_or_default()
         )
     });
     let file = InputFile::new(path, &text);
@@ -209,11 +209,6 @@ fn look_like_elevations(heights_m: &[f64]) -> bool {
     steps_m.iter().all(|step| step.signum() == first.signum())
         && largest_m <= 2.0 * smallest_m
         && smallest_m >= least_m / 3.0
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name()
-        .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
 fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
@@ -252,7 +247,7 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
                 _ => refused(&error),
             }
         })?;
-    let name = file_name(path);
+    let name = file_name(path).unwrap_or_default();
     let states_damping = table.modes.iter().all(|mode| mode.damping_ratio.is_some());
     let warnings = building
         .doubts()
@@ -347,26 +342,15 @@ pub fn model_words(building: &Building) -> String {
 
 answer! {
     /// A mode of a building.
-    pub struct ModeReport {
+    pub struct ModeReport of (mode: &Mode) {
         /// Of vibration.
-        period_s: f64,
+        period_s: f64 = mode.period_s();
         /// Of critical damping.
-        damping_ratio: f64,
+        damping_ratio: f64 = mode.damping_ratio();
         /// Γ.
-        participation_ratio: f64,
+        participation_ratio: f64 = mode.participation_ratio();
         /// The share of the mass, where masses are known.
-        effective_mass_ratio: Option<f64>,
-    }
-}
-
-impl From<&Mode> for ModeReport {
-    fn from(mode: &Mode) -> Self {
-        Self {
-            period_s: mode.period_s(),
-            damping_ratio: mode.damping_ratio(),
-            participation_ratio: mode.participation_ratio(),
-            effective_mass_ratio: mode.effective_mass_ratio(),
-        }
+        effective_mass_ratio: Option<f64> = mode.effective_mass_ratio();
     }
 }
 

@@ -8,9 +8,9 @@ use freestand::compliant::CompliantPoint;
 
 use crate::compliant::CompliantReport;
 use freestand_input::words::{number, significant};
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, DARK, curve_style, line, plain, round_step};
+use freestand_output::figure::style::{Axis, DARK, curve_style, line, plain, round_step, rule};
 use freestand_output::figure::time::{stacked, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
@@ -26,8 +26,11 @@ const WIDTHS_PX: [f64; 2] = [2.4, 1.0];
 const SHOWN_BEFORE: f64 = 2.0;
 const SHOWN_AFTER: f64 = 14.0;
 
-/// The first impact of a sampled history, or all of the history if there was no impact.
-fn trace_page(report: &CompliantReport) -> Page {
+/// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn trace_figure(report: &CompliantReport) -> Result<Figure, FigureError> {
     let (rocking, base) = (&report.history.rocking, &report.base);
     let (from, to) = rocking
         .touches
@@ -69,38 +72,14 @@ fn trace_page(report: &CompliantReport) -> Page {
         false,
     );
     let mut legend = vec![
-        Entry {
-            sign: Sign::Line {
-                colour: curve_style(0).colour,
-                width_px: WIDTHS_PX[0],
-                dash: None,
-            },
-            words: "left edge".into(),
-        },
-        Entry {
-            sign: Sign::Line {
-                colour: curve_style(1).colour,
-                width_px: WIDTHS_PX[1],
-                dash: None,
-            },
-            words: "right edge".into(),
-        },
+        Entry::line(curve_style(0).colour, WIDTHS_PX[0], None, "left edge"),
+        Entry::line(curve_style(1).colour, WIDTHS_PX[1], None, "right edge"),
     ];
     if let Some(paper_g) = paper_g {
-        let mark = ReferenceLine::horizontal(paper_g)
-            .with_color(DARK)
-            .with_stroke_width(1.2)
-            .with_dasharray("2 4");
+        let mark = rule(ReferenceLine::horizontal(paper_g), DARK, 1.2, "2 4");
         first.layout = first.layout.with_reference_line(mark);
-        let sign = Sign::Line {
-            colour: DARK,
-            width_px: 1.2,
-            dash: Some("2 4"),
-        };
-        legend.push(Entry {
-            sign,
-            words: format!("Eq. (5): {} g", number(paper_g, 4)),
-        });
+        let words = format!("Eq. (5): {} g", number(paper_g, 4));
+        legend.push(Entry::line(DARK, 1.2, Some("2 4"), words));
     }
     let panels = vec![
         first,
@@ -126,7 +105,7 @@ fn trace_page(report: &CompliantReport) -> Page {
             |mu| format!("friction {}", significant(mu, 3))
         ),
     );
-    Page {
+    draw(Page {
         name: "trace".to_owned(),
         title: plain("Landing on the cushions"),
         caption,
@@ -134,7 +113,7 @@ fn trace_page(report: &CompliantReport) -> Page {
         columns: 1,
         row_heights_px: PANELS_PX.to_vec(),
         legend,
-    }
+    })
 }
 
 /// A panel whose axis includes the value `also` as well as its curves.
@@ -148,14 +127,11 @@ fn panel(
     let values = || curves.iter().flatten().map(|p| p.1).chain(also);
     let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     let step = round_step(((high - low).max(1e-9)) / 4.0);
+    let from = (1.02 * low / step).floor();
+    let to = (1.02 * high / step).ceil().max(from + 1.0);
     let y = Axis {
-        from: step * (1.02 * low / step).floor(),
-        to: step
-            * (1.02 * high / step)
-                .ceil()
-                .max((1.02 * low / step).floor() + 1.0),
         step: Some(step),
-        label: label.into(),
+        ..Axis::between(step * from, step * to, label)
     };
     let plots = curves
         .iter()
@@ -173,12 +149,4 @@ fn panel(
         plots,
         layout: stacked(x, y, lowest),
     }
-}
-
-/// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn trace_figure(report: &CompliantReport) -> Result<Figure, FigureError> {
-    draw(trace_page(report))
 }

@@ -5,14 +5,17 @@ mod figure;
 pub use figure::trace_figure;
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::compliant::{CompliantBase, CompliantPoint, CompliantRocking, Swing, Touch};
+use freestand::compliant::{
+    CompliantBase, CompliantPoint, CompliantRocking, EnergyAudit, Swing, Touch,
+};
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
-use freestand::rocking::{Base, Outcome, Until};
+use freestand::rocking::{Outcome, Until};
 
-use crate::unsolved::{self, unresolved_warning};
+use crate::cushion::told;
+use crate::unsolved::{self, base, unresolved_warning};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::answer;
@@ -85,168 +88,175 @@ pub fn with_tangential_stiffness(
 answer! {
     /// What an object on its cushions did. An impact is a contact of an edge with its cushion; `first_impact_…` belong
     /// to a release and are missing under a motion.
-    pub struct PadAnswer {
+    pub struct PadAnswer of (
+        rocking: &CompliantRocking,
+        request: &CompliantRequest,
+        block: &Block,
+        base: &CompliantBase,
+        paper_m_s2: Option<f64>,
+        damped_m_s2: Option<f64>,
+        first_m_s2: Option<f64>,
+    ) {
         /// What the object stands on.
-        base: &'static str,
-        outcome: &'static str = "outcome",
-        end_time_s: f64 = "end",
-        peak_rotation_rad: f64 = "largest rotation",
+        base: &'static str = "compliant";
+        outcome: &'static str = rocking.outcome.name() => "outcome";
+        end_time_s: f64 => "end";
+        peak_rotation_rad: f64 => "largest rotation";
         /// The largest rotation divided by the smaller of the angles α at which the object balances.
-        peak_rotation_ratio: f64 = "  divided by α",
-        peak_rotation_time_s: f64 = "  at",
-        uplift_m: f64 = "uplift",
-        cg_rise_m: f64 = "rise of the centre of gravity",
-        first_uplift_time_s: Option<f64> = "first uplift",
-        impact_count: usize = "impacts",
+        peak_rotation_ratio: f64 = rocking.peak_rotation_rad
+            / block.pivot().slenderness_angle_rad.min(block.right_pivot().slenderness_angle_rad) => "  divided by α";
+        peak_rotation_time_s: f64 => "  at";
+        uplift_m: f64 => "uplift";
+        cg_rise_m: f64 => "rise of the centre of gravity";
+        first_uplift_time_s: Option<f64> => "first uplift";
+        impact_count: usize = rocking.touches.len() => "impacts";
         /// All contacts of an edge with its cushion.
-        impacts: Vec<PadImpact>,
-        bounce_count: usize = "bounces",
-        flight_count: usize = "times airborne",
-        flight_time_s: f64 = "time airborne",
+        impacts: Vec<PadImpact> = rocking.touches.iter().map(PadImpact::of).collect();
+        bounce_count: usize => "bounces";
+        flight_count: usize => "times airborne";
+        flight_time_s: f64 => "time airborne";
         /// All swings, during which an edge is off its cushion.
-        swings: Vec<PadSwing>,
-        passed_alpha_time_s: Option<f64> = "passes the balance point",
-        overturn_time_s: Option<f64> = "overturns",
+        swings: Vec<PadSwing> = rocking.swings.iter().map(PadSwing::of).collect();
+        passed_alpha_time_s: Option<f64> => "passes the balance point";
+        overturn_time_s: Option<f64> => "overturns";
         /// The largest acceleration of an edge.
-        edge_acceleration_g: f64 = "shock, simulated",
+        edge_acceleration_g: f64 = in_g(rocking.peak_edge_acceleration_m_s2()) => "shock, simulated";
         /// That of the left edge.
-        edge_acceleration_left_g: f64,
+        edge_acceleration_left_g: f64 = in_g(rocking.peak_edge_accelerations_m_s2[0]);
         /// That of the right edge.
-        edge_acceleration_right_g: f64,
-        first_impact_edge_acceleration_g: Option<f64> = "  in the first impact",
+        edge_acceleration_right_g: f64 = in_g(rocking.peak_edge_accelerations_m_s2[1]);
+        first_impact_edge_acceleration_g: Option<f64> = first_m_s2.map(in_g) => "  in the first impact";
         /// Eq. (5) at the largest rise, without the damping of the cushion.
-        edge_acceleration_paper_g: Option<f64> = "shock by Eq. (5) at this rise",
+        edge_acceleration_paper_g: Option<f64> = paper_m_s2.map(in_g) => "shock by Eq. (5) at this rise";
         /// The landing of the same effective mass at the largest rise, with the damping of the cushion.
-        edge_acceleration_effective_mass_g: Option<f64>,
-        edge_acceleration_over_paper_ratio: Option<f64> = "simulated over Eq. (5)",
-        first_impact_over_paper_ratio: Option<f64> = "first impact over Eq. (5)",
+        edge_acceleration_effective_mass_g: Option<f64> = damped_m_s2.map(in_g);
+        edge_acceleration_over_paper_ratio: Option<f64> =
+            paper_m_s2.map(|paper| rocking.peak_edge_acceleration_m_s2() / paper) => "simulated over Eq. (5)";
+        first_impact_over_paper_ratio: Option<f64> =
+            paper_m_s2.zip(first_m_s2).map(|(paper, first)| first / paper) => "first impact over Eq. (5)";
         /// Of a rigid base: on cushions, friction is simulated.
-        friction_needed_ratio: Option<f64>,
+        friction_needed_ratio: Option<f64> = None;
         /// Of a rigid base.
-        impact_friction_needed_ratio: Option<f64>,
+        impact_friction_needed_ratio: Option<f64> = None;
         /// Of a rigid base: on cushions, the equations of motion determine the energy that a landing loses.
-        edge_acceleration_impact_velocity_g: Option<f64>,
+        edge_acceleration_impact_velocity_g: Option<f64> = None;
         /// Of a rigid base.
-        ceiling_g: Option<f64>,
+        ceiling_g: Option<f64> = None;
         /// The largest force under an edge.
-        edge_force_n: f64,
+        edge_force_n: f64 = rocking.peak_edge_forces_n[0].max(rocking.peak_edge_forces_n[1]);
         /// The largest compression of a cushion.
-        compression_m: f64,
-        friction_used_ratio: f64 = "friction used",
-        slid_m: f64 = "sliding distance",
+        compression_m: f64 = rocking.peak_compression_m;
+        friction_used_ratio: f64 => "friction used";
+        slid_m: f64 => "sliding distance";
         /// The peaks at the point that was asked for.
-        at: Option<PointPeaks>,
+        at: Option<PointPeaks> = request.how.points_m.first().zip(rocking.points.first())
+            .map(|(point_m, peaks)| PointPeaks::of(point_m, peaks));
         /// √(Δh/Δh of the swing before), of free rocking.
-        restitution_ratio: Option<f64>,
-        static_compression_m: Option<f64> = "compression at rest",
+        restitution_ratio: Option<f64> =
+            rocking.swings.iter().find_map(|swing| swing.effective_restitution_ratio);
+        static_compression_m: Option<f64> =
+            rocking.equilibrium.map(|rest| rest.compressions_m[0].max(rest.compressions_m[1])) => "compression at rest";
         /// Compression at rest under the left and the right edge.
-        static_compressions_m: Option<[f64; 2]>,
+        static_compressions_m: Option<[f64; 2]> = rocking.equilibrium.map(|rest| rest.compressions_m);
         /// Rotation at rest.
-        static_rotation_rad: Option<f64>,
+        static_rotation_rad: Option<f64> = rocking.equilibrium.map(|rest| rest.rotation_rad);
         /// The energy balance.
-        energy: PadEnergy,
+        energy: PadEnergy = PadEnergy::of(&rocking.energy);
         /// Rotation at the end.
-        final_rotation_rad: f64,
+        final_rotation_rad: f64;
         /// Angular velocity at the end.
-        final_omega_rad_s: f64,
+        final_omega_rad_s: f64;
         /// R: from the left edge to the centre of gravity.
-        half_diagonal_m: f64,
+        half_diagonal_m: f64 = block.pivot().half_diagonal_m;
         /// α of the left edge.
-        slenderness_angle_rad: f64,
+        slenderness_angle_rad: f64 = block.pivot().slenderness_angle_rad;
         /// p of the left edge.
-        frequency_parameter_rad_s: f64,
+        frequency_parameter_rad_s: f64 =
+            block.pivot().frequency_parameter_rad_s(request.how.settings.gravity_m_s2);
         /// Mass of the object.
-        mass_kg: f64,
+        mass_kg: f64 = base.mass_kg;
         /// The law of the cushions.
-        law: &'static str,
+        law: &'static str = base.cushion.law().name();
         /// Number of contact elements.
-        contacts: usize,
+        contacts: usize = base.contacts;
         /// Tangential over normal stiffness of a cushion.
-        tangential_stiffness_ratio: f64,
+        tangential_stiffness_ratio: f64 = base.tangential_stiffness_ratio;
         /// Coefficient of friction; none: no slip.
-        friction_ratio: Option<f64>,
+        friction_ratio: Option<f64> = base.friction_ratio;
         /// Relative tolerance of the solver.
-        tolerance: f64,
+        tolerance: f64 = request.how.settings.on_pads.tolerance();
         /// Steps of the solver.
-        steps: usize,
+        steps: usize = rocking.effort.steps;
         /// Evaluations of the equations of motion.
-        evaluations: usize,
-        notes: Vec<String> = "note",
+        evaluations: usize = rocking.effort.evaluations;
+        notes: Vec<String> = request.notes.clone() => "note";
     }
-}
 
-answer! {
     /// A contact of an edge with its cushion.
-    pub struct PadImpact {
+    pub struct PadImpact of (touch: &Touch) {
         /// When it happened.
-        time_s: f64,
+        time_s: f64;
         /// `left` or `right`.
-        edge: &'static str,
+        edge: &'static str = touch.edge.into();
         /// Speed at which the edge meets the cushion.
-        speed_m_s: f64,
+        speed_m_s: f64;
         /// Angular velocity before the contact.
-        omega_before_rad_s: f64,
+        omega_before_rad_s: f64;
         /// Angular velocity after the contact.
-        omega_after_rad_s: Option<f64>,
+        omega_after_rad_s: Option<f64>;
         /// End of the contact.
-        end_time_s: Option<f64>,
+        end_time_s: Option<f64>;
         /// Speed at which the edge leaves the cushion.
-        rebound_m_s: Option<f64>,
+        rebound_m_s: Option<f64>;
         /// Largest acceleration of the edge.
-        edge_acceleration_g: f64,
+        edge_acceleration_g: f64 = in_g(touch.peak_acceleration_m_s2);
         /// Largest force under the edge.
-        force_n: f64,
+        force_n: f64 = touch.peak_force_n;
     }
-}
 
-answer! {
     /// A swing.
-    pub struct PadSwing {
+    pub struct PadSwing of (swing: &Swing) {
         /// When the rotation is largest.
-        time_s: f64,
+        time_s: f64;
         /// The largest rotation, signed.
-        rotation_rad: f64,
+        rotation_rad: f64;
         /// √(Δh/Δh of the swing before), of free rocking.
-        restitution_ratio: Option<f64>,
+        restitution_ratio: Option<f64> = swing.effective_restitution_ratio;
     }
-}
 
-answer! {
     /// The peaks at a point of an object.
-    pub struct PointPeaks {
+    pub struct PointPeaks of (point_m: &(f64, f64), peaks: &freestand::compliant::PointPeaks) {
         /// From the left edge.
-        x_m: f64,
+        x_m: f64 = point_m.0;
         /// Above the base.
-        z_m: f64,
-        horizontal_g: f64 = "acceleration of the point, horizontal",
-        vertical_g: f64 = "acceleration of the point, vertical",
+        z_m: f64 = point_m.1;
+        horizontal_g: f64 = in_g(peaks.horizontal_m_s2) => "acceleration of the point, horizontal";
+        vertical_g: f64 = in_g(peaks.vertical_m_s2) => "acceleration of the point, vertical";
     }
-}
 
-answer! {
     /// The energy balance of a history.
-    pub struct PadEnergy {
+    pub struct PadEnergy of (energy: &EnergyAudit) {
         /// Energy at the start.
-        initial_j: f64,
+        initial_j: f64;
         /// Kinetic energy at the end.
-        kinetic_j: f64,
+        kinetic_j: f64;
         /// Potential energy at the end.
-        potential_j: f64,
+        potential_j: f64;
         /// Energy in the cushions at the end.
-        stored_j: f64,
+        stored_j: f64;
         /// Dissipated in the cushions.
-        cushion_dissipation_j: f64,
+        cushion_dissipation_j: f64;
         /// Dissipated in the tangential springs.
-        tangential_dissipation_j: f64,
+        tangential_dissipation_j: f64;
         /// Dissipated by friction.
-        friction_j: f64,
+        friction_j: f64;
         /// Left in the cushions where an edge leaves them.
-        lost_at_separation_j: f64,
+        lost_at_separation_j: f64;
         /// Work of the floor.
-        base_work_j: f64,
+        base_work_j: f64;
         /// Energy that was exchanged in all.
-        turnover_j: f64,
-        residual_ratio: f64 = "error of the energy balance",
+        turnover_j: f64;
+        residual_ratio: f64 => "error of the energy balance";
     }
 }
 
@@ -268,10 +278,7 @@ pub struct CompliantReport {
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_on_cushions(request: &CompliantRequest) -> Result<CompliantReport, Problem> {
-    let motion = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let motion = base(&request.horizontal, &request.vertical);
     let is_free = motion.horizontal.is_none() && motion.vertical.is_none();
     let mut how = request.how.clone();
     if is_free && matches!(how.settings.until, Until::Settled { .. }) {
@@ -315,10 +322,7 @@ fn is_one_realisation(request: &CompliantRequest, how: &HistoryOptions, outcome:
         else {
             return false;
         };
-        let motion = Base {
-            horizontal: horizontal.as_ref(),
-            vertical: vertical.as_ref(),
-        };
+        let motion = base(&horizontal, &vertical);
         let found = request.object.follow(motion, &how);
         found.map_or(true, |found| found.rocking.outcome != outcome)
     };
@@ -408,8 +412,6 @@ fn report(request: &CompliantRequest, history: PadHistory) -> CompliantReport {
     let Pads { planes, base } = &request.object;
     let (block, settings) = (&planes.one.block, &request.how.settings);
     let rocking = &history.rocking;
-    let pivot = block.pivot();
-    let alphas = [pivot, block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);
     let is_up = matches!(rocking.outcome, Outcome::Rocked | Outcome::Unresolved);
     let landed = |base: &CompliantBase| {
         let a = is_up.then(|| {
@@ -418,111 +420,21 @@ fn report(request: &CompliantRequest, history: PadHistory) -> CompliantReport {
         a.filter(|a| *a > 0.0 && a.is_finite())
     };
     let (paper_m_s2, damped_m_s2) = (landed(&undamped(base)), landed(base));
-    let peak_m_s2 = rocking.peak_edge_acceleration_m_s2();
-    // Under a motion the first touch is not the one that follows the largest rise.
     let is_release = request.horizontal.is_none() && request.vertical.is_none();
     let first_m_s2 = rocking
         .touches
         .first()
         .filter(|_| is_release)
         .map(|touch| touch.peak_acceleration_m_s2);
-    let first_over_paper = paper_m_s2
-        .zip(first_m_s2)
-        .map(|(paper, first)| first / paper);
-    let in_g = |a: f64| a / G0_M_S2;
-    let (peak_g, edges_g) = (
-        in_g(peak_m_s2),
-        rocking.peak_edge_accelerations_m_s2.map(in_g),
+    let answer = PadAnswer::of(
+        rocking,
+        request,
+        block,
+        base,
+        paper_m_s2,
+        damped_m_s2,
+        first_m_s2,
     );
-    let force_n = rocking.peak_edge_forces_n[0].max(rocking.peak_edge_forces_n[1]);
-    let share = rocking.peak_rotation_rad / alphas[0].min(alphas[1]);
-    let at = request.how.points_m.first().zip(rocking.points.first());
-    let at = at.map(|(&(x_m, z_m), peaks)| PointPeaks {
-        x_m,
-        z_m,
-        horizontal_g: in_g(peaks.horizontal_m_s2),
-        vertical_g: in_g(peaks.vertical_m_s2),
-    });
-    let rest = rocking.equilibrium;
-    let sunk_m = rest.map(|rest| rest.compressions_m[0].max(rest.compressions_m[1]));
-    let restitution = rocking
-        .swings
-        .iter()
-        .find_map(|swing| swing.effective_restitution_ratio);
-    let energy = &rocking.energy;
-    let energy = PadEnergy {
-        initial_j: energy.initial_j,
-        kinetic_j: energy.kinetic_j,
-        potential_j: energy.potential_j,
-        stored_j: energy.stored_j,
-        cushion_dissipation_j: energy.cushion_dissipation_j,
-        tangential_dissipation_j: energy.tangential_dissipation_j,
-        friction_j: energy.friction_j,
-        lost_at_separation_j: energy.lost_at_separation_j,
-        base_work_j: energy.base_work_j,
-        turnover_j: energy.turnover_j,
-        residual_ratio: energy.residual_ratio,
-    };
-    let swing = |swing: &Swing| PadSwing {
-        time_s: swing.time_s,
-        rotation_rad: swing.rotation_rad,
-        restitution_ratio: swing.effective_restitution_ratio,
-    };
-    let answer = PadAnswer {
-        base: "compliant",
-        outcome: rocking.outcome.name(),
-        end_time_s: rocking.end_time_s,
-        peak_rotation_rad: rocking.peak_rotation_rad,
-        peak_rotation_ratio: share,
-        peak_rotation_time_s: rocking.peak_rotation_time_s,
-        uplift_m: rocking.uplift_m,
-        cg_rise_m: rocking.cg_rise_m,
-        first_uplift_time_s: rocking.first_uplift_time_s,
-        impact_count: rocking.touches.len(),
-        impacts: rocking.touches.iter().map(impact).collect(),
-        bounce_count: rocking.bounce_count,
-        flight_count: rocking.flight_count,
-        flight_time_s: rocking.flight_time_s,
-        swings: rocking.swings.iter().map(swing).collect(),
-        passed_alpha_time_s: rocking.passed_alpha_time_s,
-        overturn_time_s: rocking.overturn_time_s,
-        edge_acceleration_g: peak_g,
-        edge_acceleration_left_g: edges_g[0],
-        edge_acceleration_right_g: edges_g[1],
-        first_impact_edge_acceleration_g: first_m_s2.map(in_g),
-        edge_acceleration_paper_g: paper_m_s2.map(in_g),
-        edge_acceleration_effective_mass_g: damped_m_s2.map(in_g),
-        edge_acceleration_over_paper_ratio: paper_m_s2.map(|paper| peak_m_s2 / paper),
-        first_impact_over_paper_ratio: first_over_paper,
-        friction_needed_ratio: None,
-        impact_friction_needed_ratio: None,
-        edge_acceleration_impact_velocity_g: None,
-        ceiling_g: None,
-        edge_force_n: force_n,
-        compression_m: rocking.peak_compression_m,
-        friction_used_ratio: rocking.friction_used_ratio,
-        slid_m: rocking.slid_m,
-        at,
-        restitution_ratio: restitution,
-        static_compression_m: sunk_m,
-        static_compressions_m: rest.map(|rest| rest.compressions_m),
-        static_rotation_rad: rest.map(|rest| rest.rotation_rad),
-        energy,
-        final_rotation_rad: rocking.final_rotation_rad,
-        final_omega_rad_s: rocking.final_omega_rad_s,
-        half_diagonal_m: pivot.half_diagonal_m,
-        slenderness_angle_rad: pivot.slenderness_angle_rad,
-        frequency_parameter_rad_s: pivot.frequency_parameter_rad_s(settings.gravity_m_s2),
-        mass_kg: base.mass_kg,
-        law: base.cushion.law().name(),
-        contacts: base.contacts,
-        tangential_stiffness_ratio: base.tangential_stiffness_ratio,
-        friction_ratio: base.friction_ratio,
-        tolerance: settings.on_pads.tolerance(),
-        steps: rocking.effort.steps,
-        evaluations: rocking.effort.evaluations,
-        notes: request.notes.clone(),
-    };
     CompliantReport {
         answer,
         warnings: warnings(request, rocking),
@@ -531,18 +443,9 @@ fn report(request: &CompliantRequest, history: PadHistory) -> CompliantReport {
     }
 }
 
-fn impact(touch: &Touch) -> PadImpact {
-    PadImpact {
-        time_s: touch.time_s,
-        edge: touch.edge.into(),
-        speed_m_s: touch.speed_m_s,
-        omega_before_rad_s: touch.omega_before_rad_s,
-        omega_after_rad_s: touch.omega_after_rad_s,
-        end_time_s: touch.end_time_s,
-        rebound_m_s: touch.rebound_m_s,
-        edge_acceleration_g: touch.peak_acceleration_m_s2 / G0_M_S2,
-        force_n: touch.peak_force_n,
-    }
+/// An acceleration \[m/s²\] in g.
+fn in_g(acceleration_m_s2: f64) -> f64 {
+    acceleration_m_s2 / G0_M_S2
 }
 
 /// Largest relative error of the energy balance that causes no warning.
@@ -551,10 +454,13 @@ const ENERGY_LIMIT: f64 = 1e-5;
 fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
     let (base, pad_thickness_m) = (&request.object.base, request.pad_thickness_m);
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
-    let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
-    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
-    let beyond = compression_warnings(rocking.peak_compression_m, &base.cushion, pad_thickness_m);
-    warnings.extend(beyond.iter().map(ToString::to_string));
+    let mut doubts = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
+    doubts.extend(compression_warnings(
+        rocking.peak_compression_m,
+        &base.cushion,
+        pad_thickness_m,
+    ));
+    let mut warnings: Vec<String> = told(doubts).collect();
     warnings.extend(ringing_warning(&base.cushion, is_shaken));
     if rocking.equilibrium.is_none() {
         warnings.push(

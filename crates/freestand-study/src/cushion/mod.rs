@@ -7,6 +7,7 @@
 mod file;
 
 use freestand::cushion::{ContactLaw, Cushion, CushionError};
+use freestand::impact::{ValidityWarning, compression_warnings, stiffness_warnings};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si, parse, parse_positive};
@@ -33,6 +34,31 @@ pub struct EdgeCushion {
     pub pad_thickness_m: Option<f64>,
     /// How the input was read: pads under an edge, layers in series, damping from its ratio.
     pub notes: Vec<String>,
+}
+
+impl EdgeCushion {
+    /// What is doubtful about its stiffness under a mass.
+    pub fn stiffness_doubts(&self, mass_kg: f64) -> impl Iterator<Item = String> {
+        told(stiffness_warnings(
+            mass_kg,
+            &self.cushion,
+            self.pad_thickness_m,
+        ))
+    }
+
+    /// What is doubtful about a compression.
+    pub fn compression_doubts(&self, compression_m: f64) -> impl Iterator<Item = String> {
+        told(compression_warnings(
+            compression_m,
+            &self.cushion,
+            self.pad_thickness_m,
+        ))
+    }
+}
+
+/// Warnings as texts.
+pub(crate) fn told(warnings: Vec<ValidityWarning>) -> impl Iterator<Item = String> {
+    warnings.into_iter().map(|warning| warning.to_string())
 }
 
 /// A linear cushion F = k d, with k in N/m of everything under one edge, and with the layers in series that

@@ -14,7 +14,7 @@ use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns};
 use freestand_output::figure::style::{
-    Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain,
+    Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain, rule,
 };
 
 const PANEL_PX: f64 = 310.0;
@@ -61,30 +61,12 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let mut legend = Vec::new();
     let n = result.motions.len();
     if n > MAX_LINES {
-        legend.push(Entry {
-            sign: Sign::Band,
-            words: "16–84 % of motions".into(),
-        });
+        legend.push(Entry::new(Sign::Band, "16–84 % of motions"));
     } else if n > 1 {
-        legend.push(Entry {
-            sign: Sign::Line {
-                colour: GREY,
-                width_px: 0.9,
-                dash: None,
-            },
-            words: "each motion".into(),
-        });
+        legend.push(Entry::line(GREY, 0.9, None, "each motion"));
     }
-    let colour = curve_style(0).colour;
     let words = if n > 1 { "median" } else { "the motion" };
-    legend.push(Entry {
-        sign: Sign::Line {
-            colour,
-            width_px: 2.4,
-            dash: None,
-        },
-        words: words.into(),
-    });
+    legend.push(Entry::line(curve_style(0).colour, 2.4, None, words));
     if let Some(target) = study.ground.code_spectrum() {
         let words = match (&study.ground, &target.spectrum) {
             // The motions fit it on rock and over some periods only.
@@ -94,15 +76,12 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
             (_, CodeSpectrum::Table(_)) => "target spectrum",
             _ => "target: code spectrum",
         };
-        let sign = Sign::Line {
-            colour: curve_style(1).colour,
-            width_px: 2.0,
-            dash: Some(TARGET_DASH),
-        };
-        legend.push(Entry {
-            sign,
-            words: words.into(),
-        });
+        legend.push(Entry::line(
+            curve_style(1).colour,
+            2.0,
+            Some(TARGET_DASH),
+            words,
+        ));
     }
     Page {
         name: FigureKind::FloorSpectra.name(),
@@ -165,12 +144,7 @@ fn panel(
     if from >= to {
         (from, to) = (0.05, 5.0);
     }
-    let x = Axis {
-        from,
-        to,
-        step: None,
-        label: "Period (s)".into(),
-    };
+    let x = Axis::between(from, to, "Period (s)");
     let mut y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
     // The periods are written at the top, above the curves.
     if !modes.is_empty() {
@@ -183,10 +157,7 @@ fn panel(
         .enumerate()
         .filter(|(_, t)| (from..=to).contains(*t))
     {
-        let mark = ReferenceLine::vertical(period_s)
-            .with_color(DARK)
-            .with_stroke_width(0.8)
-            .with_dasharray("2 3");
+        let mark = rule(ReferenceLine::vertical(period_s), DARK, 0.8, "2 3");
         layout = layout.with_reference_line(mark.with_label(["T₁", "T₂", "T₃"][i.min(2)]));
     }
     Panel { plots, layout }

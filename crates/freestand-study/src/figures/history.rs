@@ -10,13 +10,16 @@ use freestand::wall::Contact;
 
 use crate::result::{ExampleHistory, StudyResult};
 use crate::rock::RockReport;
+use crate::shape::size_words;
 use freestand_input::words::number;
 
 use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, DARK, curve_style, line, markers, plain};
-use freestand_output::figure::time::{pixel, stacked, symmetric, thin, time_axis};
+use freestand_output::figure::style::{
+    Axis, DARK, curve_style, line, markers, plain, points, rule,
+};
+use freestand_output::figure::time::{peak, pixel, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the three panels \[px\].
@@ -35,20 +38,12 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     let h = result.history.as_ref()?;
     let (from, to) = window(h)?;
     let within = |t: f64| (from..=to).contains(&t);
-    let theta: Vec<(f64, f64)> = h
-        .time_s
-        .iter()
-        .zip(&h.theta_rad)
-        .map(|(&t, &r)| (t, r / h.slenderness_angle_rad))
-        .collect();
-    let accel: Vec<(f64, f64)> = h
-        .time_s
-        .iter()
-        .zip(&h.accel_m_s2)
-        .map(|(&t, &a)| (t, a / G0_M_S2))
-        .collect();
-    let cut = |points: Vec<(f64, f64)>| thin(points.into_iter().filter(|p| within(p.0)), from, to);
-    let (theta, accel) = (cut(theta), cut(accel));
+    let cut = |values: &[f64], unit: f64| {
+        let points = points(&h.time_s, values).map(|(t, value)| (t, value / unit));
+        thin(points.filter(|p| within(p.0)), from, to)
+    };
+    let theta = cut(&h.theta_rad, h.slenderness_angle_rad);
+    let accel = cut(&h.accel_m_s2, G0_M_S2);
     let impacts: Vec<(f64, f64)> = h
         .impacts
         .iter()
@@ -56,36 +51,19 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         .filter(|&(t, a)| within(t) && a.is_finite())
         .collect();
 
-    let mut legend = vec![
-        entry(
-            Sign::Line {
-                colour: curve_style(0).colour,
-                width_px: 1.6,
-                dash: None,
-            },
-            "rotation θ/α",
-        ),
-        entry(
-            Sign::Line {
-                colour: DARK,
-                width_px: 1.2,
-                dash: Some("5 3"),
-            },
-            "balance point, θ = ±α",
-        ),
-        entry(
-            Sign::Dot {
-                colour: curve_style(1).colour,
-            },
-            "impact",
-        ),
-    ];
+    let mut legend = rotation_entries();
+    legend.push(Entry::new(
+        Sign::Dot {
+            colour: curve_style(1).colour,
+        },
+        "impact",
+    ));
     if h.outcome == Outcome::Overturned {
-        legend.push(entry(Sign::Cross, "overturns"));
+        legend.push(Entry::new(Sign::Cross, "overturns"));
     }
     let panels = vec![
         rotation_panel(&theta, h.outcome, time_axis(from, to), &Marks::default()),
-        accel_panel(&accel, time_axis(from, to)),
+        accel_panel(&accel, time_axis(from, to), "Floor acceleration (g)", false),
         impact_panel(&impacts, time_axis(from, to)),
     ];
     let outcome = match h.outcome {
@@ -96,9 +74,8 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         Outcome::Overturned => "it overturns",
     };
     let title = format!(
-        "Rocking history: {} mm × {} m, {}, {}",
-        number(1e3 * h.thickness_m, 4),
-        number(h.height_m, 4),
+        "Rocking history: {}, {}, {}",
+        size_words(h.thickness_m, h.height_m),
         h.level,
         h.motion
     );
@@ -136,13 +113,9 @@ pub fn rock_figure(
 ) -> Result<Option<Figure>, FigureError> {
     let (rocking, history) = (&report.history.rocking, &report.history.samples);
     let (outcome, contacts) = (rocking.outcome, rocking.contacts);
-    let (Some(first), Some(last)) = (history.first(), history.last()) else {
+    let Some((from, to)) = span(history, |point| point.time_s) else {
         return Ok(None);
     };
-    let (from, to) = (first.time_s, last.time_s);
-    if to <= from {
-        return Ok(None);
-    }
     let alpha = block.pivot().slenderness_angle_rad;
     let points = |of: fn(&HistoryPoint) -> f64, unit: f64| {
         thin(
@@ -172,51 +145,16 @@ pub fn rock_figure(
             ))
         })
         .collect();
-    let mut legend = vec![
-        entry(
-            Sign::Line {
-                colour: curve_style(0).colour,
-                width_px: 1.6,
-                dash: None,
-            },
-            "rotation θ/α",
-        ),
-        entry(
-            Sign::Line {
-                colour: DARK,
-                width_px: 1.2,
-                dash: Some("5 3"),
-            },
-            "balance point, θ = ±α",
-        ),
-    ];
+    let mut legend = rotation_entries();
     if !walls.is_empty() {
-        legend.push(entry(
-            Sign::Line {
-                colour: WALL,
-                width_px: 1.4,
-                dash: None,
-            },
-            "contact with a wall",
-        ));
-        legend.push(entry(Sign::Dot { colour: WALL }, "impact on the wall"));
+        legend.push(Entry::line(WALL, 1.4, None, "contact with a wall"));
+        legend.push(Entry::new(Sign::Dot { colour: WALL }, "impact on the wall"));
     }
     if outcome == Outcome::Overturned {
-        legend.push(entry(Sign::Cross, "overturns"));
+        legend.push(Entry::new(Sign::Cross, "overturns"));
     }
-    let y = symmetric(
-        accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())),
-        "Floor acceleration (g)",
-    );
-    let below = Panel {
-        plots: vec![line(&accel, "#555555", 0.9, None)],
-        layout: stacked(time_axis(from, to), y, true),
-    };
-    let size = format!(
-        "{} mm × {} m",
-        number(1e3 * block.thickness_m(), 4),
-        number(block.height_m(), 4)
-    );
+    let below = accel_panel(&accel, time_axis(from, to), "Floor acceleration (g)", true);
+    let size = size_words(block.thickness_m(), block.height_m());
     let page = Page {
         name: FigureKind::History.name(),
         title: plain(&format!("Rocking history: {size}, {motion}")),
@@ -241,11 +179,12 @@ pub fn rock_figure(
     draw(page).map(Some)
 }
 
-pub(super) fn entry(sign: Sign, words: &str) -> Entry {
-    Entry {
-        sign,
-        words: words.into(),
-    }
+/// The rotation and the balance point.
+fn rotation_entries() -> Vec<Entry> {
+    vec![
+        Entry::line(curve_style(0).colour, 1.6, None, "rotation θ/α"),
+        Entry::line(DARK, 1.2, Some("5 3"), "balance point, θ = ±α"),
+    ]
 }
 
 /// From shortly before the first rotation to shortly after the last one or the overturning, within
@@ -281,10 +220,8 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
         .fold(0.0f64, |m, y| m.max(y.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
     let y = Axis {
-        from: -reach,
-        to: reach,
         step: Some(0.5),
-        label: "Rotation θ/α (–)".into(),
+        ..Axis::between(-reach, reach, "Rotation θ/α (–)")
     };
     // A curve that leaves the axes ends at their edge: one point outside is kept, and clipped.
     let end = points
@@ -307,29 +244,20 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
     }
     let mut layout = stacked(x, y, false);
     for &value in &marks.walls {
-        layout = layout.with_reference_line(
-            ReferenceLine::horizontal(value)
-                .with_color(WALL)
-                .with_stroke_width(1.4)
-                .with_dasharray("1 0"),
-        );
+        layout =
+            layout.with_reference_line(rule(ReferenceLine::horizontal(value), WALL, 1.4, "1 0"));
     }
     for value in [-1.0, 1.0] {
-        let mark = ReferenceLine::horizontal(value)
-            .with_color(DARK)
-            .with_stroke_width(1.2)
-            .with_dasharray("5 3");
-        layout = layout.with_reference_line(mark);
+        layout =
+            layout.with_reference_line(rule(ReferenceLine::horizontal(value), DARK, 1.2, "5 3"));
     }
     Panel { plots, layout }
 }
 
-fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
-    let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
-    let y = symmetric(largest, "Floor acceleration (g)");
+pub(super) fn accel_panel(points: &[(f64, f64)], x: Axis, label: &str, lowest: bool) -> Panel {
     Panel {
         plots: vec![line(points, "#555555", 0.9, None)],
-        layout: stacked(x, y, false),
+        layout: stacked(x, symmetric(peak(points), label), lowest),
     }
 }
 

@@ -23,7 +23,8 @@ use freestand_output::figure::page::{Page, draw};
 use freestand_output::figure::{Figure, FigureError};
 
 /// Which figure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub enum FigureKind {
     /// Uplift spectra: uplift against height.
     Urs,
@@ -53,14 +54,8 @@ impl FigureKind {
     /// Its name for files.
     pub fn name(self) -> String {
         match self {
-            Self::Urs => "urs".to_owned(),
-            Self::Srs => "srs".to_owned(),
-            Self::Overturning => "overturning".to_owned(),
-            Self::FloorSpectra => "floor_spectra".to_owned(),
-            Self::FloorProfile => "floor_profile".to_owned(),
-            Self::History => "history".to_owned(),
             Self::Record(index) => format!("record_{:02}", index + 1),
-            Self::Vary => "vary".to_owned(),
+            named => <&str>::from(named).to_owned(),
         }
     }
 }
@@ -106,20 +101,21 @@ pub fn figure(
     study: &Study,
     result: &StudyResult,
 ) -> Result<Figure, FigureError> {
+    let missing = |reason: &str| FigureError {
+        figure: kind.name(),
+        reason: reason.into(),
+    };
     let page = match kind {
         FigureKind::Urs => response::urs(study, result),
         FigureKind::Srs => response::srs(study, result),
         FigureKind::Overturning => response::overturning(study, result),
         FigureKind::FloorSpectra => floor_spectra::floor_spectra(study, result),
-        FigureKind::History => history::history(result).ok_or_else(|| FigureError {
-            figure: kind.name(),
-            reason: "no object uplifted, so there is no history".into(),
-        })?,
-        FigureKind::FloorProfile => study_profile(study, result).ok_or_else(|| FigureError {
-            figure: kind.name(),
-            reason:
-                "the study gives the motions of the floors, so there is no profile over the height"
-                    .into(),
+        FigureKind::History => history::history(result)
+            .ok_or_else(|| missing("no object uplifted, so there is no history"))?,
+        FigureKind::FloorProfile => study_profile(study, result).ok_or_else(|| {
+            missing(
+                "the study gives the motions of the floors, so there is no profile over the height",
+            )
         })?,
         FigureKind::Vary => {
             let levels: Vec<String> = study
@@ -127,18 +123,14 @@ pub fn figure(
                 .iter()
                 .map(|level| level.name.clone())
                 .collect();
-            let sensitivity = result.sensitivity.as_ref().ok_or_else(|| FigureError {
-                figure: kind.name(),
-                reason: "nothing was varied".into(),
-            })?;
+            let sensitivity = result
+                .sensitivity
+                .as_ref()
+                .ok_or_else(|| missing("nothing was varied"))?;
             vary::vary(sensitivity, &levels)
         }
-        FigureKind::Record(index) => {
-            study_record(index, study, result).ok_or_else(|| FigureError {
-                figure: kind.name(),
-                reason: format!("there is no ground motion {}", index + 1),
-            })?
-        }
+        FigureKind::Record(index) => study_record(index, study, result)
+            .ok_or_else(|| missing(&format!("there is no ground motion {}", index + 1)))?,
     };
     draw(page)
 }
@@ -159,7 +151,7 @@ fn study_profile(study: &Study, result: &StudyResult) -> Option<Page> {
 fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Page> {
     let ground = result.ground.get(index)?;
     let name = FigureKind::Record(index).name();
-    let page = match &study.ground {
+    let (name_of_motion, description, processing) = match &study.ground {
         Ground::Recorded(records) => {
             let used = records.get(index)?;
             let shown = if used.across.is_some() {
@@ -168,42 +160,25 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
                 ""
             };
             let description = format!("{}{shown}", used.description);
-            let words = Words {
-                name: &used.name,
-                description: &description,
-                processing: &used.processing,
-            };
-            record(name, words, &ground.motion.along)
+            (&used.name, description, used.processing.as_slice())
         }
         Ground::Synthetic(synthetic) => {
-            let description = format!(
-                "generated for {}, seed {}",
-                synthetic.target.one_line(),
-                synthetic.seed
-            );
-            let words = Words {
-                name: &ground.name,
-                description: &description,
-                processing: &[],
-            };
-            record(name, words, &ground.motion.along)
+            let (target, seed) = (synthetic.target.one_line(), synthetic.seed);
+            let description = format!("generated for {target}, seed {seed}");
+            (&ground.name, description, &[][..])
         }
         Ground::Simulated(simulated) => {
-            let description = format!(
-                "of {}, seed {}",
-                simulated.title_words(),
-                simulated.request.seed
-            );
-            let words = Words {
-                name: &ground.name,
-                description: &description,
-                processing: &[],
-            };
-            record(name, words, &ground.motion.along)
+            let (title, seed) = (simulated.title_words(), simulated.request.seed);
+            (&ground.name, format!("of {title}, seed {seed}"), &[][..])
         }
         Ground::OnFloors => return None,
     };
-    Some(page)
+    let words = Words {
+        name: name_of_motion,
+        description: &description,
+        processing,
+    };
+    Some(record(name, words, &ground.motion.along))
 }
 
 /// Draws every figure of [`figure_kinds`] on the current thread pool; the figures do not depend on

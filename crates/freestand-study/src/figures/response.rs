@@ -99,10 +99,8 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
             plots.push(markers(&marked, style.colour, style.marker, 3.5));
         }
         let y = Axis {
-            from: -0.02,
-            to: 1.04,
             step: Some(0.2),
-            label: "Share of motions".into(),
+            ..Axis::between(-0.02, 1.04, "Share of motions")
         };
         let layout = axes(height_axis(study), y).with_title(plain(&level.level.name));
         Panel { plots, layout }
@@ -169,26 +167,12 @@ fn spectra(
     let (columns, row_heights_px) = grid(panels.len(), PANEL_PX);
     let mut legend = thickness_entries(study);
     if with_bands(study, result) {
-        legend.push(Entry {
-            sign: Sign::Band,
-            words: "16–84 % of motions".into(),
-        });
+        legend.push(Entry::new(Sign::Band, "16–84 % of motions"));
     }
     if kind == FigureKind::Srs {
-        let sign = Sign::Line {
-            colour: DARK,
-            width_px: 1.2,
-            dash: Some(CEILING_DASH),
-        };
-        legend.push(Entry {
-            sign,
-            words: "uplift ceiling".into(),
-        });
+        legend.push(Entry::line(DARK, 1.2, Some(CEILING_DASH), "uplift ceiling"));
     }
-    legend.push(Entry {
-        sign: Sign::Cross,
-        words: "half or more overturn it".into(),
-    });
+    legend.push(Entry::new(Sign::Cross, "half or more overturn it"));
     let title = match result.motions.len() {
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),
@@ -482,9 +466,11 @@ fn height_axis(study: &Study) -> Axis {
 }
 
 fn thickness_entries(study: &Study) -> Vec<Entry> {
-    let entry = |(index, thickness_m): (usize, &f64)| Entry {
-        sign: Sign::Curve(curve_style(index)),
-        words: format!("t = {} mm", number(1e3 * thickness_m, 4)),
+    let entry = |(index, thickness_m): (usize, &f64)| {
+        Entry::new(
+            Sign::Curve(curve_style(index)),
+            format!("t = {} mm", number(1e3 * thickness_m, 4)),
+        )
     };
     thicknesses(study).iter().enumerate().map(entry).collect()
 }

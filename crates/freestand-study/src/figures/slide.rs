@@ -6,16 +6,17 @@ use kuva::render::annotations::ReferenceLine;
 
 use freestand::respond::SlidePoint;
 
+use crate::shape::size_words;
 use crate::sliding::Surface;
 use freestand_input::words::number;
-use freestand_output::figure::legend::Sign;
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{DARK, curve_style, line, plain};
-use freestand_output::figure::time::{stacked, symmetric, thin, time_axis};
+use freestand_output::figure::style::{DARK, curve_style, line, plain, rule};
+use freestand_output::figure::time::{peak, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
 use super::FigureKind;
-use super::history::entry;
+use super::history::accel_panel;
 
 /// Heights of the two panels \[px\].
 const PANELS_PX: [f64; 2] = [230.0, 190.0];
@@ -34,27 +35,14 @@ pub fn slide_figure(
     surface: &Surface,
     history: &[SlidePoint],
 ) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (history.first(), history.last()) else {
+    let Some((from, to)) = span(history, |point| point.time_s) else {
         return Ok(None);
     };
-    let (from, to) = (first.time_s, last.time_s);
-    if to <= from {
-        return Ok(None);
-    }
-    let slide = thin(
-        history.iter().map(|p| (p.time_s, 1e3 * p.slide_m)),
-        from,
-        to,
-    );
-    let accel = thin(
-        history
-            .iter()
-            .map(|p| (p.time_s, p.base_accel_m_s2 / G0_M_S2)),
-        from,
-        to,
-    );
-    let largest = |points: &[(f64, f64)]| points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
-    let travel_mm = largest(&slide);
+    let curve =
+        |of: fn(&SlidePoint) -> f64| thin(history.iter().map(|p| (p.time_s, of(p))), from, to);
+    let slide = curve(|p| 1e3 * p.slide_m);
+    let accel = curve(|p| p.base_accel_m_s2 / G0_M_S2);
+    let travel_mm = peak(&slide);
     let sides = [
         ("left", -1.0, surface.clearance.left_m),
         ("right", 1.0, surface.clearance.right_m),
@@ -69,43 +57,14 @@ pub fn slide_figure(
     let reach = shown.iter().fold(travel_mm, |m, mm| m.max(mm.abs()));
     let mut above = stacked(time_axis(from, to), symmetric(reach, "Slide (mm)"), false);
     for &mm in &shown {
-        let mark = ReferenceLine::horizontal(mm)
-            .with_color(DARK)
-            .with_stroke_width(1.2)
-            .with_dasharray("5 3");
-        above = above.with_reference_line(mark);
+        above = above.with_reference_line(rule(ReferenceLine::horizontal(mm), DARK, 1.2, "5 3"));
     }
-    let mut legend = vec![entry(
-        Sign::Line {
-            colour: curve_style(0).colour,
-            width_px: 1.6,
-            dash: None,
-        },
-        "slide",
-    )];
+    let mut legend = vec![Entry::line(curve_style(0).colour, 1.6, None, "slide")];
     if !shown.is_empty() {
-        legend.push(entry(
-            Sign::Line {
-                colour: DARK,
-                width_px: 1.2,
-                dash: Some("5 3"),
-            },
-            "clearance",
-        ));
+        legend.push(Entry::line(DARK, 1.2, Some("5 3"), "clearance"));
     }
-    let below = Panel {
-        plots: vec![line(&accel, "#555555", 0.9, None)],
-        layout: stacked(
-            time_axis(from, to),
-            symmetric(largest(&accel), "Floor accel. (g)"),
-            true,
-        ),
-    };
-    let size = format!(
-        "{} mm × {} m",
-        number(1e3 * block.thickness_m(), 4),
-        number(block.height_m(), 4)
-    );
+    let below = accel_panel(&accel, time_axis(from, to), "Floor accel. (g)", true);
+    let size = size_words(block.thickness_m(), block.height_m());
     let clearances: Vec<String> = given
         .iter()
         .map(|(name, mm)| format!("{} mm to the {name}", number(mm.abs(), 4)))

@@ -12,7 +12,7 @@ use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel};
 use freestand_output::figure::style::{
-    Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain,
+    Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain, rule,
 };
 
 /// Height of one row \[px\].
@@ -47,20 +47,9 @@ pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
         most_rows = most_rows.max(rows.len().saturating_sub(1));
         panels.extend(QUANTITIES.map(|quantity| panel(level, &rows, quantity)));
     }
-    let style = curve_style(0);
     let legend = vec![
-        Entry {
-            sign: Sign::Curve(style),
-            words: "with the value at the left".into(),
-        },
-        Entry {
-            sign: Sign::Line {
-                colour: DARK,
-                width_px: 1.2,
-                dash: Some("5 4"),
-            },
-            words: "the unchanged study".into(),
-        },
+        Entry::new(Sign::Curve(curve_style(0)), "with the value at the left"),
+        Entry::line(DARK, 1.2, Some("5 4"), "the unchanged study"),
     ];
     Page {
         name: FigureKind::Vary.name(),
@@ -121,10 +110,8 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
         plots.push(line(&[], DARK, 1.0, None));
     }
     let y = Axis {
-        from: 0.4,
-        to: count as f64 + 0.6,
         step: Some(1.0),
-        label: String::new(),
+        ..Axis::between(0.4, count as f64 + 0.6, "")
     };
     let mut layout = axes(Axis::from_zero(1.02 * largest, label), y).with_title(plain(level));
     let names: Vec<String> = variations.iter().map(|row| plain(&row.words())).collect();
@@ -137,11 +124,7 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
             .unwrap_or_default()
     }));
     if let Some(base) = base {
-        let mark = ReferenceLine::vertical(base)
-            .with_color(DARK)
-            .with_stroke_width(1.2)
-            .with_dasharray("5 4");
-        layout = layout.with_reference_line(mark);
+        layout = layout.with_reference_line(rule(ReferenceLine::vertical(base), DARK, 1.2, "5 4"));
     }
     Panel { plots, layout }
 }

@@ -86,11 +86,7 @@ pub struct MotionFloors {
 
 answer! {
     /// The report on the floors under all motions; of several, the median of each number.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct FloorReport {
+    pub struct FloorReport named {
         motion: String,
         processing: Vec<String>,
         building_height_m: f64,
@@ -107,46 +103,34 @@ answer! {
         /// The clause of the code that `code_part_g` of the levels is from.
         code_clause: Option<&'static str>,
     }
-}
 
-answer! {
     /// The second axis, where it differs from the first.
     #[expect(
         missing_docs,
         reason = "the names are those of the JSON document and state the units"
     )]
-    pub struct AxisReport {
-        model: String,
-        damping: String,
-        modes: Vec<FloorMode>,
+    pub struct AxisReport of (axis: &Building) {
+        model: String = model_words(axis);
+        damping: String = damping_words(axis);
+        modes: Vec<FloorMode> = mode_reports(axis);
     }
-}
 
-answer! {
     /// A mode of the building.
-    pub struct FloorMode {
-        mode: ModeReport = flat,
+    pub struct FloorMode of (mode: &Mode) {
+        mode: ModeReport = ModeReport::of(mode) => flat;
         /// Γφ at the roof.
-        roof_share_ratio: f64,
+        roof_share_ratio: f64 = mode.share_ratio(1.0);
     }
-}
 
-answer! {
     /// One level over all motions.
     pub struct LevelReport {
         profile: LevelProfile = flat,
         /// The file of the floor motion, where there is one motion and it was written.
         path: Option<String>,
     }
-}
 
-answer! {
     /// A row of the profile.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct LevelProfile {
+    pub struct LevelProfile named {
         level_ratio: f64,
         height_m: f64,
         pfa_g: f64,
@@ -160,39 +144,25 @@ answer! {
         code_part_g: Option<f64>,
         vertical: Option<VerticalPeak> = flat,
     }
-}
 
-answer! {
     /// Of motions with a vertical component.
     pub struct VerticalPeak {
         /// Peak vertical acceleration.
         pfa_vertical_g: f64,
     }
-}
 
-answer! {
     /// The part of the report on one motion.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct MotionReport {
+    pub struct MotionReport named {
         motion: String,
         processing: Vec<String>,
         components: usize,
         pga_g: f64,
         levels: Vec<MotionLevel>,
     }
-}
 
-answer! {
     /// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
     /// directions; displacement (relative to the ground) and drift are the larger of the two axes.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct MotionLevel {
+    pub struct MotionLevel named {
         level_ratio: f64,
         pfa_g: f64,
         pfa_along_g: f64,
@@ -246,17 +216,12 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
             .collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
-    let second = recorded.across.as_ref().map(|second| second.motion.clone());
-    let ground = HorizontalMotion {
-        along: recorded.motion.clone(),
-        across: second,
-    };
     Ok(MotionFloors {
         report: MotionReport {
             motion: recorded.name.clone(),
             processing: recorded.processing.clone(),
             components: if across.is_some() { 2 } else { 1 },
-            pga_g: ground.peak_m_s2() / G0_M_S2,
+            pga_g: recorded.as_used().peak_m_s2() / G0_M_S2,
             levels,
         },
         floors: pairs(along.floors, across.map(|axis| axis.floors)),
@@ -281,32 +246,25 @@ fn verticals(recorded: &RecordedMotion, request: &FloorRequest) -> Result<Vec<Mo
         } else {
             amplification
         };
-        padded.scaled(factor).map_err(|error| {
-            Problem::new(ProblemKind::Computation, error.to_string())
-                .hint("check the record and its scale")
-        })
+        padded
+            .scaled(factor)
+            .map_err(|error| failed(error.to_string()))
     };
     request.levels_ratio.iter().map(at).collect()
 }
 
+fn failed(message: String) -> Problem {
+    Problem::new(ProblemKind::Computation, message).hint("check the record and its scale")
+}
+
 fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotion> {
-    match across {
-        Some(across) => {
-            let both = along.into_iter().zip(across);
-            both.map(|(along, across)| HorizontalMotion {
-                along,
-                across: Some(across),
-            })
-            .collect()
-        }
-        None => along
-            .into_iter()
-            .map(|along| HorizontalMotion {
-                along,
-                across: None,
-            })
-            .collect(),
-    }
+    let across = across.map_or_else(
+        || vec![None; along.len()],
+        |across| across.into_iter().map(Some).collect(),
+    );
+    let both = along.into_iter().zip(across);
+    both.map(|(along, across)| HorizontalMotion { along, across })
+        .collect()
 }
 
 /// The levels along one axis.
@@ -324,10 +282,7 @@ impl AxisFloors {
     fn new(ground: &Motion, building: &Building, request: &FloorRequest) -> Result<Self, Problem> {
         let ground = &with_tail(ground, request.tail_s)?;
         check_upsampling(request.upsample, ground.accel_m_s2().len())?;
-        let failed = |error: freestand::building::BuildingError| {
-            Problem::new(ProblemKind::Computation, error.to_string())
-                .hint("check the record and its scale")
-        };
+        let failed = |error: freestand::building::BuildingError| failed(error.to_string());
         let levels_ratio = &request.levels_ratio;
         let floors = floor_motions(ground, building, levels_ratio).map_err(failed)?;
         let later = floor_peaks(
@@ -374,16 +329,14 @@ fn motion_level(
         Problem::new(ProblemKind::Computation, "a level has no motion")
             .hint("this is a defect of freestand; please report it")
     };
-    let fine = axes
+    let on_level = axes
         .iter()
-        .map(|axis| axis.fine.get(index))
+        .map(|axis| Some((axis.fine.get(index)?, axis.peaks.get(index)?)));
+    let (fine, peaks): (Vec<&Motion>, Vec<&FloorPeaks>) = on_level
         .collect::<Option<Vec<_>>>()
-        .ok_or_else(gone)?;
-    let peaks = axes
-        .iter()
-        .map(|axis| axis.peaks.get(index))
-        .collect::<Option<Vec<_>>>()
-        .ok_or_else(gone)?;
+        .ok_or_else(gone)?
+        .into_iter()
+        .unzip();
     let accelerations: Vec<&[f64]> = fine.iter().map(|motion| motion.accel_m_s2()).collect();
     let velocities: Vec<Vec<f64>> = fine
         .iter()
@@ -523,11 +476,7 @@ impl FloorReport {
             shear_flexure_ratio: building.shear_flexure_ratio(),
             pga_g: quantiles(&|motion: &MotionReport| Some(motion.pga_g))[1].unwrap_or_default(),
             modes: mode_reports(building),
-            across: request.building.across.as_ref().map(|axis| AxisReport {
-                model: model_words(axis),
-                damping: damping_words(axis),
-                modes: mode_reports(axis),
-            }),
+            across: request.building.across.as_ref().map(AxisReport::of),
             levels,
             motions,
             spectra,
@@ -576,11 +525,7 @@ impl FloorReport {
 }
 
 fn mode_reports(building: &Building) -> Vec<FloorMode> {
-    let report = |mode: &Mode| FloorMode {
-        mode: mode.into(),
-        roof_share_ratio: mode.share_ratio(1.0),
-    };
-    building.modes().iter().map(report).collect()
+    building.modes().iter().map(FloorMode::of).collect()
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::target::CodeParts;
 use freestand_input::words::number;
 
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel};
 use freestand_output::figure::style::{Axis, GREY, axes, curve_style, line, markers};
 
@@ -47,14 +47,7 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     let mut legend = Vec::new();
     if several {
         plots.extend(curves.iter().map(|curve| line(curve, GREY, 0.9, None)));
-        legend.push(entry(
-            Sign::Line {
-                colour: GREY,
-                width_px: 0.9,
-                dash: None,
-            },
-            "each motion",
-        ));
+        legend.push(Entry::line(GREY, 0.9, None, "each motion"));
     }
     let [low, median, high] = QUANTILES.map(|quantile| quantile_curve(&curves, quantile));
     let colour = curve_style(0).colour;
@@ -68,23 +61,9 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
         plots.push(markers(&median, colour, MarkerShape::Circle, 3.5));
     }
     let words = if several { "median" } else { "the motion" };
-    legend.push(entry(
-        Sign::Line {
-            colour,
-            width_px: 2.4,
-            dash: None,
-        },
-        words,
-    ));
+    legend.push(Entry::line(colour, 2.4, None, words));
     if several {
-        legend.push(entry(
-            Sign::Line {
-                colour,
-                width_px: 1.4,
-                dash: Some(QUANTILE_DASH),
-            },
-            "16 and 84 %",
-        ));
+        legend.push(Entry::line(colour, 1.4, Some(QUANTILE_DASH), "16 and 84 %"));
     }
     let code: Vec<(f64, f64)> = picture
         .code
@@ -95,14 +74,7 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     if let Some(CodeParts { clause, .. }) = picture.code {
         let colour = curve_style(1).colour;
         plots.push(line(&code, colour, 2.0, Some(CODE_DASH)));
-        legend.push(entry(
-            Sign::Line {
-                colour,
-                width_px: 2.0,
-                dash: Some(CODE_DASH),
-            },
-            clause,
-        ));
+        legend.push(Entry::line(colour, 2.0, Some(CODE_DASH), *clause));
     }
     let largest = curves
         .iter()
@@ -115,12 +87,7 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     } else {
         "Height as a share z/H (–)"
     };
-    let y = Axis {
-        from: 0.0,
-        to: 1.02 * scale,
-        step: None,
-        label: label.into(),
-    };
+    let y = Axis::between(0.0, 1.02 * scale, label);
     let layout = axes(
         Axis::from_zero(1.02 * largest, "Peak floor acceleration (g)"),
         y,
@@ -156,13 +123,6 @@ fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
         of(median.first()),
         of(median.last())
     )
-}
-
-fn entry(sign: Sign, words: &str) -> Entry {
-    Entry {
-        sign,
-        words: words.into(),
-    }
 }
 
 /// Acceleration and height of the levels of one motion, from the lowest up, with the ground where

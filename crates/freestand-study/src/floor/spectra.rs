@@ -24,24 +24,14 @@ pub struct SpectraRequest {
 answer! {
     /// Floor response spectra: medians over the motions; of two components, of the largest over all
     /// directions (RotD100).
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct SpectraReport {
+    pub struct SpectraReport named {
         periods_s: Vec<f64>,
         damping_ratios: Vec<f64>,
         levels: Vec<LevelSpectra>,
     }
-}
 
-answer! {
     /// The spectra of one level.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct LevelSpectra {
+    pub struct LevelSpectra named {
         level_ratio: f64,
         /// `[damping][period]`.
         psa_g: Vec<Vec<f64>>,

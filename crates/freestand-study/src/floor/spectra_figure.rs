@@ -3,17 +3,24 @@
 use crate::floor::SpectraReport;
 use freestand_input::words::number;
 
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, columns, draw};
-use freestand_output::figure::style::{Axis, axes, curve_style, decades, line, plain};
+use freestand_output::figure::style::{Axis, axes, curve_style, decades, line, plain, points};
 use freestand_output::figure::{Figure, FigureError};
 
 const PANEL_PX: f64 = 330.0;
 /// The largest number of levels that is drawn, from the lowest to the highest.
 const MOST_LEVELS: usize = 6;
 
-/// The spectra of a report; `motions` is the number of motions that the medians are over.
-pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usize) -> Page {
+/// Draws response spectra of floors; `motions` is the number of motions that the medians are over.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_response_figure(
+    report: &SpectraReport,
+    height_m: f64,
+    motions: usize,
+) -> Result<Figure, FigureError> {
     let drawn = drawn_levels(report.levels.len());
     let positive = || report.periods_s.iter().copied().filter(|&t| t > 0.0);
     let (mut from, mut to) = (
@@ -34,11 +41,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
             else {
                 continue;
             };
-            let mut points: Vec<(f64, f64)> = report
-                .periods_s
-                .iter()
-                .copied()
-                .zip(psa.iter().copied())
+            let mut points: Vec<(f64, f64)> = points(&report.periods_s, psa)
                 .filter(|point| point.0 > 0.0)
                 .collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -46,12 +49,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
             let style = curve_style(style);
             plots.push(line(&points, style.colour, 2.0, style.dash));
         }
-        let x = Axis {
-            from,
-            to,
-            step: None,
-            label: "Period (s)".into(),
-        };
+        let x = Axis::between(from, to, "Period (s)");
         let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
         let title = format!("damping {} %", number(100.0 * ratio, 4));
         let mut layout = axes(x, y).with_title(plain(&title)).with_log_x();
@@ -68,24 +66,19 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
     let legend = drawn.iter().enumerate().filter_map(|(style, &index)| {
         let ratio = report.levels.get(index)?.level_ratio;
         let style = curve_style(style);
-        let sign = Sign::Line {
-            colour: style.colour,
-            width_px: 2.0,
-            dash: style.dash,
-        };
         let words = match ratio {
             0.0 => "ground".to_owned(),
             1.0 => "roof".to_owned(),
             _ => format!("{} m", number(ratio * height_m, 4)),
         };
-        Some(Entry { sign, words })
+        Some(Entry::line(style.colour, 2.0, style.dash, words))
     });
     let of = if motions > 1 {
         format!("median over {motions} motions")
     } else {
         "one motion".to_owned()
     };
-    Page {
+    draw(Page {
         name: "spectra".to_owned(),
         title: "Response spectra of the floors".to_owned(),
         caption: format!(
@@ -96,7 +89,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
         panels,
         columns,
-    }
+    })
 }
 
 /// The drawn levels of `count`: all, or an even selection from the first to the last.
@@ -107,18 +100,6 @@ fn drawn_levels(count: usize) -> Vec<usize> {
     (0..MOST_LEVELS)
         .map(|i| i * (count - 1) / (MOST_LEVELS - 1))
         .collect()
-}
-
-/// Draws response spectra of floors; `motions` is the number of motions that the medians are over.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn floor_response_figure(
-    report: &crate::floor::SpectraReport,
-    height_m: f64,
-    motions: usize,
-) -> Result<Figure, FigureError> {
-    draw(floor_response(report, height_m, motions))
 }
 
 #[cfg(test)]

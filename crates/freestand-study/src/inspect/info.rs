@@ -110,24 +110,18 @@ struct Found {
 }
 
 fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
+    let refused = |problems: Problems| Found {
+        problems,
+        ..Found::default()
+    };
     let file = match read_motions(path, &request.files.read) {
         Ok(file) => file,
-        Err(error) => {
-            return Found {
-                problems: error,
-                ..Found::default()
-            };
-        }
+        Err(problems) => return refused(problems),
     };
     let components: Vec<&Component> = match request.files.component.as_deref() {
         Some(wanted) => match file.select(Some(wanted)) {
             Ok(component) => vec![component],
-            Err(problem) => {
-                return Found {
-                    problems: problem.into(),
-                    ..Found::default()
-                };
-            }
+            Err(problem) => return refused(problem.into()),
         },
         None => file.components.iter().collect(),
     };
@@ -180,37 +174,10 @@ fn info_of_component(
     let rocking = request
         .block
         .map(|block| rocking_measures(&motion, &block, G0_M_S2));
-    let raw = component.motion.accel_m_s2();
-    let (direction, azimuth_deg) = match component.direction {
-        Some(Direction::Up) => (Some("up"), None),
-        Some(Direction::Azimuth(degrees)) => (Some("horizontal"), Some(degrees)),
-        None => (None, None),
-    };
     let info = MotionInfo {
         path: file.path.to_string_lossy().into_owned(),
         name: motion_name(file, component),
-        contents: Contents {
-            format: file.format,
-            component: component.name.clone(),
-            station: component.station.clone(),
-            direction,
-            azimuth_deg,
-            unit: component.unit,
-            is_raw: component.is_raw,
-            dt_s: motion.dt_s(),
-            npts: motion.accel_m_s2().len(),
-            duration_s: motion.duration_s(),
-            measures: MotionMeasures::of(&motion),
-            above_threshold: AboveThreshold(rocking),
-            mean_m_s2: component.motion.mean_m_s2(),
-            sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum::<f64>(),
-            first_values_m_s2: first(raw),
-            last_values_m_s2: last(raw),
-            processed_first_values_m_s2: first(motion.accel_m_s2()),
-            processed_last_values_m_s2: last(motion.accel_m_s2()),
-            scale_ratio,
-            processing: steps,
-        },
+        contents: Contents::of(component, file, &motion, rocking, scale_ratio, steps),
         motion: request.keep_motions.then_some(motion),
     };
     Ok((info, notes))
@@ -219,37 +186,44 @@ fn info_of_component(
 answer! {
     /// What is in a component, and its measures. First and last values, mean and sum are those of the file;
     /// the measures, and the values called processed, those of the motion after `processing`.
-    pub struct Contents {
-        format: &'static str = "format",
-        component: String = "component",
-        station: Option<String> = "station",
-        /// up or horizontal, where the file says so.
-        direction: Option<&'static str> = "direction",
-        azimuth_deg: Option<f64> = "azimuth",
-        unit: &'static str = "unit in the file",
-        /// Whether the values of the file include the offset of the instrument.
-        is_raw: bool = "raw",
-        dt_s: f64 = "time step",
-        npts: usize = "samples",
-        duration_s: f64 = "duration",
-        measures: MotionMeasures = flat,
-        above_threshold: AboveThreshold = flat,
-        /// Of the file.
-        mean_m_s2: f64,
-        /// Of the file.
-        sum_abs_m_s2: f64,
-        /// Five of the file.
-        first_values_m_s2: Vec<f64>,
-        /// Two of the file.
-        last_values_m_s2: Vec<f64>,
-        /// Five of the processed motion.
-        processed_first_values_m_s2: Vec<f64>,
-        /// Two of the processed motion.
-        processed_last_values_m_s2: Vec<f64>,
-        /// The factor of the samples.
+    pub struct Contents of (
+        component: &Component,
+        file: &MotionFile,
+        motion: &Motion,
+        rocking: Option<RockingMeasures>,
         scale_ratio: f64,
+        processing: Vec<String>,
+    ) {
+        format: &'static str = file.format => "format";
+        component: String = component.name.clone() => "component";
+        station: Option<String> => "station";
+        /// up or horizontal, where the file says so.
+        direction: Option<&'static str> = component.direction.map(direction_name) => "direction";
+        azimuth_deg: Option<f64> = component.direction.and_then(direction_deg) => "azimuth";
+        unit: &'static str => "unit in the file";
+        /// Whether the values of the file include the offset of the instrument.
+        is_raw: bool => "raw";
+        dt_s: f64 = motion.dt_s() => "time step";
+        npts: usize = motion.accel_m_s2().len() => "samples";
+        duration_s: f64 = motion.duration_s() => "duration";
+        measures: MotionMeasures = MotionMeasures::of(motion) => flat;
+        above_threshold: AboveThreshold = AboveThreshold(rocking) => flat;
+        /// Of the file.
+        mean_m_s2: f64 = component.motion.mean_m_s2();
+        /// Of the file.
+        sum_abs_m_s2: f64 = component.motion.accel_m_s2().iter().map(|a| a.abs()).sum::<f64>();
+        /// Five of the file.
+        first_values_m_s2: Vec<f64> = first(component.motion.accel_m_s2());
+        /// Two of the file.
+        last_values_m_s2: Vec<f64> = last(component.motion.accel_m_s2());
+        /// Five of the processed motion.
+        processed_first_values_m_s2: Vec<f64> = first(motion.accel_m_s2());
+        /// Two of the processed motion.
+        processed_last_values_m_s2: Vec<f64> = last(motion.accel_m_s2());
+        /// The factor of the samples.
+        scale_ratio: f64 = scale_ratio;
         /// What was done to the samples, one step each.
-        processing: Vec<String> = "processing",
+        processing: Vec<String> = processing => "processing";
     }
 }
 
@@ -301,12 +275,29 @@ answer_of!(MotionMeasures as m {
 pub struct AboveThreshold(Option<RockingMeasures>);
 
 answer_of!(AboveThreshold as of {
-    uplift_threshold_g: Option<f64> = of.0.map(|r| r.uplift_threshold_m_s2 / G0_M_S2) => "uplift threshold g tan α";
+    uplift_threshold_g: Option<f64> =
+        of.0.map(|r| r.uplift_threshold_m_s2 / G0_M_S2) => "uplift threshold g tan α";
     pga_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pga_ratio) => "PGA/(g tan α)";
     pgv_over_threshold_ratio: Option<f64> = of.0.map(|r| r.pgv_ratio) => "p PGV/(g tan α)";
     time_above_threshold_s: Option<f64> = of.0.map(|r| r.time_above_s) => "time above the threshold";
     excursions_above_threshold: Option<usize> = of.0.map(|r| r.excursions) => "  excursions";
 });
+
+/// What a file says of the direction of a component.
+fn direction_name(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Up => "up",
+        Direction::Azimuth(_) => "horizontal",
+    }
+}
+
+/// Its azimuth \[degrees\].
+fn direction_deg(direction: Direction) -> Option<f64> {
+    match direction {
+        Direction::Up => None,
+        Direction::Azimuth(degrees) => Some(degrees),
+    }
+}
 
 fn first(values: &[f64]) -> Vec<f64> {
     values[..values.len().min(5)].to_vec()
@@ -336,22 +327,20 @@ answer_of!(InfoReport as report {
     /// Files that could not be read or processed.
     failed: Vec<FailedFile<'_>> = report.failed.iter().map(FailedFile).collect();
     /// The figures that were written.
-    plots: Vec<String> = report.plots.clone();
+    plots: Vec<String>;
 });
 
-/// A file that could not be read, and what to do.
-#[derive(Clone, Copy)]
-struct FailedFile<'r>(&'r Failed);
-
-answer_of!(FailedFile<'_> as file {
+answer_of!(
+    /// A file that could not be read, and what to do.
+    struct FailedFile<'r>(&'r Failed) as file {
     failed: &Failed = file.0 => flat;
     /// What to do.
     hint: Option<String> = file.0.problem.hint.clone();
 });
 
 answer_of!(MotionInfo as one {
-    path: String = one.path.clone() => "file";
-    name: String = one.name.clone();
+    path: String => "file";
+    name: String;
     contents: &Contents = &one.contents => flat;
 });
 

@@ -13,7 +13,7 @@ use freestand_input::words::{fixed, number, significant};
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{
-    Axis, DARK, curve_style, line, markers, plain, plain_ticks, readable,
+    Axis, DARK, curve_style, line, markers, plain, plain_ticks, readable, rule,
 };
 use freestand_output::figure::time::{stacked_with_title, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
@@ -34,41 +34,18 @@ pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     let energy: Vec<f64> = husid(motion).iter().map(|share| 100.0 * share).collect();
     let span_s = significant_span_s(motion);
     let x = || time_axis(0.0, end_s);
+    let history = |values: &[f64], names, units| history(values, dt_s, span_s, x(), names, units);
     let panels = vec![
-        history(
-            &accel_g,
-            dt_s,
-            span_s,
-            x(),
-            ["PGA", "Acceleration"],
-            ["g", "mg", "µg"],
-        ),
-        history(
-            &velocity,
-            dt_s,
-            span_s,
-            x(),
-            ["PGV", "Velocity"],
-            ["m/s", "mm/s", "µm/s"],
-        ),
-        history(
-            &displacement,
-            dt_s,
-            span_s,
-            x(),
-            ["PGD", "Displacement"],
-            ["m", "mm", "µm"],
-        ),
+        history(&accel_g, ["PGA", "Acceleration"], ["g", "mg", "µg"]),
+        history(&velocity, ["PGV", "Velocity"], ["m/s", "mm/s", "µm/s"]),
+        history(&displacement, ["PGD", "Displacement"], ["m", "mm", "µm"]),
         energy_panel(&energy, dt_s, span_s, x()),
     ];
     let colour = curve_style(1).colour;
-    let entry = |sign, words: &str| Entry {
-        sign,
-        words: words.into(),
-    };
+
     let legend = vec![
-        entry(Sign::Dot { colour }, "largest value"),
-        entry(
+        Entry::new(Sign::Dot { colour }, "largest value"),
+        Entry::new(
             Sign::Shade {
                 colour: SHADE,
                 opacity: SHADE_OPACITY,
@@ -187,10 +164,8 @@ fn energy_panel(percents: &[f64], dt_s: f64, span_s: (f64, f64), x: Axis) -> Pan
         None,
     );
     let y = Axis {
-        from: 0.0,
-        to: 100.0,
         step: Some(25.0),
-        label: "Arias intensity (%)".into(),
+        ..Axis::between(0.0, 100.0, "Arias intensity (%)")
     };
     let title = format!(
         "D5–95 {} s: {} s to {} s",
@@ -202,11 +177,8 @@ fn energy_panel(percents: &[f64], dt_s: f64, span_s: (f64, f64), x: Axis) -> Pan
     let mut layout = stacked_with_title(x, y, true, title).with_shaded_region(shade(span_s));
     layout.x_tick_format = x_ticks;
     for share in [5.0, 95.0] {
-        let mark = ReferenceLine::horizontal(share)
-            .with_color(DARK)
-            .with_stroke_width(0.8)
-            .with_dasharray("2 3");
-        layout = layout.with_reference_line(mark);
+        layout =
+            layout.with_reference_line(rule(ReferenceLine::horizontal(share), DARK, 0.8, "2 3"));
     }
     Panel {
         plots: vec![curve],

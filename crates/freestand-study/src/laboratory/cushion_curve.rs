@@ -73,8 +73,9 @@ answer_of!(CurveReport as report {
     exponent_m3_j: f64 = report.fit.curve.exponent_m3_j => "  exponent per energy";
     r_squared_ratio: f64 = report.fit.r_squared_ratio => "  R²";
     tested_energies_j_m3: [f64; 2] = report.fit.energies_j_m3.into() => "  energies of the tests";
-    tests: Vec<CurveTest> = report.tests.clone();
-    best_static_stress_pa: Option<f64> = report.best.map(|best| best.static_stress_pa) => "best static stress";
+    tests: Vec<CurveTest>;
+    best_static_stress_pa: Option<f64> =
+        report.best.map(|best| best.static_stress_pa) => "best static stress";
     best_peak_acceleration_g: Option<f64> = report.peak_g(report.best) => "  peak";
     __: Option<String> = report.request.static_stress_pa.map(|stress| format_si(stress, Dimension::Pressure))
         => "given static stress";
@@ -86,7 +87,8 @@ answer_of!(CurveReport as report {
     thickness_m: Option<f64> = report.needed.map(|needed| needed.thickness_m)
         => "  thickness at the given static stress";
     /// The least that keeps the limit.
-    optimum_thickness_m: Option<f64> = report.optimum.map(|optimum| optimum.thickness_m) => "  least thickness";
+    optimum_thickness_m: Option<f64> =
+        report.optimum.map(|optimum| optimum.thickness_m) => "  least thickness";
     optimum_static_stress_pa: Option<f64> = report.optimum.map(|optimum| optimum.static_stress_pa)
         => "  static stress of the least thickness";
 });

@@ -7,7 +7,7 @@ use freestand::cushion::{ContactLaw, Cushion};
 use crate::laboratory::drop_test::{DropReport, DropsReport};
 use crate::laboratory::static_curve::StaticsReport;
 
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{Axis, DARK, axes, curve_style, line, plain};
 use freestand_output::figure::{Figure, FigureError};
@@ -20,29 +20,30 @@ const PANEL_PX: f64 = 430.0;
 /// The largest number of tests that have a line of their own in the legend.
 const MAX_NAMES: usize = 8;
 
-/// Force against compression, and acceleration against compression, of all drops, with the fitted
-/// laws.
-pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
+/// Draws the loops of drop tests: force and acceleration against compression.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn drop_figures(report: &DropsReport) -> Result<Vec<Figure>, FigureError> {
     let has_loop = |drop: &&DropReport| drop.test.points.len() > 1;
     let tests: Vec<&DropReport> = report.tests.iter().filter(has_loop).collect();
-    let force: Drawn = |_, force_n| force_n;
-    let accel: Drawn = |a, _| a / G0_M_S2;
-    vec![
+    let pages = [
         page(
             &tests,
             "force_displacement",
             "Dynamic force and compression",
             "Force (N)",
-            force,
+            |_, force_n| force_n,
         ),
         page(
             &tests,
             "acceleration_displacement",
             "Acceleration and compression",
             "Acceleration (g)",
-            accel,
+            |a, _| a / G0_M_S2,
         ),
-    ]
+    ];
+    pages.into_iter().map(draw).collect()
 }
 
 fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Drawn) -> Page {
@@ -65,17 +66,10 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
             ));
         }
     }
-    let legend_tests = tests.iter().map(|test| test.path.as_str());
-    let fitted_sign = Sign::Line {
-        colour: DARK,
-        width_px: 1.2,
-        dash: Some("4 4"),
-    };
-    let mut legend = legend(legend_tests);
-    legend.push(Entry {
-        sign: fitted_sign,
-        words: "fitted law, one landing".into(),
-    });
+    let legend = legend(
+        tests.iter().map(|test| test.path.as_str()),
+        "fitted law, one landing",
+    );
     let panel = panel(&curves, &fits, label);
     Page {
         name: name.to_owned(),
@@ -114,7 +108,7 @@ fn fitted(
         .collect()
 }
 
-fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
+fn legend<'a>(names: impl Iterator<Item = &'a str>, dashed: &str) -> Vec<Entry> {
     let names: Vec<&str> = names.collect();
     let file = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
     let mut entries: Vec<Entry> = names
@@ -123,27 +117,14 @@ fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
         .enumerate()
         .map(|(i, path)| {
             let style = curve_style(i);
-            Entry {
-                sign: Sign::Line {
-                    colour: style.colour,
-                    width_px: 1.6,
-                    dash: style.dash,
-                },
-                words: plain(&file(path)),
-            }
+            Entry::line(style.colour, 1.6, style.dash, plain(&file(path)))
         })
         .collect();
     if names.len() > MAX_NAMES {
         let words = format!("and {} more", names.len() - MAX_NAMES);
-        entries.push(Entry {
-            sign: Sign::Line {
-                colour: DARK,
-                width_px: 1.0,
-                dash: None,
-            },
-            words,
-        });
+        entries.push(Entry::line(DARK, 1.0, None, words));
     }
+    entries.push(Entry::line(DARK, 1.2, Some("4 4"), dashed));
     entries
 }
 
@@ -189,8 +170,11 @@ fn thinned(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Force against compression of static tests.
-pub(crate) fn statics(report: &StaticsReport) -> Page {
+/// Draws the curves of static tests.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn static_figure(report: &StaticsReport) -> Result<Figure, FigureError> {
     let curves: Vec<Vec<(f64, f64)>> = report
         .tests
         .iter()
@@ -213,17 +197,11 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
                 .to_vec()
         })
         .collect();
-    let mut legend = legend(report.tests.iter().map(|test| test.path.as_str()));
-    let sign = Sign::Line {
-        colour: DARK,
-        width_px: 1.2,
-        dash: Some("4 4"),
-    };
-    legend.push(Entry {
-        sign,
-        words: "tangent at the working load".into(),
-    });
-    Page {
+    let legend = legend(
+        report.tests.iter().map(|test| test.path.as_str()),
+        "tangent at the working load",
+    );
+    draw(Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),
         caption: "Static tests, corrected for machine and toe: loading and unloading, and the tangents at the \
@@ -233,21 +211,5 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
-}
-
-/// Draws the loops of drop tests: force and acceleration against compression.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn drop_figures(report: &DropsReport) -> Result<Vec<Figure>, FigureError> {
-    drops(report).into_iter().map(draw).collect()
-}
-
-/// Draws the curves of static tests.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn static_figure(report: &StaticsReport) -> Result<Figure, FigureError> {
-    draw(statics(report))
+    })
 }

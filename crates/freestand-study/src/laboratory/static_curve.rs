@@ -68,7 +68,7 @@ pub struct StaticsReport {
 }
 
 answer_of!(StaticReport as one {
-    path: String = one.path.clone();
+    path: String;
     tangent_stiffness_n_m: f64 = one.test.tangent_stiffness_n_m;
     secant_stiffness_n_m: f64 = one.test.secant_stiffness_n_m;
     hysteresis_ratio: Option<f64> = one.test.hysteresis_ratio;
@@ -80,9 +80,10 @@ answer_of!(StaticReport as one {
     /// Cycles of the file that were not evaluated.
     other_cycles: usize = one.test.other_cycles;
     exponent: Option<f64> = one.test.exponent;
-    dynamic_over_static_ratio: Option<f64> = one.dynamic_stiffness_n_m.map(|k| k / one.test.secant_stiffness_n_m);
-    impactor: Option<String> = one.impactor.clone();
-    boundary: Option<String> = one.boundary.clone();
+    dynamic_over_static_ratio: Option<f64> =
+        one.dynamic_stiffness_n_m.map(|k| k / one.test.secant_stiffness_n_m);
+    impactor: Option<String>;
+    boundary: Option<String>;
 });
 
 answer_of!(StaticsReport as report {

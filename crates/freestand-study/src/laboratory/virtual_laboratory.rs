@@ -100,9 +100,7 @@ answer! {
         /// In the order of their numbers.
         tests: Vec<SimulatedTest>,
     }
-}
 
-answer! {
     /// A virtual test; the values are those of a drop.
     pub struct SimulatedTest {
         /// Its name.
@@ -273,9 +271,7 @@ answer! {
         /// One for each cushion, rate, noise, bias and zero shift.
         rows: Vec<Recovered>,
     }
-}
 
-answer! {
     /// The drops of one cushion, rate, noise, bias and zero shift; means are those of the drops that gave a stiffness.
     pub struct Recovered {
         /// Of the cushion.

@@ -6,9 +6,9 @@ use freestand::oscillator::response_spectrum;
 use freestand::synthesis::{DAMPING_RATIO, matched_periods_s};
 use rayon::prelude::*;
 
-use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::legend::Entry;
 use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, GREY, curve_style, line, plain, plain_ticks};
+use freestand_output::figure::style::{Axis, GREY, curve_style, line, over_periods, plain, points};
 use freestand_output::figure::time::stacked;
 use freestand_output::figure::{Figure, FigureError};
 
@@ -30,8 +30,11 @@ pub struct MatchedPicture<'a> {
     pub motions: &'a [&'a Motion],
 }
 
-/// PSA of each motion, their geometric mean, and the target, against period.
-pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
+/// Draws the spectra of motions against their target.
+///
+/// # Errors
+/// The error of the plot library.
+pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
     let periods_s = matched_periods_s();
     let psa_g: Vec<Vec<f64>> = picture
         .motions
@@ -51,13 +54,7 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         .chain(picture.target_sa_g)
         .copied()
         .fold(0.0, f64::max);
-    let points = |values: &[f64]| -> Vec<(f64, f64)> {
-        periods_s
-            .iter()
-            .copied()
-            .zip(values.iter().copied())
-            .collect()
-    };
+    let points = |values: &[f64]| points(&periods_s, values).collect::<Vec<_>>();
     let (target_style, mean_style) = (curve_style(1), curve_style(0));
     let several = psa_g.len() > 1;
     let (dash, mean_words) = if several {
@@ -81,26 +78,13 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
     ));
     let first = periods_s.first().copied().unwrap_or(0.05);
     let last = periods_s.last().copied().unwrap_or(5.0);
-    let x = Axis {
-        from: first,
-        to: last,
-        step: None,
-        label: "Period (s)".into(),
-    };
     let y = Axis::from_zero(1.02 * highest, "PSA (g)");
-    let y_ticks = plain_ticks(y.to);
-    let mut layout = stacked(x, y, true).with_log_x();
-    layout.x_tick_format = plain_ticks(0.0);
-    layout.y_tick_format = y_ticks;
-    let entry = |colour, width_px, dash, words: &str| Entry {
-        sign: Sign::Line {
-            colour,
-            width_px,
-            dash,
-        },
-        words: words.into(),
-    };
-    Page {
+    let top = y.to;
+    let layout = over_periods(
+        stacked(Axis::between(first, last, "Period (s)"), y, true),
+        top,
+    );
+    draw(Page {
         name: "target".to_owned(),
         title: plain(picture.title),
         caption: format!(
@@ -116,25 +100,17 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend: [
-            Some(entry(
+            Some(Entry::line(
                 target_style.colour,
                 2.2,
                 None,
-                &plain(picture.target),
+                plain(picture.target),
             )),
-            Some(entry(mean_style.colour, 1.8, dash, mean_words)),
-            several.then(|| entry(GREY, 0.7, None, "each motion")),
+            Some(Entry::line(mean_style.colour, 1.8, dash, mean_words)),
+            several.then(|| Entry::line(GREY, 0.7, None, "each motion")),
         ]
         .into_iter()
         .flatten()
         .collect(),
-    }
-}
-
-/// Draws the spectra of motions against their target.
-///
-/// # Errors
-/// The error of the plot library.
-pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
-    draw(matched(picture))
+    })
 }

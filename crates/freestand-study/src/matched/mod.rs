@@ -326,7 +326,7 @@ impl FittedMotion {
 answer_of!(FitReport as report {
     target: &Target = &report.target => flat;
     /// Of synthetic motions.
-    seed: Option<u64> = report.seed;
+    seed: Option<u64>;
     /// Of the random numbers.
     generator: Option<&'static str> = report.seed.map(|_| GENERATOR);
     method: &'static str = report.method.name();
@@ -334,9 +334,9 @@ answer_of!(FitReport as report {
 });
 
 answer_of!(FittedMotion as one {
-    name: String = one.name.clone();
+    name: String;
     /// The file that it was written to.
-    path: Option<String> = one.path.clone();
+    path: Option<String>;
     dt_s: f64 = one.motion.dt_s();
     npts: usize = one.motion.accel_m_s2().len();
     rms_misfit_ratio: f64 = one.misfit.rms_ratio;

@@ -2,10 +2,10 @@
 
 use toml::de::DeValue;
 
-use super::point_source::{PointSourceOptions, point_source};
+use super::point_source::PointSourceOptions;
 use super::processing::processing;
 use super::target::TARGET_KEYS;
-use super::{Reader, Section, Written, bare_number, read_words};
+use super::{Reader, Section, Written, bare_number, read_words, within};
 use freestand_input::keys::Words;
 use freestand_input::quantity::{Dimension, parse};
 
@@ -37,15 +37,13 @@ pub(crate) struct GroundOptions {
 }
 
 pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOptions {
-    let (mut reading, mut target) = (Words::default(), Words::default());
-    let processing = processing(reader, table, &mut reading);
-    read_words(reader, table, &TARGET_KEYS, &mut target);
+    let (reading, processing) = processing(reader, table);
     GroundOptions {
         line: Some(table.line),
-        target,
+        target: read_words(reader, table, &TARGET_KEYS),
         count: table.count(reader, "count"),
         seed: table.count(reader, "seed"),
-        point_source: point_source(reader, table),
+        point_source: within(table, reader, "point_source", PointSourceOptions::read),
         match_by: table.string(reader, "match"),
         suite: table.string(reader, "suite"),
         suite_count: table.count(reader, "suite_count"),

@@ -3,6 +3,43 @@
 //! No reader stops at a problem: it notes the problem and continues, so that a person can correct a
 //! file in one go. Unknown keys are found because each reader states the keys that it knows.
 
+/// The keys of a table, in the order in which they are listed for who mistypes one: each has a field with its value as
+/// written and its line. After a key stands how it is written, by the function of [`Section`]; in brackets that of a
+/// quantity, whose key has no unit, and its dimension; in parentheses the type of what is read in another way.
+macro_rules! options {
+    ($(#[$meta:meta])* $name:ident($reader:ident, $table:ident) {
+        $( $(#[$doc:meta])* $key:ident: $how:tt $(= $value:expr)?; )*
+    }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Default, PartialEq)]
+        pub(crate) struct $name {
+            $( $(#[$doc])* pub(crate) $key: options!(@type $how), )*
+        }
+
+        impl $name {
+            pub(super) fn read($reader: &mut super::Reader<'_>, $table: &mut super::Section<'_, '_>) -> Self {
+                Self { $( $key: options!(@read $reader, $table, $key, $how $(, $value)?), )* }
+            }
+        }
+    };
+    (@type ($type:ty)) => { $type };
+    (@type [$function:ident $($_:tt)*]) => { options!(@type $function) };
+    (@type $function:ident) => { Option<freestand_input::toml_reader::Written<options!(@value $function)>> };
+    (@value string) => { String };
+    (@value strings) => { Vec<freestand_input::toml_reader::Written<String>> };
+    (@value boolean) => { bool };
+    (@value count) => { u64 };
+    (@value grid) => { Vec<f64> };
+    (@value $number:ident) => { f64 };
+    (@read $reader:ident, $table:ident, $key:ident, ($type:ty), $value:expr) => { $value };
+    (@read $reader:ident, $table:ident, $key:ident, [$function:ident $name:literal $dimension:ident]) => {
+        $table.$function($reader, $name, freestand_input::quantity::Dimension::$dimension)
+    };
+    (@read $reader:ident, $table:ident, $key:ident, $function:ident) => {
+        $table.$function($reader, stringify!($key))
+    };
+}
+
 mod assessment;
 mod building;
 mod change;
@@ -18,8 +55,6 @@ use std::path::Path;
 
 use toml::de::{DeTable, DeValue};
 
-use assessment::{assessment, restraint, worlds};
-use building::building;
 pub use change::Change;
 use cushion::CUSHION_KEYS;
 use freestand_input::keys::Words;
@@ -27,8 +62,6 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::toml_reader::{Place, Reader, Section, Written, bare_number, example};
 use ground::ground;
-use objects::objects;
-use outputs::outputs;
 
 pub(crate) use assessment::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 pub(crate) use building::{BuildingOptions, LevelOptions};
@@ -92,35 +125,23 @@ pub(crate) fn parse(
         change.put(number.as_deref(), document.get_mut());
     }
     let mut top = Section::new(Place::Document, document.get_ref(), 1);
-    if let Some(mut table) = top.table(&mut reader, "ground") {
-        options.ground = ground(&mut reader, &mut table);
-        table.finish(&mut reader);
+    if let Some(ground) = within(&mut top, &mut reader, "ground", ground) {
+        options.ground = ground;
         options.ground.is_incomplete = !reader.problems.is_empty();
     }
-    if let Some(mut table) = top.table(&mut reader, "building") {
-        options.building = building(&mut reader, &mut table);
-        table.finish(&mut reader);
+    macro_rules! read {
+        ($($key:ident: $options:ident),*) => {$(
+            options.$key = within(&mut top, &mut reader, stringify!($key), $options::read).unwrap_or_default();
+        )*};
     }
-    if let Some(mut table) = top.table(&mut reader, "objects") {
-        options.objects = objects(&mut reader, &mut table);
-        table.finish(&mut reader);
-    }
-    if let Some(mut table) = top.table(&mut reader, "outputs") {
-        options.outputs = outputs(&mut reader, &mut table);
-        table.finish(&mut reader);
-    }
-    if let Some(mut table) = top.table(&mut reader, "assessment") {
-        options.assessment = assessment(&mut reader, &mut table);
-        table.finish(&mut reader);
-    }
-    if let Some(mut table) = top.table(&mut reader, "worlds") {
-        options.worlds = worlds(&mut reader, &mut table);
-        table.finish(&mut reader);
-    }
-    if let Some(mut table) = top.table(&mut reader, "restraint") {
-        options.restraint = restraint(&mut reader, &mut table);
-        table.finish(&mut reader);
-    }
+    read!(
+        building: BuildingOptions,
+        objects: ObjectsOptions,
+        outputs: OutputsOptions,
+        assessment: AssessmentOptions,
+        worlds: WorldOptions,
+        restraint: RestraintOptions
+    );
     top.finish(&mut reader);
     (options, reader.problems)
 }
@@ -156,11 +177,35 @@ fn read_text(
     }
 }
 
-/// Adds the values of keys as texts.
-fn read_words(
+/// Reads a table within another one.
+fn within<'t, 'i, T>(
+    outer: &mut Section<'t, 'i>,
+    reader: &mut Reader<'_>,
+    key: &'static str,
+    read: impl FnOnce(&mut Reader<'_>, &mut Section<'t, 'i>) -> T,
+) -> Option<T> {
+    let mut table = outer.table(reader, key)?;
+    let found = read(reader, &mut table);
+    table.finish(reader);
+    Some(found)
+}
+
+/// The values of keys as texts.
+fn read_words<'k>(
     reader: &mut Reader<'_>,
     table: &mut Section<'_, '_>,
-    keys: &[(&'static str, Kind)],
+    keys: impl IntoIterator<Item = &'k (&'static str, Kind)>,
+) -> Words {
+    let mut words = Words::default();
+    add_words(reader, table, keys, &mut words);
+    words
+}
+
+/// Adds the values of keys as texts.
+fn add_words<'k>(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+    keys: impl IntoIterator<Item = &'k (&'static str, Kind)>,
     words: &mut Words,
 ) {
     for &(key, kind) in keys {
@@ -215,8 +260,7 @@ pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
         return (Words::default(), reader.problems);
     };
     let mut top = Section::new(Place::PlainDocument, document.get_ref(), 1);
-    let mut options = Words::default();
-    read_words(&mut reader, &mut top, &CUSHION_KEYS, &mut options);
+    let options = read_words(&mut reader, &mut top, &CUSHION_KEYS);
     top.known.retain(|key| !NOT_IN_CUSHION_FILES.contains(key));
     top.finish(&mut reader);
     (options, reader.problems)

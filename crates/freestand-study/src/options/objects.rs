@@ -4,22 +4,22 @@ use super::cushion::CUSHION_KEYS;
 use super::{Reader, Section, Written, read_words};
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
-use freestand_input::quantity::Dimension;
 use freestand_input::toml_reader::describe;
 
-/// `[objects]`, as written.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct ObjectsOptions {
-    pub(crate) heights_m: Option<Written<Vec<f64>>>,
-    pub(crate) thicknesses_m: Option<Written<Vec<f64>>>,
-    pub(crate) mass_kg: Option<Written<f64>>,
-    /// The values of [`CUSHION_KEYS`].
-    pub(crate) cushion: Words,
-    pub(crate) restitution: Option<Written<RestitutionOption>>,
-    pub(crate) restitution_factor: Option<Written<f64>>,
-    pub(crate) accuracy: Option<Written<String>>,
-    pub(crate) tolerance_m_s2: Option<Written<f64>>,
-    pub(crate) friction: Option<Written<f64>>,
+options! {
+    /// `[objects]`, as written.
+    ObjectsOptions(reader, table) {
+        /// The values of [`CUSHION_KEYS`].
+        cushion: (Words) = read_words(reader, table, &CUSHION_KEYS);
+        heights_m: [grid "heights" Length];
+        thicknesses_m: [grid "thicknesses" Length];
+        mass_kg: [quantity "mass" Mass];
+        restitution: (Option<Written<RestitutionOption>>) = restitution(reader, table);
+        restitution_factor: ratio;
+        accuracy: string;
+        tolerance_m_s2: [quantity "tolerance" Acceleration];
+        friction: ratio;
+    }
 }
 
 /// `restitution`: a word or a value.
@@ -27,22 +27,6 @@ pub(crate) struct ObjectsOptions {
 pub(crate) enum RestitutionOption {
     Housner,
     Value(f64),
-}
-
-pub(super) fn objects(reader: &mut Reader, table: &mut Section) -> ObjectsOptions {
-    let mut cushion = Words::default();
-    read_words(reader, table, &CUSHION_KEYS, &mut cushion);
-    ObjectsOptions {
-        cushion,
-        heights_m: table.grid(reader, "heights", Dimension::Length),
-        thicknesses_m: table.grid(reader, "thicknesses", Dimension::Length),
-        mass_kg: table.quantity(reader, "mass", Dimension::Mass),
-        restitution: restitution(reader, table),
-        restitution_factor: table.ratio(reader, "restitution_factor"),
-        accuracy: table.string(reader, "accuracy"),
-        tolerance_m_s2: table.quantity(reader, "tolerance", Dimension::Acceleration),
-        friction: table.ratio(reader, "friction"),
-    }
 }
 
 fn restitution(reader: &mut Reader, table: &mut Section) -> Option<Written<RestitutionOption>> {

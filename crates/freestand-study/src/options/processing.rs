@@ -2,7 +2,7 @@
 //! with its line.
 
 use super::Kind::{self, Count, Flag, Name, Number, Quantity};
-use super::{Reader, Section, read_words};
+use super::{Reader, Section, add_words, read_words, within};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
@@ -29,15 +29,11 @@ const PROCESSING_KEYS: [(&str, Kind); 11] = [
 ];
 
 /// Adds the values of these keys; returns the line of `processing`.
-pub(super) fn processing(
-    reader: &mut Reader<'_>,
-    table: &mut Section<'_, '_>,
-    words: &mut Words,
-) -> Option<usize> {
-    read_words(reader, table, &READING_KEYS, words);
-    let mut entry = table.table(reader, "processing")?;
-    read_words(reader, &mut entry, &PROCESSING_KEYS, words);
-    let line = entry.line;
-    entry.finish(reader);
-    Some(line)
+pub(super) fn processing(reader: &mut Reader, table: &mut Section) -> (Words, Option<usize>) {
+    let mut words = read_words(reader, table, &READING_KEYS);
+    let line = within(table, reader, "processing", |reader, entry| {
+        add_words(reader, entry, &PROCESSING_KEYS, &mut words);
+        entry.line
+    });
+    (words, line)
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::recorded::{MotionFiles, name_of, start_note};
+use freestand_input::file::file_name;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
@@ -144,11 +145,8 @@ impl ReadPair {
         match self.files.as_slice() {
             [first, second] if one == two => {
                 let short = |file: &MotionFile| {
-                    file.path
-                        .file_name()
-                        .unwrap_or(file.path.as_os_str())
-                        .to_string_lossy()
-                        .into_owned()
+                    file_name(&file.path)
+                        .unwrap_or_else(|| file.path.to_string_lossy().into_owned())
                 };
                 let mut files = (short(first), short(second));
                 if files.0 == files.1 {

@@ -134,6 +134,12 @@ impl PlaceHazard {
             .into_iter()
             .filter_map(|value| value.split_once('='))
             .collect();
+        let eurocode8 =
+            |ground_acceleration_g, type2_ground_acceleration_g, annex| Self::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g,
+                annex,
+            };
         match (code, numbers.as_slice(), named.as_slice()) {
             ("as1170.4", &[hazard_factor], []) => Some(Self::As1170_4 { hazard_factor }),
             ("nzs1170.5", &[hazard_factor], [("fault", km)]) => Some(Self::Nzs1170_5 {
@@ -141,35 +147,17 @@ impl PlaceHazard {
                 fault_distance_km: km.parse().ok()?,
             }),
             ("asce7", &[ss_g, s1_g], []) => Some(Self::Asce7 { ss_g, s1_g }),
-            ("eurocode8", &[ground_acceleration_g], []) => Some(Self::Eurocode8 {
-                ground_acceleration_g,
-                type2_ground_acceleration_g: None,
-                annex: None,
-            }),
-            ("eurocode8", &[ground_acceleration_g], [("annex", "fr")]) => {
-                let annex = Some(NationalAnnex::France);
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: None,
-                    annex,
-                })
+            ("eurocode8", &[a_g], []) => Some(eurocode8(a_g, None, None)),
+            ("eurocode8", &[a_g], [("annex", "fr")]) => {
+                Some(eurocode8(a_g, None, Some(NationalAnnex::France)))
             }
-            ("eurocode8", &[ground_acceleration_g, two], [("annex", "pt")]) => {
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: Some(two),
-                    annex: Some(NationalAnnex::Portugal),
-                })
+            ("eurocode8", &[a_g, two], [("annex", "pt")]) => {
+                Some(eurocode8(a_g, Some(two), Some(NationalAnnex::Portugal)))
             }
-            ("eurocode8", &[ground_acceleration_g], [("annex", "ro"), ("tc", corner)]) => {
-                let annex = Some(NationalAnnex::Romania {
-                    corner_period_s: corner.parse().ok()?,
-                });
-                Some(Self::Eurocode8 {
-                    ground_acceleration_g,
-                    type2_ground_acceleration_g: None,
-                    annex,
-                })
+            ("eurocode8", &[a_g], [("annex", "ro"), ("tc", corner)]) => {
+                let corner_period_s = corner.parse().ok()?;
+                let annex = NationalAnnex::Romania { corner_period_s };
+                Some(eurocode8(a_g, None, Some(annex)))
             }
             _ => None,
         }
@@ -324,10 +312,10 @@ impl Place {
 }
 
 answer_of!(Place as place {
-    name: &'static str = place.name;
+    name: &'static str;
     /// The state, in the United States.
     region: Option<&'static str> = Some(place.region).filter(|region| !region.is_empty());
-    country: &'static str = place.country;
+    country: &'static str;
     code: &'static str = place.hazard.code();
     ss_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { ss_g, .. } => Some(ss_g), _ => None };
     s1_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { s1_g, .. } => Some(s1_g), _ => None };
@@ -352,7 +340,7 @@ answer_of!(Place as place {
         PlaceHazard::Nzs1170_5 { fault_distance_km, .. } => Some(fault_distance_km),
         _ => None,
     };
-    source: &'static str = place.source;
+    source: &'static str;
     /// How far the values can be trusted.
     confidence: &'static str = place.confidence.name();
 });

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use freestand_input::file::check_allowed;
+use freestand_input::file::{self, check_allowed};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
 use freestand_records::formats::{Component, Direction, ReadOptions};
@@ -57,8 +57,7 @@ fn is_record(path: &Path) -> bool {
 }
 
 fn file_name(path: &Path) -> String {
-    path.file_name()
-        .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    file::file_name(path).unwrap_or_default()
 }
 
 /// Paths of records, sorted by name, and names of other files. Hidden files are passed over.

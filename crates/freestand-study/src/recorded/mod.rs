@@ -172,8 +172,8 @@ impl Failed {
 }
 
 answer_of!(Failed as failed {
-    path: String = failed.path.clone();
-    reason: String = failed.reason.clone();
+    path: String;
+    reason: String;
 });
 
 /// Reads all files.

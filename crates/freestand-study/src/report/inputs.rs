@@ -15,62 +15,50 @@ use crate::study::{
 use crate::suite::Suite;
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
+use freestand_input::file::file_name;
 use freestand_input::words::{fixed, number, percent};
 
+use super::{headings, or_dash};
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
 
 /// Ground, building and objects.
 pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     let mut html = heading("Ground motions");
     match &study.ground {
-        Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
-        Ground::Simulated(simulated) => html.push_str(&simulated_ground(simulated, result)),
+        Ground::Synthetic(synthetic) => html += &synthetic_ground(synthetic, result),
+        Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
-                let facts: Vec<_> = target
-                    .facts
-                    .iter()
-                    .map(|(name, value)| (name.as_str(), value.clone()))
-                    .collect();
-                html.push_str(&properties("", &facts));
+                html += &properties("", &target.fact_rows());
             }
-            html.push_str(
-                &study
-                    .ground
-                    .suite()
-                    .map_or_else(String::new, suite_selected),
-            );
-            html.push_str(&recorded_motions(
+            html += &study
+                .ground
+                .suite()
+                .map_or_else(String::new, suite_selected);
+            html += &recorded_motions(
                 "Recorded motions as used",
                 &records.iter().collect::<Vec<_>>(),
-            ));
-            html.push_str(
-                &study
-                    .ground
-                    .target()
-                    .map_or_else(String::new, |target| misfits(target, result)),
             );
+            html += &study
+                .ground
+                .target()
+                .map_or_else(String::new, |target| misfits(target, result));
         }
-        Ground::OnFloors => html.push_str(&paragraph(
-            "None: the study gives the motions of the floors.",
-        )),
+        Ground::OnFloors => html += &paragraph("None: the study gives the motions of the floors."),
     }
-    html.push_str(&vertical_motion(study, result));
+    html += &vertical_motion(study, result);
     if let Some(input) = &study.building {
-        html.push_str(&heading("Building"));
-        html.push_str(&building(study, input, result));
+        html += &heading("Building");
+        html += &building(study, input, result);
     } else {
-        html.push_str(&heading("Floor motions"));
+        html += &heading("Floor motions");
         for level in &study.levels {
             let caption = format!("Motions given for the level {}, as used", level.name);
-            html.push_str(&recorded_motions(
-                &caption,
-                &level.motions.iter().collect::<Vec<_>>(),
-            ));
+            html += &recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>());
         }
     }
-    html.push_str(&heading("Objects"));
-    html.push_str(&objects(study));
+    html += &heading("Objects");
+    html += &objects(study);
     html
 }
 
@@ -99,11 +87,7 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
     let target = &synthetic.target;
-    let mut facts: Vec<(&str, String)> = target
-        .facts
-        .iter()
-        .map(|(name, value)| (name.as_str(), value.clone()))
-        .collect();
+    let mut facts = target.fact_rows();
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
     properties("", &facts) + &misfits(target, result)
@@ -111,17 +95,19 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
 
 /// How well the motions fit their target.
 fn misfits(target: &Target, result: &StudyResult) -> String {
-    let headings = vec![vec![
-        words("Motion"),
-        figure("rms misfit"),
-        figure("worst misfit"),
-        figure("at T (s)"),
-        figure("PGA (g)"),
-        figure("target ZPA (g)"),
-        figure("PGA/ZPA"),
-        figure("PGV (m/s)"),
-        figure("D5–95 (s)"),
-    ]];
+    let headings = headings(
+        ["Motion"],
+        [
+            "rms misfit",
+            "worst misfit",
+            "at T (s)",
+            "PGA (g)",
+            "target ZPA (g)",
+            "PGA/ZPA",
+            "PGV (m/s)",
+            "D5–95 (s)",
+        ],
+    );
     let rows: Vec<_> = result
         .ground
         .iter()
@@ -185,16 +171,18 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
         ("Motions of each earthquake", request.count.to_string()),
         ("Seed", request.seed.to_string()),
     ]);
-    let headings = vec![vec![
-        words("Motion"),
-        figure("M"),
-        figure("R (km)"),
-        figure("corner (Hz)"),
-        figure("T_d (s)"),
-        figure("PGA (g)"),
-        figure("PGV (m/s)"),
-        figure("D5–95 (s)"),
-    ]];
+    let headings = headings(
+        ["Motion"],
+        [
+            "M",
+            "R (km)",
+            "corner (Hz)",
+            "T_d (s)",
+            "PGA (g)",
+            "PGV (m/s)",
+            "D5–95 (s)",
+        ],
+    );
     let rows: Vec<_> = simulated
         .motions()
         .zip(&result.ground)
@@ -227,16 +215,8 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
 fn suite_selected(suite: &Suite) -> String {
-    let mut facts: Vec<(&str, String)> = suite
-        .target
-        .facts
-        .iter()
-        .map(|(name, value)| (name.as_str(), value.clone()))
-        .collect();
-    let folder = suite
-        .folder
-        .file_name()
-        .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let mut facts = suite.target.fact_rows();
+    let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
         (
             "Suite",
@@ -268,24 +248,15 @@ fn suite_selected(suite: &Suite) -> String {
 }
 
 fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
-    let headings = vec![vec![
-        words("Motion"),
-        words("File"),
-        words("Read as"),
-        figure("Scale"),
-        figure("PGA (g)"),
-        figure("dt (s)"),
-        figure("Duration (s)"),
-    ]];
+    let headings = headings(
+        ["Motion", "File", "Read as"],
+        ["Scale", "PGA (g)", "dt (s)", "Duration (s)"],
+    );
     let rows: Vec<_> = records
         .iter()
         .map(|record| {
             let motion = &record.motion;
-            let file = record
-                .path
-                .file_name()
-                .map(|name| name.to_string_lossy().into_owned())
-                .unwrap_or_default();
+            let file = file_name(&record.path).unwrap_or_default();
             vec![
                 words(&record.name),
                 words(&file),
@@ -298,11 +269,9 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
         })
         .collect();
     let mut html = table(caption, &headings, &rows);
-    html.push_str(&processing(records));
+    html += &processing(records);
     if records.len() < 7 {
-        html.push_str(&paragraph(
-            "Percentiles of so few motions are coarse estimates.",
-        ));
+        html += &paragraph("Percentiles of so few motions are coarse estimates.");
     }
     html
 }
@@ -377,13 +346,16 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             ),
         ],
     );
-    let headings = vec![vec![
-        figure("Mode"),
-        figure("Period (s)"),
-        figure("Participation Γ"),
-        figure("Effective mass"),
-        figure("Sum"),
-    ]];
+    let headings = headings(
+        [],
+        [
+            "Mode",
+            "Period (s)",
+            "Participation Γ",
+            "Effective mass",
+            "Sum",
+        ],
+    );
     let mut sum = Some(0.0);
     let rows: Vec<_> = result
         .modes
@@ -393,15 +365,13 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             sum = sum
                 .zip(mode.effective_mass_ratio())
                 .map(|(sum, mass)| sum + mass);
-            let share = |ratio: Option<f64>| {
-                ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1))
-            };
+            let share = |ratio: Option<f64>| or_dash(ratio, |ratio| percent(ratio, 1));
             vec![
                 figure((i + 1).to_string()),
                 figure(fixed(mode.period_s(), 3)),
                 figure(fixed(mode.participation_ratio(), 3)),
-                figure(share(mode.effective_mass_ratio())),
-                figure(share(sum)),
+                share(mode.effective_mass_ratio()),
+                share(sum),
             ]
         })
         .collect();
@@ -412,7 +382,7 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)"
         }
     };
-    html.push_str(&table(title, &headings, &rows));
+    html += &table(title, &headings, &rows);
     html
 }
 

@@ -13,7 +13,7 @@ use std::fmt::Write;
 use crate::result::StudyResult;
 use crate::study::Study;
 use freestand_output::figure::Figure;
-use freestand_output::html::escape;
+use freestand_output::html::{Cell, escape};
 
 pub use provenance::{Provenance, provenance};
 
@@ -72,6 +72,20 @@ pub fn report(
     }
     document.push_str(html::CLOSING);
     document
+}
+
+/// The headings of a table: of its columns of words, and of its columns of figures.
+fn headings<const W: usize, const F: usize>(
+    of_words: [&str; W],
+    figures: [&str; F],
+) -> Vec<Vec<Cell>> {
+    let of_words = of_words.into_iter().map(html::words);
+    vec![of_words.chain(figures.map(html::figure)).collect()]
+}
+
+/// A value in a table, where there is one.
+fn or_dash<T>(value: Option<T>, words: impl FnOnce(T) -> String) -> Cell {
+    html::figure(value.map_or_else(|| "–".to_owned(), words))
 }
 
 #[cfg(test)]

@@ -4,9 +4,11 @@ use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summaries};
+use freestand_input::file::file_name;
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::escape;
 
+use super::or_dash;
 use super::provenance::Provenance;
 use freestand_output::html::{classed_table, figure, list, markup, paragraph, table, words};
 
@@ -49,11 +51,8 @@ pub(super) fn title(study: &Study) -> String {
 
 /// The line under the title.
 pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
-    let source = study.source.as_deref().and_then(|path| path.file_name());
-    let source = source.map_or_else(
-        || "the built-in study".to_owned(),
-        |name| name.to_string_lossy().into_owned(),
-    );
+    let source = study.source.as_deref().and_then(file_name);
+    let source = source.unwrap_or_else(|| "the built-in study".to_owned());
     format!(
         "Shock and overturning by rocking · {source} · freestand {}",
         provenance.version
@@ -64,25 +63,25 @@ pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
 pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     let levels: Vec<LevelSummary> = level_summaries(study, result);
     let mut html = paragraph(&job_words(study, result, &levels));
-    html.push_str("<ul>\n");
+    html += "<ul>\n";
     for level in &levels {
-        html.push_str(&format!(
+        html += &format!(
             "<li><strong>{}</strong>: {}</li>\n",
             escape(&level.level),
             escape(&level_words(level))
-        ));
+        );
     }
-    html.push_str("</ul>\n");
-    html.push_str(&first_table(&levels));
-    html.push_str(&tolerance_words(study, &levels));
-    html.push_str(&failures(result));
-    html.push_str("<div class=\"warn\">\n<h2>Validity warnings</h2>\n");
+    html += "</ul>\n";
+    html += &first_table(&levels);
+    html += &tolerance_words(study, &levels);
+    html += &failures(result);
+    html += "<div class=\"warn\">\n<h2>Validity warnings</h2>\n";
     if result.warnings.is_empty() {
-        html.push_str("<p>None.</p>\n");
+        html += "<p>None.</p>\n";
     } else {
-        html.push_str(&list(&result.warnings));
+        html += &list(&result.warnings);
     }
-    html.push_str("</div>\n");
+    html += "</div>\n";
     html
 }
 
@@ -94,25 +93,22 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         1 => "1 thickness".to_owned(),
         n => format!("{n} thicknesses"),
     };
-    let is_matched = study.ground.target().is_some();
-    let kind = match (&study.ground, result.motions.len()) {
-        (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
-        (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
-        (Ground::Simulated(_), 1) => "one simulated ground motion".to_owned(),
-        (Ground::Simulated(_), n) => format!("{n} simulated ground motions"),
-        (Ground::Recorded(_), 1) if is_matched => {
-            "one recorded ground motion, matched to a spectrum".to_owned()
+    let (kind, chosen) = match &study.ground {
+        Ground::Synthetic(_) => ("synthetic ground", ""),
+        Ground::Simulated(_) => ("simulated ground", ""),
+        Ground::Recorded(_) if study.ground.target().is_some() => {
+            ("recorded ground", ", matched to a spectrum")
         }
-        (Ground::Recorded(_), n) if is_matched => {
-            format!("{n} recorded ground motions, matched to a spectrum")
+        Ground::Recorded(_) if study.ground.suite().is_some() && result.motions.len() != 1 => {
+            ("recorded ground", ", selected for a spectrum")
         }
-        (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
-        (Ground::Recorded(_), n) if study.ground.suite().is_some() => {
-            format!("{n} recorded ground motions, selected for a spectrum")
-        }
-        (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
-        (Ground::OnFloors, 1) => "one given floor motion".to_owned(),
-        (Ground::OnFloors, n) => format!("{n} given floor motions each"),
+        Ground::Recorded(_) => ("recorded ground", ""),
+        Ground::OnFloors if result.motions.len() != 1 => ("given floor", " each"),
+        Ground::OnFloors => ("given floor", ""),
+    };
+    let kind = match result.motions.len() {
+        1 => format!("one {kind} motion{chosen}"),
+        n => format!("{n} {kind} motions{chosen}"),
     };
     let failed = match failed {
         0 => "none failed".to_owned(),
@@ -202,16 +198,8 @@ fn first_table(levels: &[LevelSummary]) -> String {
         .map(|level| {
             vec![
                 words(&level.level),
-                figure(
-                    level
-                        .level_ratio
-                        .map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3)),
-                ),
-                figure(
-                    level
-                        .pfa_g_median
-                        .map_or_else(|| "–".to_owned(), |pfa_g| fixed(pfa_g, 3)),
-                ),
+                or_dash(level.level_ratio, |ratio| number(ratio, 3)),
+                or_dash(level.pfa_g_median, |pfa_g| fixed(pfa_g, 3)),
                 figure(level.histories.to_string()),
                 figure(level.failed.to_string()),
                 figure(percent(level.uplift_share, 1)),
@@ -225,12 +213,12 @@ fn first_table(levels: &[LevelSummary]) -> String {
         })
         .collect();
     let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
-    html.push_str(&paragraph(
+    html += &paragraph(
         "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
          the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
          of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
          the two sources of the energy at impact; the paper uses the uplift.",
-    ));
+    );
     html
 }
 
@@ -288,9 +276,7 @@ fn failures(result: &StudyResult) -> String {
         &rows,
     );
     if more > 0 {
-        html.push_str(&paragraph(&format!(
-            "Other reasons: {more}. srs.csv lists all."
-        )));
+        html += &paragraph(&format!("Other reasons: {more}. srs.csv lists all."));
     }
     html
 }

@@ -1,7 +1,7 @@
 //! Where the numbers come from.
 
 use crate::study::{Ground, RecordedMotion, Study};
-use freestand_input::file::sha256_hex;
+use freestand_input::file::{InputFile, file_name, sha256_hex};
 use freestand_output::html::escape;
 
 use freestand_output::html::{figure, markup, paragraph, properties, table, words};
@@ -25,38 +25,33 @@ pub struct Provenance {
 pub fn provenance(study: &Study) -> Provenance {
     let seed = study.ground.seed();
     let generator = seed.map(|_| freestand::synthesis::GENERATOR.to_owned());
-    let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
+    let named = |file: &InputFile| {
+        (
+            file_name(&file.path).unwrap_or_default(),
+            file.sha256.clone(),
+        )
+    };
     let records: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
-    let mut inputs: Vec<(String, String)> = records
+    let record = |r: &&RecordedMotion| {
+        (
+            file_name(&r.path).unwrap_or_else(|| r.name.clone()),
+            r.sha256.clone(),
+        )
+    };
+    let mut inputs: Vec<(String, String)> = records.iter().map(record).collect();
+    for input in records
         .iter()
-        .map(|r| {
-            (
-                name(&r.path).unwrap_or_else(|| r.name.clone()),
-                r.sha256.clone(),
-            )
-        })
-        .collect();
-    for file in records.iter().flat_map(|record| record.other_inputs()) {
-        let input = (name(&file.path).unwrap_or_default(), file.sha256.clone());
-        // All records have one target, and those of a station one StationXML.
+        .flat_map(|record| record.other_inputs())
+        .map(named)
+    {
         if !inputs.contains(&input) {
             inputs.push(input);
         }
     }
-    for (_, table) in study.building.iter().flat_map(|building| &building.tables) {
-        inputs.push((
-            name(&table.file.path).unwrap_or_default(),
-            table.file.sha256.clone(),
-        ));
-    }
+    let tables = study.building.iter().flat_map(|building| &building.tables);
+    inputs.extend(tables.map(|(_, table)| named(&table.file)));
     if let Ground::Synthetic(synthetic) = &study.ground {
-        inputs.extend(
-            synthetic
-                .target
-                .file
-                .iter()
-                .map(|file| (name(&file.path).unwrap_or_default(), file.sha256.clone())),
-        );
+        inputs.extend(synthetic.target.file.iter().map(named));
     }
     Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -68,18 +63,12 @@ pub fn provenance(study: &Study) -> Provenance {
 }
 
 pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> String {
-    let source = study.source.as_deref().and_then(|path| path.file_name());
+    let source = study.source.as_deref().and_then(file_name);
     let mut html = properties(
         "",
         &[
             ("Version", format!("freestand {}", provenance.version)),
-            (
-                "Study",
-                source.map_or_else(
-                    || "built-in".to_owned(),
-                    |name| name.to_string_lossy().into_owned(),
-                ),
-            ),
+            ("Study", source.unwrap_or_else(|| "built-in".to_owned())),
             ("SHA-256 of the study", provenance.study_sha256.clone()),
             (
                 "Seed",
@@ -105,19 +94,19 @@ pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> Stri
                 ]
             })
             .collect();
-        html.push_str(&table(
+        html += &table(
             "Files that were read",
             &[vec![words("File"), figure("SHA-256")]],
             &rows,
-        ));
+        );
     }
-    html.push_str(&paragraph(
+    html += &paragraph(
         "The same version with the same study and files gives the same numbers on any number of threads. urs.csv \
          and srs.csv list every object and motion; summary.json contains the key figures and all inputs.",
-    ));
-    html.push_str(&format!(
+    );
+    html += &format!(
         "<details>\n<summary>The study as TOML, ready to run again</summary>\n<pre>{}</pre>\n</details>\n",
         escape(&study.toml)
-    ));
+    );
     html
 }

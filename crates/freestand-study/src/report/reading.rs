@@ -37,22 +37,22 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
     .into_iter()
     .map(|(what, paper, here)| vec![words(what), words(paper), words(&here)])
     .collect();
-    html.push_str(&table(
+    html += &table(
         "",
         &[vec![words(""), words("Paper"), words("This study")]],
         &rows,
-    ));
+    );
     if !is_the_papers_case(study) {
-        html.push_str(&paragraph(
+        html += &paragraph(
             "The ground, objects or cushion of this study differ from the paper’s: compare the two columns only by \
              their order of magnitude.",
-        ));
+        );
     }
-    html.push_str(&paragraph(
+    html += &paragraph(
         "The paper shows the result of one motion, but states neither the motion nor the period, damping and modes \
          of the building, so that its curves cannot be reproduced exactly. The shock of one object differs between \
          motions by a factor of two and more: compare bands, not lines.",
-    ));
+    );
     html
 }
 
@@ -205,50 +205,50 @@ pub(super) fn assumptions(study: &Study) -> String {
 /// Symbols, equations, percentiles.
 pub(super) fn definitions() -> String {
     let mut html = heading("Motion");
-    html.push_str(&paragraph(
+    html += &paragraph(
         "t, h: thickness (width in the plane of the motion) and height; R = ½√(h² + t²): from a pivot edge to the \
          centre of gravity; α = atan(t/h): the slenderness angle, at which the block balances on its edge; p = \
          √(3g/4R); s = sign of θ; ü: acceleration of the floor.",
-    ));
-    html.push_str(&equation(
+    );
+    html += &equation(
         "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| &gt; g t/h<br />\
          ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α, unless the inputs give another",
-    ));
-    html.push_str(&paragraph(
+    );
+    html += &paragraph(
         "Overturned: |θ| reaches π/2. An object that has passed α has not overturned yet: the motion can bring it \
          back.",
-    ));
-    html.push_str(&equation(
+    );
+    html += &equation(
         "uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]",
-    ));
-    html.push_str(&heading("Shock"));
-    html.push_str(&paragraph(
+    );
+    html += &heading("Shock");
+    html += &paragraph(
         "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
          impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The shock is \
          the peak acceleration of the edge that lands.",
-    ));
-    html.push_str(&equation(
+    );
+    html += &equation(
         "a = √(2 k g Δh / m) (7)<br />R<sub>D</sub> = 1 − ⅜ (d/R)² (6)<br />\
          a<sub>edge</sub> = ¾ (1 − R<sub>D</sub>²)<sup>−½</sup> (d/R)² a (5)",
-    ));
-    html.push_str(&paragraph(
+    );
+    html += &paragraph(
         "For (d/R)² > 8/3 (h/t < 0.707) an object cannot rock through an impact; the landing is halted:",
-    ));
-    html.push_str(&equation("a<sub>edge</sub> = ¾ (d/R)² a (8)"));
-    html.push_str(&paragraph(
+    );
+    html += &equation("a<sub>edge</sub> = ¾ (d/R)² a (8)");
+    html += &paragraph(
         "Source “uplift” (the paper’s): Δh is the largest rise over the history. Source “velocity”: Δh = I₀ω²/(2mg) \
          from the largest angular velocity ω just before an impact, I₀ = (4/3) m R². Uplift ceiling: the shock at Δh \
          = R (1 − cos α), the balance point; the uplift source cannot exceed it, the velocity source can, by up to \
          about half.",
-    ));
-    html.push_str(&heading("Statistics"));
-    html.push_str(&paragraph(
+    );
+    html += &heading("Statistics");
+    html += &paragraph(
         "For each object all motions are ranked by the quantity: no uplift counts as 0, overturned as larger than \
          any number. The 16th, 50th and 84th percentiles are read from that ranking (linearly between ranks \
          (n − 1)q); one that falls among the overturned is “overturned”. A mean without the overturned histories \
          is not used: it would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak \
          ground acceleration; ZPA: value of the target spectrum at zero period.",
-    ));
+    );
     html
 }
 

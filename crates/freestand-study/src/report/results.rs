@@ -16,19 +16,16 @@ const MAX_COLUMNS: usize = 5;
 pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -> String {
     let mut html = String::new();
     for (index, figure) in figures.iter().enumerate() {
-        html.push_str(&framed(index + 1, figure));
+        html += &framed(index + 1, figure);
     }
-    html.push_str(&records_words(study));
-    html.push_str(&paragraph(&how_to_read(study)));
+    html += &records_words(study);
+    html += &paragraph(&how_to_read(study));
     for level in &result.levels {
-        html.push_str(&heading(&format!(
-            "Median shock at the level {}",
-            level.level.name
-        )));
+        html += &heading(&format!("Median shock at the level {}", level.level.name));
         let mut thicknesses = study.objects.thicknesses_m.clone();
         thicknesses.sort_by(f64::total_cmp);
         for some in thicknesses.chunks(MAX_COLUMNS) {
-            html.push_str(&level_table(study, level, some));
+            html += &level_table(study, level, some);
         }
     }
     html

@@ -4,7 +4,8 @@ use crate::result::StudyResult;
 use crate::result::VariedLevel;
 use freestand_input::words::{fixed, percent};
 
-use freestand_output::html::{Cell, classed_table, figure, list, paragraph, words};
+use super::{headings, or_dash};
+use freestand_output::html::{Cell, classed_table, list, paragraph, words};
 
 /// A table for each level; empty where nothing was varied.
 pub(super) fn sensitivity(result: &StudyResult) -> String {
@@ -16,16 +17,18 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
          by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
          left out. The largest median belongs to one object and decreases when that object begins to overturn.",
     );
-    let headings = vec![vec![
-        words("Changed"),
-        figure("median PFA (g)"),
-        figure("overturned"),
-        figure("overturned by half of the motions"),
-        figure("largest median (g)"),
-        figure("largest shock (g)"),
-        figure("shock ratio"),
-        figure("objects compared"),
-    ]];
+    let headings = headings(
+        ["Changed"],
+        [
+            "median PFA (g)",
+            "overturned",
+            "overturned by half of the motions",
+            "largest median (g)",
+            "largest shock (g)",
+            "shock ratio",
+            "objects compared",
+        ],
+    );
     for level in &result.levels {
         let name = &level.level.name;
         let rows: Vec<Vec<Cell>> = sensitivity
@@ -34,12 +37,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
             .filter(|row| row.level == *name)
             .map(row)
             .collect();
-        html.push_str(&classed_table(
-            "glance",
-            &format!("Level {name}"),
-            &headings,
-            &rows,
-        ));
+        html += &classed_table("glance", &format!("Level {name}"), &headings, &rows);
     }
     let mut remarks: Vec<String> = Vec::new();
     // A remark belongs to a variation, not to a level: it is printed once.
@@ -50,7 +48,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
     }
     remarks.extend(sensitivity.left_out.iter().cloned());
     if !remarks.is_empty() {
-        html.push_str(&list(&remarks));
+        html += &list(&remarks);
     }
     html
 }
@@ -66,8 +64,7 @@ fn remark(row: &VariedLevel) -> Option<String> {
 }
 
 fn row(row: &VariedLevel) -> Vec<Cell> {
-    let dash = || "–".to_owned();
-    let value = |value: Option<f64>, digits| figure(value.map_or_else(dash, |v| fixed(v, digits)));
+    let value = |value: Option<f64>, digits| or_dash(value, |v| fixed(v, digits));
     let changed = if row.value.is_empty() {
         "unchanged".to_owned()
     } else {
@@ -76,14 +73,11 @@ fn row(row: &VariedLevel) -> Vec<Cell> {
     vec![
         words(&changed),
         value(row.pfa_g_median, 3),
-        figure(
-            row.overturned_share
-                .map_or_else(dash, |share| percent(share, 1)),
-        ),
-        figure(row.overturned_objects.map_or_else(dash, |n| n.to_string())),
+        or_dash(row.overturned_share, |share| percent(share, 1)),
+        or_dash(row.overturned_objects, |n| n.to_string()),
         value(row.edge_acceleration_g_median, 2),
         value(row.edge_acceleration_g_max, 2),
         value(row.edge_acceleration_ratio, 2),
-        figure(row.compared_objects.map_or_else(dash, |n| n.to_string())),
+        or_dash(row.compared_objects, |n| n.to_string()),
     ]
 }

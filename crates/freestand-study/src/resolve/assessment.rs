@@ -4,7 +4,7 @@ use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::decision::Looks;
 
-use super::{Resolver, or};
+use super::{Resolver, line, or, stated};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
@@ -19,6 +19,49 @@ use freestand_input::toml_reader::Written;
 
 /// Most worlds of an object: the interval of a probability of 1 in 1000 is then settled.
 const MAX_WORLDS: u64 = 100_000;
+
+/// Which values are accepted, and how they are called.
+type Limits = (fn(f64) -> bool, &'static str);
+
+const PROBABILITY: Limits = (
+    |value| value > 0.0 && value < 1.0,
+    "a probability between 0 and 1",
+);
+/// With a spread above 1 a value is practically unknown, and its draws leave the range of the
+/// models.
+const SPREAD: Limits = (is_share, "a number from 0 to 1");
+const CORRELATION: Limits = (is_share, "a correlation from 0 to 1");
+const COMPONENT_RATIO: Limits = (is_positive_share, "above 0, at most 1");
+const SHARE: Limits = (is_positive_share, "a share above 0, at most 1");
+const DAMPING: Limits = (is_positive_share, "a damping ratio above 0, at most 1");
+const CONFIDENCE: Limits = (|value| value > 0.5 && value < 1.0, "above 0.5 and below 1");
+const FACTOR: Limits = (
+    |value| value > 0.0 && value <= 10.0,
+    "a factor above 0, at most 10",
+);
+const FRICTION: Limits = (
+    |value| (0.0..=10.0).contains(&value),
+    "a coefficient of friction from 0 to 10",
+);
+const PAD_STRAIN: Limits = (
+    PROBABILITY.0,
+    "a share of the pad's thickness, above 0 and below 1",
+);
+
+fn is_share(value: f64) -> bool {
+    (0.0..=1.0).contains(&value)
+}
+
+fn is_positive_share(value: f64) -> bool {
+    value > 0.0 && value <= 1.0
+}
+
+/// The value of a key within its limits, or its default. The key has the name of its field.
+macro_rules! checked {
+    ($resolver:ident, $written:ident.$key:ident, $default:expr, $limits:expr) => {
+        $resolver.checked(stringify!($key), &$written.$key, $default, $limits)
+    };
+}
 
 impl Resolver<'_> {
     pub(super) fn assessment(
@@ -44,14 +87,7 @@ impl Resolver<'_> {
             };
             self.note(Some(*line), message, hint);
         }
-        let Spread {
-            restitution,
-            stiffness,
-            mass,
-            geometry,
-            model,
-            compliant,
-        } = defaults.spread;
+
         let files = [
             &written.inventory,
             &written.library,
@@ -74,7 +110,7 @@ impl Resolver<'_> {
         let [inventory, library, cushion_library] = paths.each_mut().map(Option::take);
         Settings {
             inventory,
-            sheet: written.sheet.as_ref().map(|sheet| sheet.value.clone()),
+            sheet: stated(&written.sheet),
             library,
             cushion_library,
             accepted: self.accepted(written, defaults.accepted),
@@ -83,25 +119,47 @@ impl Resolver<'_> {
             seed: or(&written.seed, defaults.seed),
             worlds: self.worlds(worlds, defaults.worlds, period_is_measured),
             spread: Spread {
-                restitution: self.spread(
-                    "restitution_spread",
-                    &written.restitution_spread,
-                    restitution,
+                restitution: checked!(
+                    self,
+                    written.restitution_spread,
+                    defaults.spread.restitution,
+                    SPREAD
                 ),
-                stiffness: self.spread("stiffness_spread", &written.stiffness_spread, stiffness),
-                mass: self.spread("mass_spread", &written.mass_spread, mass),
-                geometry: self.spread("geometry_spread", &written.geometry_spread, geometry),
-                model: self.spread("model_spread", &written.model_spread, model),
-                compliant: self.spread("compliant_spread", &written.compliant_spread, compliant),
+                stiffness: checked!(
+                    self,
+                    written.stiffness_spread,
+                    defaults.spread.stiffness,
+                    SPREAD
+                ),
+                mass: checked!(self, written.mass_spread, defaults.spread.mass, SPREAD),
+                geometry: checked!(
+                    self,
+                    written.geometry_spread,
+                    defaults.spread.geometry,
+                    SPREAD
+                ),
+                model: checked!(self, written.model_spread, defaults.spread.model, SPREAD),
+                compliant: checked!(
+                    self,
+                    written.compliant_spread,
+                    defaults.spread.compliant,
+                    SPREAD
+                ),
             },
             pad_damping_ratio: self.pad_damping(written, defaults.pad_damping_ratio),
-            compliant_factor: self.factor(
-                "compliant_factor",
-                &written.compliant_factor,
+            compliant_factor: checked!(
+                self,
+                written.compliant_factor,
                 defaults.compliant_factor,
+                FACTOR
             ),
             friction_ratio: self.friction(written, defaults.friction_ratio),
-            pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
+            pad_strain_ratio: checked!(
+                self,
+                written.pad_strain,
+                defaults.pad_strain_ratio,
+                PAD_STRAIN
+            ),
             compliant: or(&written.compliant, defaults.compliant),
             walls: self
                 .named("walls", &written.walls, &WallUse::ALL)
@@ -119,9 +177,12 @@ impl Resolver<'_> {
     /// and one of a high rating also for the milder ratings, where it is the larger.
     fn accepted(&mut self, written: &AssessmentOptions, defaults: Accepted) -> Accepted {
         let base = match &written.accepted {
-            Some(_) => {
-                Accepted::all(self.probability("accepted", &written.accepted, defaults.other_ratio))
-            }
+            Some(_) => Accepted::all(checked!(
+                self,
+                written.accepted,
+                defaults.other_ratio,
+                PROBABILITY
+            )),
             None => defaults,
         };
         let mut ratios = [
@@ -136,7 +197,7 @@ impl Resolver<'_> {
         {
             let mut stricter: f64 = 0.0;
             for ((ratio, key), written) in ratios.iter_mut().zip(keys).zip(written) {
-                *ratio = self.probability(key, written, ratio.max(stricter));
+                *ratio = self.checked(key, written, ratio.max(stricter), PROBABILITY);
                 stricter = *ratio;
             }
         }
@@ -160,20 +221,17 @@ impl Resolver<'_> {
         } else {
             defaults.period_spread
         };
-        let correlation = "a correlation from 0 to 1";
-        let of_components = |ratio: f64| ratio > 0.0 && ratio <= 1.0;
-        self.require(
-            &written.component_ratio,
-            of_components,
-            "component_ratio",
-            "above 0, at most 1",
+        let component_ratio = checked!(
+            self,
+            written.component_ratio,
+            defaults.component_ratio,
+            COMPONENT_RATIO
         );
-        let unit = |value: f64| (0.0..=1.0).contains(&value);
-        self.require(
-            &written.component_correlation,
-            unit,
-            "component_correlation",
-            correlation,
+        let component_correlation = checked!(
+            self,
+            written.component_correlation,
+            defaults.component_correlation,
+            CORRELATION
         );
         self.require(
             &written.components,
@@ -181,11 +239,11 @@ impl Resolver<'_> {
             "components",
             "1 or 2",
         );
-        self.require(
-            &written.confidence,
-            |value| value > 0.5 && value < 1.0,
-            "confidence",
-            "above 0.5 and below 1",
+        let confidence = checked!(
+            self,
+            written.confidence,
+            defaults.looks.confidence(),
+            CONFIDENCE
         );
         for (key, count) in [("first", &written.first), ("most", &written.most)] {
             let expected = format!("a whole number from 1 to {MAX_WORLDS}");
@@ -205,13 +263,8 @@ impl Resolver<'_> {
             count(&written.first, defaults.looks.first()),
             count(&written.most, defaults.looks.most()),
         );
-        let confidence = or(&written.confidence, defaults.looks.confidence());
         if first > most {
-            let line = written
-                .first
-                .as_ref()
-                .or(written.most.as_ref())
-                .map(|one| one.line);
+            let line = line(&written.first).or(line(&written.most));
             let message = format!("first = {first} is more than most = {most}");
             self.note(
                 line,
@@ -220,31 +273,31 @@ impl Resolver<'_> {
             );
         }
         WorldSettings {
-            spectral_spread: self.spread(
-                "spectral_spread",
-                &written.spectral_spread,
+            spectral_spread: checked!(
+                self,
+                written.spectral_spread,
                 defaults.spectral_spread,
+                SPREAD
             ),
-            intensity_spread: self.spread(
-                "intensity_spread",
-                &written.intensity_spread,
+            intensity_spread: checked!(
+                self,
+                written.intensity_spread,
                 defaults.intensity_spread,
+                SPREAD
             ),
-            component_correlation: or(
-                &written.component_correlation,
-                defaults.component_correlation,
-            ),
-            component_ratio: or(&written.component_ratio, defaults.component_ratio),
+            component_correlation,
+            component_ratio,
             components: count(&written.components, defaults.components),
-            period_spread: self.spread("period_spread", &written.period_spread, period_spread),
-            damping_spread: self.spread(
-                "damping_spread",
-                &written.damping_spread,
+            period_spread: checked!(self, written.period_spread, period_spread, SPREAD),
+            damping_spread: checked!(
+                self,
+                written.damping_spread,
                 defaults.damping_spread,
+                SPREAD
             ),
             // What it refuses was told above.
             looks: Looks::new(first, most, confidence).unwrap_or_default(),
-            shares: written.shares.as_ref().map(|shares| shares.value),
+            shares: stated(&written.shares),
         }
     }
 
@@ -253,38 +306,23 @@ impl Resolver<'_> {
         written: &RestraintOptions,
         defaults: RestraintSettings,
     ) -> RestraintSettings {
-        let of_one = "a share above 0, at most 1";
-        self.require(
-            &written.dead_load_ratio,
-            |share| share > 0.0 && share <= 1.0,
-            "dead_load_ratio",
-            of_one,
+        let dead_load_ratio = checked!(
+            self,
+            written.dead_load_ratio,
+            defaults.dead_load_ratio,
+            SHARE
         );
-        let factors = [
-            ("overstrength_ratio", &written.overstrength_ratio),
-            ("amplification_ratio", &written.amplification_ratio),
-            ("response_ratio", &written.response_ratio),
-            ("resonance_ratio", &written.resonance_ratio),
-            ("strength_ratio", &written.strength_ratio),
-            ("importance_ratio", &written.importance_ratio),
-        ];
-        let factors = factors.map(|(key, written)| {
-            self.require(
-                written,
-                |factor| factor > 0.0 && factor <= 20.0,
-                key,
-                "a factor above 0, at most 20",
-            );
-            written.as_ref().map(|factor| factor.value)
-        });
-        let [
-            overstrength_ratio,
-            amplification_ratio,
-            response_ratio,
-            resonance_ratio,
-            strength_ratio,
-            importance_ratio,
-        ] = factors;
+        let mut factor = |key: &str, written: &Option<Written<f64>>| {
+            let accept = |factor| factor > 0.0 && factor <= 20.0;
+            self.require(written, accept, key, "a factor above 0, at most 20");
+            stated(written)
+        };
+        let overstrength_ratio = factor("overstrength_ratio", &written.overstrength_ratio);
+        let amplification_ratio = factor("amplification_ratio", &written.amplification_ratio);
+        let response_ratio = factor("response_ratio", &written.response_ratio);
+        let resonance_ratio = factor("resonance_ratio", &written.resonance_ratio);
+        let strength_ratio = factor("strength_ratio", &written.strength_ratio);
+        let importance_ratio = factor("importance_ratio", &written.importance_ratio);
         self.require(
             &written.building_ductility_ratio,
             |factor| (LEAST_BUILDING_DUCTILITY_RATIO..=20.0).contains(&factor),
@@ -304,19 +342,16 @@ impl Resolver<'_> {
             "zero or positive",
         );
         RestraintSettings {
-            dead_load_ratio: or(&written.dead_load_ratio, defaults.dead_load_ratio),
+            dead_load_ratio,
             overstrength_ratio,
             amplification_ratio,
             response_ratio,
             resonance_ratio,
             strength_ratio,
-            building_ductility_ratio: written
-                .building_ductility_ratio
-                .as_ref()
-                .map(|factor| factor.value),
+            building_ductility_ratio: stated(&written.building_ductility_ratio),
             importance_ratio,
-            bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
-            anchor_inset_m: written.anchor_inset_m.as_ref().map(|inset| inset.value),
+            bracket_height_m: stated(&written.bracket_height_m),
+            anchor_inset_m: stated(&written.anchor_inset_m),
             bracket: self
                 .named("bracket", &written.bracket, &Bracket::ALL)
                 .unwrap_or(defaults.bracket),
@@ -366,6 +401,64 @@ impl Resolver<'_> {
         }
     }
 
+    /// A value within its limits, or its default.
+    fn checked(
+        &mut self,
+        key: &str,
+        written: &Option<Written<f64>>,
+        default: f64,
+        (accept, expected): Limits,
+    ) -> f64 {
+        self.require(written, accept, key, expected);
+        or(written, default)
+    }
+
+    /// The ends of a range, in their order.
+    fn range(
+        &mut self,
+        [low, high]: [(&str, &Option<Written<f64>>); 2],
+        default: (f64, f64),
+    ) -> (f64, f64) {
+        let range = (or(low.1, default.0), or(high.1, default.1));
+        if range.0 > range.1 {
+            let message = format!("{} = {} is above {} = {}", low.0, range.0, high.0, range.1);
+            self.note(
+                line(low.1).or(line(high.1)),
+                message,
+                "give both: one that is left out has its default value",
+            );
+        }
+        range
+    }
+
+    /// `pad_damping` sets both ends of the range.
+    fn pad_damping(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
+        let both = ("pad_damping", &written.pad_damping);
+        let ends = [
+            ("pad_damping_low", &written.pad_damping_low),
+            ("pad_damping_high", &written.pad_damping_high),
+        ];
+        for (key, one) in [both, ends[0], ends[1]] {
+            self.require(one, DAMPING.0, key, DAMPING.1);
+        }
+        for end in ends {
+            self.exclusive(both, end);
+        }
+        let default = stated(both.1).map_or(default, |both| (both, both));
+        self.range(ends, default)
+    }
+
+    fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
+        let ends = [
+            ("friction_low", &written.friction_low),
+            ("friction_high", &written.friction_high),
+        ];
+        for (key, one) in ends {
+            self.require(one, FRICTION.0, key, FRICTION.1);
+        }
+        self.range(ends, default)
+    }
+
     /// One of some names.
     fn named<T: Copy>(
         &mut self,
@@ -391,121 +484,6 @@ impl Resolver<'_> {
             );
         }
         found.map(|(_, value)| *value)
-    }
-
-    fn probability(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(
-            written,
-            |value| value > 0.0 && value < 1.0,
-            key,
-            "a probability between 0 and 1",
-        );
-        or(written, default)
-    }
-
-    /// With a spread above 1 a value is practically unknown, and its draws leave the range of the
-    /// models.
-    fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(
-            written,
-            |value| (0.0..=1.0).contains(&value),
-            key,
-            "a number from 0 to 1",
-        );
-        or(written, default)
-    }
-
-    fn factor(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(
-            written,
-            |value| value > 0.0 && value <= 10.0,
-            key,
-            "a factor above 0, at most 10",
-        );
-        or(written, default)
-    }
-
-    /// `pad_damping` sets both ends of the range.
-    fn pad_damping(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
-        let keys = [
-            ("pad_damping", &written.pad_damping),
-            ("pad_damping_low", &written.pad_damping_low),
-            ("pad_damping_high", &written.pad_damping_high),
-        ];
-        for (key, one) in keys {
-            self.require(
-                one,
-                |value| value > 0.0 && value <= 1.0,
-                key,
-                "a damping ratio above 0, at most 1",
-            );
-        }
-        for (key, one) in &keys[1..] {
-            self.exclusive(keys[0], (key, one));
-        }
-        let both = written.pad_damping.as_ref().map(|one| one.value);
-        let low = or(&written.pad_damping_low, both.unwrap_or(default.0));
-        let high = or(&written.pad_damping_high, both.unwrap_or(default.1));
-        if low > high {
-            let line = written
-                .pad_damping_low
-                .as_ref()
-                .or(written.pad_damping_high.as_ref())
-                .map(|one| one.line);
-            let message = format!("pad_damping_low = {low} is above pad_damping_high = {high}");
-            self.note(
-                line,
-                message,
-                "give both: one that is left out has its default value",
-            );
-        }
-        (low, high)
-    }
-
-    fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
-        for (key, one) in [
-            ("friction_low", &written.friction_low),
-            ("friction_high", &written.friction_high),
-        ] {
-            self.require(
-                one,
-                |value| (0.0..=10.0).contains(&value),
-                key,
-                "a coefficient of friction from 0 to 10",
-            );
-        }
-        let range = (
-            or(&written.friction_low, default.0),
-            or(&written.friction_high, default.1),
-        );
-        if range.0 > range.1 {
-            let line = written
-                .friction_low
-                .as_ref()
-                .or(written.friction_high.as_ref())
-                .map(|one| one.line);
-            let message = format!(
-                "friction_low = {} is above friction_high = {}",
-                range.0, range.1
-            );
-            self.note(
-                line,
-                message,
-                "give both: one that is left out has its default value",
-            );
-        }
-        range
-    }
-
-    fn pad_strain(&mut self, written: &Option<Written<f64>>, default: f64) -> f64 {
-        let expected = "a share of the pad's thickness, above 0 and below 1";
-        self.require(
-            written,
-            |value| value > 0.0 && value < 1.0,
-            "pad_strain",
-            expected,
-        );
-        or(written, default)
     }
 }
 

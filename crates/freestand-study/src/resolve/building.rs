@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use freestand::code_spectrum::PeriodCode;
 
 use super::recorded::has_measured_floors;
-use super::{MAX_LEVELS, Overrides, Resolver, or};
+use super::{MAX_LEVELS, Overrides, Resolver, or, stated};
 use crate::building::{self, BuildingInput, GivenStoreys};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::rerun::with_storeys;
@@ -247,7 +247,7 @@ impl Resolver<'_> {
             "level_ratio",
             "a share from 0 (ground) to 1 (roof)",
         );
-        let ratio = entry.level_ratio.as_ref().map(|ratio| ratio.value);
+        let ratio = stated(&entry.level_ratio);
         if ratio.is_none() && entry.motions.is_none() {
             // A bare entry that is not a number was noted when it was read.
             if entry.name.is_some() {

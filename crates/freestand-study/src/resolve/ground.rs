@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::recorded::reading_keys;
 use super::suite::suite_keys;
-use super::{MAX_MOTIONS, Overrides, Resolver, Values, or};
+use super::{MAX_MOTIONS, Overrides, Resolver, Values, line, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::{GroundOptions, VerticalOption};
 use crate::study::{
@@ -50,29 +50,19 @@ impl Resolver<'_> {
                 .suite(written, folder, building, levels)
                 .map(Ground::Recorded);
         }
-        for (key, line) in suite_keys(written) {
-            if line.is_some() {
-                self.note(
-                    line,
-                    format!("{key} needs suite"),
-                    "name the folder of the records: suite = \"records\"",
-                );
-            }
-        }
+        self.needing(
+            "suite",
+            suite_keys(written),
+            "name the folder of the records: suite = \"records\"",
+        );
         let Some(motions) = &written.motions else {
-            for (key, line) in reading_keys(written) {
-                if line.is_some() {
-                    self.note(
-                        line,
-                        format!("{key} needs motions"),
-                        "name the files, such as motions = [\"record.AT2\"]",
-                    );
-                }
-            }
-            if let Some(by) = &written.match_by {
-                let hint = "name the records, such as motions = [\"record.AT2\"]; synthetic motions need no match";
-                self.note(Some(by.line), "match needs motions", hint);
-            }
+            self.needing(
+                "motions",
+                reading_keys(written),
+                "name the files, such as motions = [\"record.AT2\"]",
+            );
+            let hint = "name the records, such as motions = [\"record.AT2\"]; synthetic motions need no match";
+            self.needing("motions", [("match", line(&written.match_by))], hint);
             return match &written.point_source {
                 Some(source) => {
                     self.without_vertical(written, "simulated motions are horizontal");
@@ -192,43 +182,56 @@ impl Resolver<'_> {
             "choose one with component; or match each component with the command motion match, and name the files \
              that it writes in motions and across",
         );
-        let other = |why| (why, "keep one of them");
-        for (key, line, (why, hint)) in [
+        let sets = other("the target sets the amplitudes");
+        let keys = [
             (
                 "count",
-                written.count.as_ref().map(|w| w.line),
+                line(&written.count),
                 other("each record gives one motion"),
             ),
             (
                 "seed",
-                written.seed.as_ref().map(|w| w.line),
+                line(&written.seed),
                 other("a record has no random numbers"),
             ),
             (
                 "point_source",
-                written.point_source.as_ref().map(|w| w.line),
+                source_line(written),
                 other("the records replace it"),
             ),
-            (
-                "scale",
-                written.reading.line_of(&["scale"]),
-                other("the target sets the amplitudes"),
-            ),
-            (
-                "scale_to",
-                written.reading.line_of(&SCALES_TO),
-                other("the target sets the amplitudes"),
-            ),
-            ("across", written.across.as_ref().map(|w| w.line), one),
-            (
-                "components",
-                written.components.as_ref().map(|w| w.line),
-                one,
-            ),
-        ] {
+            ("scale", written.reading.line_of(&["scale"]), sets),
+            ("scale_to", written.reading.line_of(&SCALES_TO), sets),
+            ("across", line(&written.across), one),
+            ("components", line(&written.components), one),
+        ];
+        self.refuse_beside("match", by.line, keys);
+    }
+
+    /// Notes keys that another one excludes, each with why and what to do.
+    pub(super) fn refuse_beside(
+        &mut self,
+        of: &str,
+        at: usize,
+        keys: impl IntoIterator<Item = (&'static str, Option<usize>, (&'static str, &'static str))>,
+    ) {
+        for (key, line, (why, hint)) in keys {
             if let Some(line) = line {
-                let message = format!("{key} and match exclude each other: {why}");
-                self.note(Some(line.max(by.line)), message, hint);
+                let message = format!("{key} and {of} exclude each other: {why}");
+                self.note(Some(line.max(at)), message, hint);
+            }
+        }
+    }
+
+    /// Notes keys without the one that they need.
+    fn needing(
+        &mut self,
+        needed: &str,
+        keys: impl IntoIterator<Item = (&'static str, Option<usize>)>,
+        hint: &str,
+    ) {
+        for (key, line) in keys {
+            if line.is_some() {
+                self.note(line, format!("{key} needs {needed}"), hint);
             }
         }
     }
@@ -239,7 +242,7 @@ impl Resolver<'_> {
         if !(1..=MAX_MOTIONS).contains(&count) {
             let expected = "a whole number from 1 to 1000";
             self.note(
-                written.count.as_ref().map(|count| count.line),
+                line(&written.count),
                 format!("count must be {expected}, not {count}"),
                 format!("give count as {expected}"),
             );
@@ -348,15 +351,22 @@ impl Resolver<'_> {
     }
 }
 
+/// Where a point source is written.
+pub(super) fn source_line(written: &GroundOptions) -> Option<usize> {
+    written.point_source.as_ref().map(|source| source.line)
+}
+
+/// Why a key excludes another one, and the usual remedy.
+pub(super) fn other(why: &'static str) -> (&'static str, &'static str) {
+    (why, "keep one of them")
+}
+
 /// The keys of `[ground]` that describe motions other than records, with their lines.
 pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
     let others = [
-        ("count", written.count.as_ref().map(|w| w.line)),
-        ("seed", written.seed.as_ref().map(|w| w.line)),
-        (
-            "point_source",
-            written.point_source.as_ref().map(|w| w.line),
-        ),
+        ("count", line(&written.count)),
+        ("seed", line(&written.seed)),
+        ("point_source", source_line(written)),
     ];
     written.target.lines().chain(others).collect()
 }

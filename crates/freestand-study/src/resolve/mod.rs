@@ -21,7 +21,7 @@ use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 use crate::target::Target;
 use crate::target::period_code;
-use freestand_input::file::load_up_to;
+use freestand_input::file::{file_name, load_up_to};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
@@ -149,9 +149,7 @@ impl StudySource {
     /// What people call it: the name of its file.
     pub fn name(&self) -> String {
         match self {
-            Self::File(path) => path
-                .file_name()
-                .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            Self::File(path) => file_name(path).unwrap_or_default(),
             Self::Text(_) => "the study".to_owned(),
         }
     }
@@ -444,12 +442,20 @@ struct Resolver<'a> {
     reading: Option<MotionFiles>,
 }
 
+/// Where a value is written.
+fn line<T>(written: &Option<Written<T>>) -> Option<usize> {
+    written.as_ref().map(|written| written.line)
+}
+
+/// A value that may be written.
+fn stated<T: Clone>(written: &Option<Written<T>>) -> Option<T> {
+    written.as_ref().map(|written| written.value.clone())
+}
+
 /// The value, or the default where the key is missing. A key that was refused also gets the
 /// default: its problem is already noted, so the study is never used.
 fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
-    written
-        .as_ref()
-        .map_or(default, |written| written.value.clone())
+    stated(written).unwrap_or(default)
 }
 
 impl Values {

@@ -1,10 +1,10 @@
 //! Resolves `[objects]`.
 
 use freestand::block::Block;
-use freestand::impact::stiffness_warnings;
+
 use freestand::rocking::{Accuracy, Restitution};
 
-use super::{MAX_OBJECTS, Resolver, or};
+use super::{MAX_OBJECTS, Resolver, or, stated};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
 use crate::shape::squat_warning;
@@ -90,8 +90,7 @@ impl Resolver<'_> {
             return None;
         }
         let (cushion, cushion_file) = cushion?;
-        let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
-        self.warnings.extend(soft.iter().map(ToString::to_string));
+        self.warnings.extend(cushion.stiffness_doubts(mass_kg));
         self.warnings
             .extend(squat_warning(blocks.len(), blocks.iter().copied()));
         Some(Objects {
@@ -103,8 +102,8 @@ impl Resolver<'_> {
             cushion_file,
             restitution: restitution?,
             accuracy: accuracy?,
-            tolerance_m_s2: written.tolerance_m_s2.as_ref().map(|w| w.value),
-            friction: written.friction.as_ref().map(|w| w.value),
+            tolerance_m_s2: stated(&written.tolerance_m_s2),
+            friction: stated(&written.friction),
         })
     }
 

@@ -1,10 +1,9 @@
 //! Resolves `[outputs]`.
 
-use super::{Resolver, or};
+use super::{Resolver, or, stated};
 use crate::options::{HistoryOptions, OutputsOptions};
 use crate::study::{HistoryChoice, Level, Objects, Outputs, TitleBlock};
 use freestand_input::quantity::{Dimension, format_si, shorten};
-use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
     pub(super) fn outputs(
@@ -19,7 +18,7 @@ impl Resolver<'_> {
             .as_ref()
             .and_then(|history| self.history(history, levels, objects, motions));
         let parquet = or(&written.parquet, false);
-        let stated = |text: &Option<Written<String>>| text.as_ref().map(|text| text.value.clone());
+
         let title = TitleBlock {
             date: stated(&written.date),
             preparer: stated(&written.preparer),
@@ -115,7 +114,7 @@ impl Resolver<'_> {
         }
         Some(HistoryChoice {
             level: named?.name.clone(),
-            motion: written.motion.as_ref().map(|motion| motion.value.clone()),
+            motion: stated(&written.motion),
             height_m: height.value,
             thickness_m: thickness.value,
         })

@@ -10,7 +10,7 @@ use freestand_records::processing::azimuth_deg;
 
 use super::ground::synthetic_keys;
 use super::suite::suite_keys;
-use super::{Overrides, Resolver};
+use super::{Overrides, Resolver, line, stated};
 
 /// Step between the directions in which every object is tried, unless the study states one
 /// \[degrees\].
@@ -26,12 +26,9 @@ pub(super) fn reading_keys(
     written: &GroundOptions,
 ) -> impl Iterator<Item = (&'static str, Option<usize>)> {
     let others = [
-        ("across", written.across.as_ref().map(|w| w.line)),
-        ("components", written.components.as_ref().map(|w| w.line)),
-        (
-            "rotation_step",
-            written.rotation_step_rad.as_ref().map(|w| w.line),
-        ),
+        ("across", line(&written.across)),
+        ("components", line(&written.components)),
+        ("rotation_step", line(&written.rotation_step_rad)),
         ("processing", written.processing),
     ];
     let files = ["unit", "dt", "component", "station_xml", "scale"]
@@ -77,29 +74,24 @@ impl Resolver<'_> {
             );
             return None;
         }
-        let component = written
-            .reading
-            .line_of(&["component"])
-            .map(|line| Written { value: (), line });
-        self.exclusive(
-            ("component", &component),
-            ("components", &written.components),
-        );
+        self.one_component(written);
         self.exclusive(("across", across), ("components", &written.components));
-        if let Some(across) = across
-            .as_ref()
-            .filter(|across| across.value.len() != motions.value.len())
-        {
-            let (first, second) = (motions.value.len(), across.value.len());
-            self.note(
-                Some(across.line),
-                format!(
-                    "across names {}, but motions names {}",
-                    counted(second, "file"),
-                    counted(first, "file")
-                ),
-                "name one file in across for each motion, in the same order",
-            );
+        let mut one_each = |key: &str, line: usize, files: &[Written<String>]| {
+            let (first, second) = (motions.value.len(), files.len());
+            if first != second {
+                self.note(
+                    Some(line),
+                    format!(
+                        "{key} names {}, but motions names {}",
+                        counted(second, "file"),
+                        counted(first, "file")
+                    ),
+                    format!("name one file in {key} for each motion, in the same order"),
+                );
+            }
+        };
+        if let Some(across) = across {
+            one_each("across", across.line, &across.value);
         }
         let vertical = match written
             .vertical
@@ -109,18 +101,7 @@ impl Resolver<'_> {
             None => Upward::None,
             Some((VerticalOption::Record, _)) => Upward::SameFile,
             Some((VerticalOption::Files(files), line)) => {
-                if files.len() != motions.value.len() {
-                    let (first, second) = (motions.value.len(), files.len());
-                    self.note(
-                        Some(line),
-                        format!(
-                            "vertical names {}, but motions names {}",
-                            counted(second, "file"),
-                            counted(first, "file")
-                        ),
-                        "name one file in vertical for each motion, in the same order",
-                    );
-                }
+                one_each("vertical", line, files);
                 Upward::Files(
                     files
                         .iter()
@@ -144,23 +125,9 @@ impl Resolver<'_> {
         }
         let reading = self.reading.clone()?;
         let path = |file: &Written<String>| self.base_dir.join(&file.value);
-        let second = match (across, &written.components) {
-            (Some(files), _) => Second::Files(files.value.iter().map(path).collect()),
-            (
-                None,
-                Some(Written {
-                    value: ComponentsOption::Both,
-                    ..
-                }),
-            ) => Second::SameFile(None),
-            (
-                None,
-                Some(Written {
-                    value: ComponentsOption::Named(first, second),
-                    ..
-                }),
-            ) => Second::SameFile(Some((first.clone(), second.clone()))),
-            (None, None) => Second::None,
+        let second = match across {
+            Some(files) => Second::Files(files.value.iter().map(path).collect()),
+            None => same_file(written),
         };
         let files = MotionFiles {
             paths: motions.value.iter().map(path).collect(),
@@ -181,21 +148,30 @@ impl Resolver<'_> {
     ) -> Option<Vec<RecordedMotion>> {
         let (motions, failures) = read_recorded(files);
         let all_read = failures.is_empty();
-        for (index, problem) in failures {
-            match lines {
-                Some(lines) => self.fault(lines.get(index).copied(), "motions", problem),
-                None => self.problems.push(problem),
-            }
-        }
+        let mut fault = |index: usize, problem| match lines {
+            Some(lines) => self.fault(lines.get(index).copied(), "motions", problem),
+            None => self.problems.push(problem),
+        };
+        failures
+            .into_iter()
+            .for_each(|(index, problem)| fault(index, problem));
+        let copies = refuse_copies(motions.iter().map(|read| read.motion.samples()));
+        let is_refused = copies.map_err(|problem| fault(0, problem)).is_err();
         self.take_notes(&motions);
-        if let Err(problem) = refuse_copies(motions.iter().map(|read| read.motion.samples())) {
-            match lines {
-                Some(lines) => self.fault(lines.first().copied(), "motions", problem),
-                None => self.problems.push(problem),
-            }
+        if is_refused {
             return None;
         }
         all_read.then(|| motions.into_iter().map(|read| read.motion).collect())
+    }
+
+    /// Refuses one component of a file where two are asked for.
+    pub(super) fn one_component(&mut self, written: &GroundOptions) {
+        let line = written.reading.line_of(&["component"]);
+        let component = line.map(|line| Written { value: (), line });
+        self.exclusive(
+            ("component", &component),
+            ("components", &written.components),
+        );
     }
 
     /// Checks a study that gives the motions of its floors. Ground and building are then not used,
@@ -209,11 +185,11 @@ impl Resolver<'_> {
         overrides: &Overrides,
     ) {
         let motions = [
-            ("motions", ground.motions.as_ref().map(|w| w.line)),
-            ("across", ground.across.as_ref().map(|w| w.line)),
-            ("match", ground.match_by.as_ref().map(|w| w.line)),
-            ("suite", ground.suite.as_ref().map(|w| w.line)),
-            ("vertical", ground.vertical.as_ref().map(|w| w.line)),
+            ("motions", line(&ground.motions)),
+            ("across", line(&ground.across)),
+            ("match", line(&ground.match_by)),
+            ("suite", line(&ground.suite)),
+            ("vertical", line(&ground.vertical)),
         ];
         // Those of the second axis are in `across`.
         let model_keys = building
@@ -248,7 +224,7 @@ impl Resolver<'_> {
                 hint,
             );
         }
-        let line = building.levels.as_ref().map(|levels| levels.line);
+        let line = line(&building.levels);
         // A level without motions was told above, or its files could not be read.
         let mut with_motions = levels.iter().filter(|level| !level.motions.is_empty());
         let Some(first) = with_motions.next() else {
@@ -290,16 +266,14 @@ impl Resolver<'_> {
         overrides: &Overrides,
         two: bool,
     ) -> Vec<f64> {
-        let line = written.rotation_step_rad.as_ref().map(|w| w.line);
-        let given = written
-            .rotation_step_rad
-            .as_ref()
-            .map(|step| azimuth_deg(step.value));
+        let line = line(&written.rotation_step_rad);
+        let given = stated(&written.rotation_step_rad).map(azimuth_deg);
+        let one = vec![0.0];
         let Some(step_deg) = overrides.rotation_step_deg.or(given) else {
             return if two {
                 half_turn(DEFAULT_ROTATION_STEP_DEG)
             } else {
-                vec![0.0]
+                one
             };
         };
         if !(FINEST_STEP_DEG..=90.0).contains(&step_deg) {
@@ -311,7 +285,7 @@ impl Resolver<'_> {
                 message,
                 "give a step such as \"15 deg\", which makes twelve directions",
             );
-            return vec![0.0];
+            return one;
         }
         if !two {
             let message = "`rotation_step` needs motions with two horizontal components";
@@ -320,9 +294,20 @@ impl Resolver<'_> {
                 message,
                 "give `components = \"both\"`, or name the files with the second components in `across`",
             );
-            return vec![0.0];
+            return one;
         }
         half_turn(step_deg)
+    }
+}
+
+/// The second components in the files of the first, as `components` asks for them.
+pub(super) fn same_file(written: &GroundOptions) -> Second {
+    match written.components.as_ref().map(|written| &written.value) {
+        Some(ComponentsOption::Both) => Second::SameFile(None),
+        Some(ComponentsOption::Named(first, second)) => {
+            Second::SameFile(Some((first.clone(), second.clone())))
+        }
+        None => Second::None,
     }
 }
 

@@ -3,7 +3,7 @@
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::PAIR_MAGNITUDES;
 
-use super::{MAX_MOTIONS, Overrides, Resolver, or};
+use super::{MAX_MOTIONS, Overrides, Resolver, line, or};
 use crate::options::{GroundOptions, PointSourceOptions};
 use crate::simulated::{
     DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source,
@@ -29,19 +29,17 @@ impl Resolver<'_> {
                     .for_each(|problem| self.source_fault(source, problem))
             })
             .ok();
-        let hazard = if pairs { self.hazard(written) } else { None };
-        let site = if pairs {
-            None
+        let (hazard, site) = if pairs {
+            (self.hazard(written), None)
         } else {
-            self.site_of_one(written)
+            (None, self.site_of_one(written))
         };
-        let each = input.map_or(1, |input| {
-            if pairs && input.magnitude.is_none() {
-                PAIR_MAGNITUDES.len()
-            } else {
-                1
-            }
-        });
+        let searches_all = input.is_some_and(|input| pairs && input.magnitude.is_none());
+        let each = if searches_all {
+            PAIR_MAGNITUDES.len()
+        } else {
+            1
+        };
         let count = self.count_of_each(written, each as u64);
         let earthquakes = input
             .and_then(|input| self.earthquakes((written, source), &input, hazard.as_ref(), pairs));
@@ -171,7 +169,7 @@ impl Resolver<'_> {
         let count = or(&written.count, DEFAULT_MOTIONS);
         let most = MAX_MOTIONS / earthquakes;
         if !(1..=most).contains(&count) {
-            let line = written.count.as_ref().map(|count| count.line);
+            let line = line(&written.count);
             let what = if earthquakes == 1 {
                 ""
             } else {

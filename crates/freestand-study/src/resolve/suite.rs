@@ -5,6 +5,7 @@ use std::sync::Arc;
 use freestand::building::Building;
 use freestand::motion::{Motion, MotionError};
 use freestand::suite::SuiteScale;
+use freestand_input::file::file_name;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -12,10 +13,11 @@ use freestand_input::words::{counted, number, some};
 use freestand_records::processing::short_period_warning;
 use rayon::prelude::*;
 
-use super::ground::SCALES_TO;
-use super::{MAX_MOTIONS, Resolver};
-use crate::options::{ComponentsOption, GroundOptions};
-use crate::recorded::{Folder, MotionFiles, ReadMotion, Second, read_folder};
+use super::ground::{SCALES_TO, other, source_line};
+use super::recorded::same_file;
+use super::{MAX_MOTIONS, Resolver, line};
+use crate::options::GroundOptions;
+use crate::recorded::{Folder, MotionFiles, ReadMotion, read_folder};
 use crate::study::{BuildingInput, Level, RecordedMotion};
 use crate::suite::{
     DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, Spectra, Suite,
@@ -26,8 +28,8 @@ use crate::target::Target;
 /// The keys that belong to `suite`, with their lines.
 pub(super) fn suite_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 2] {
     [
-        ("suite_count", written.suite_count.as_ref().map(|w| w.line)),
-        ("suite_scale", written.suite_scale.as_ref().map(|w| w.line)),
+        ("suite_count", line(&written.suite_count)),
+        ("suite_scale", line(&written.suite_scale)),
     ]
 }
 
@@ -87,12 +89,7 @@ impl Resolver<'_> {
         selected
             .map_err(|problem| {
                 // Only a number that is too large is the fault of its own line.
-                let count_line = written.suite_count.as_ref().map(|count| count.line);
-                let line = if problem.is_about("suite_count") {
-                    count_line
-                } else {
-                    None
-                };
+                let line = line(&written.suite_count).filter(|_| problem.is_about("suite_count"));
                 self.fault(line.or(Some(folder.line)), "suite", problem);
             })
             .ok()
@@ -100,27 +97,26 @@ impl Resolver<'_> {
 
     /// Notes keys that contradict a suite.
     fn suite_conflicts(&mut self, written: &GroundOptions, folder: &Written<String>) {
-        let other = |why| (why, "keep one of them");
-        let sets = "the target sets the amplitudes";
-        for (key, line, (why, hint)) in [
+        let sets = other("the target sets the amplitudes");
+        let keys = [
             (
                 "motions",
-                written.motions.as_ref().map(|w| w.line),
+                line(&written.motions),
                 other("the records come from the folder"),
             ),
             (
                 "match",
-                written.match_by.as_ref().map(|w| w.line),
+                line(&written.match_by),
                 other("the records are scaled and not matched"),
             ),
             (
                 "point_source",
-                written.point_source.as_ref().map(|w| w.line),
+                source_line(written),
                 other("the records replace it"),
             ),
             (
                 "count",
-                written.count.as_ref().map(|w| w.line),
+                line(&written.count),
                 (
                     "a suite has its own number",
                     "give the number of records as suite_count",
@@ -128,33 +124,22 @@ impl Resolver<'_> {
             ),
             (
                 "seed",
-                written.seed.as_ref().map(|w| w.line),
+                line(&written.seed),
                 other("a record has no random numbers"),
             ),
             (
                 "across",
-                written.across.as_ref().map(|w| w.line),
+                line(&written.across),
                 (
                     "two components of one record are found by their names",
                     "leave across out",
                 ),
             ),
-            ("scale", written.reading.line_of(&["scale"]), other(sets)),
-            ("scale_to", written.reading.line_of(&SCALES_TO), other(sets)),
-        ] {
-            if let Some(line) = line {
-                let message = format!("{key} and suite exclude each other: {why}");
-                self.note(Some(line.max(folder.line)), message, hint);
-            }
-        }
-        let component = written
-            .reading
-            .line_of(&["component"])
-            .map(|line| Written { value: (), line });
-        self.exclusive(
-            ("component", &component),
-            ("components", &written.components),
-        );
+            ("scale", written.reading.line_of(&["scale"]), sets),
+            ("scale_to", written.reading.line_of(&SCALES_TO), sets),
+        ];
+        self.refuse_beside("suite", folder.line, keys);
+        self.one_component(written);
     }
 
     fn suite_scale(&mut self, written: &GroundOptions) -> SuiteScale {
@@ -175,19 +160,8 @@ impl Resolver<'_> {
 
     /// How the files of the folder are read.
     fn suite_files(&self, written: &GroundOptions) -> Option<MotionFiles> {
-        let second = match &written.components {
-            Some(Written {
-                value: ComponentsOption::Both,
-                ..
-            }) => Second::SameFile(None),
-            Some(Written {
-                value: ComponentsOption::Named(first, second),
-                ..
-            }) => Second::SameFile(Some((first.clone(), second.clone()))),
-            None => Second::None,
-        };
         Some(MotionFiles {
-            second,
+            second: same_file(written),
             ..self.reading.clone()?
         })
     }
@@ -265,9 +239,7 @@ fn chosen(
                 kept.push(Some(read));
             }
             Err(reason) => {
-                let name = read.motion.path.file_name();
-                let file =
-                    name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+                let file = file_name(&read.motion.path).unwrap_or_default();
                 left_out.push(LeftOut { file, reason });
             }
         }
@@ -310,16 +282,10 @@ fn chosen(
 
 /// Why files cannot be used, at the end of a sentence.
 fn because(usable: usize, left_out: &[LeftOut], skipped: &[String]) -> String {
-    let mut reasons: Vec<String> = Vec::new();
-    if !left_out.is_empty() {
-        reasons.push(some_left_out(left_out));
-    }
-    if !skipped.is_empty() {
-        reasons.push(format!(
-            "not records of horizontal motion: {}",
-            some(skipped, NAMED)
-        ));
-    }
+    let left_out = (!left_out.is_empty()).then(|| some_left_out(left_out));
+    let skipped = (!skipped.is_empty())
+        .then(|| format!("not records of horizontal motion: {}", some(skipped, NAMED)));
+    let reasons: Vec<String> = left_out.into_iter().chain(skipped).collect();
     match (reasons.as_slice(), usable) {
         ([], 0) => " (it has no files)".to_owned(),
         ([], _) => String::new(),

@@ -225,21 +225,20 @@ fn object_responses(
 /// which determines the shock. Of equals the first governs. The shock from the impact velocity is
 /// the largest of all directions, so it may belong to another direction.
 fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
-    let rank = |response: &ObjectResponse| match response {
-        ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => (2, 0.0),
-        ObjectResponse::Done { uplift, .. } => (
-            u8::from(uplift.rocking.outcome.has_fallen()),
-            uplift.rocking.cg_rise_m,
-        ),
+    let rank = |response: &ObjectResponse| {
+        response.done().map_or((2, 0.0), |(uplift, _)| {
+            (
+                u8::from(uplift.rocking.outcome.has_fallen()),
+                uplift.rocking.cg_rise_m,
+            )
+        })
     };
     let governs = |one: &ObjectResponse, other: &ObjectResponse| {
         let (one, other) = (rank(one), rank(other));
         other.0 > one.0 || (other.0 == one.0 && other.1 > one.1)
     };
-    let velocity_g = |response: &ObjectResponse| match response {
-        ObjectResponse::Done { shock, .. } => shock.edge_acceleration_impact_velocity_g,
-        ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
-    };
+    let velocity_g =
+        |response: &ObjectResponse| response.done()?.1.edge_acceleration_impact_velocity_g;
     let merged = |(one, other): (ObjectResponse, ObjectResponse)| {
         let (one_g, other_g) = (velocity_g(&one), velocity_g(&other));
         let mut governing = if governs(&one, &other) { other } else { one };
@@ -371,15 +370,9 @@ fn history_choice<'a>(
                 .iter()
                 .max_by(|a, b| height(a).total_cmp(&height(b)))?;
             let hardest = |row: &[ObjectResponse]| -> Option<UpliftCell> {
-                let shocks = row.iter().filter_map(|response| match response {
-                    ObjectResponse::Done { uplift, shock, .. }
-                        if uplift.rocking.outcome == Outcome::Rocked =>
-                    {
-                        Some((*uplift, shock.edge_acceleration_g?))
-                    }
-                    _ => None,
-                });
-                shocks
+                let done = row.iter().filter_map(ObjectResponse::done);
+                done.filter(|(uplift, _)| uplift.rocking.outcome == Outcome::Rocked)
+                    .filter_map(|(uplift, shock)| Some((*uplift, shock.edge_acceleration_g?)))
                     .max_by(|a, b| a.1.total_cmp(&b.1))
                     .map(|(uplift, _)| uplift)
             };

@@ -54,13 +54,9 @@ pub fn ground_motions(
                     &options,
                 )
                 .map_err(failed("a synthetic motion"))?;
-                let motion = HorizontalMotion {
-                    along: matched.motion,
-                    across: None,
-                };
                 finish(
                     synthetic_name(i),
-                    motion,
+                    along_alone(matched.motion),
                     vertical_motion(synthetic, i as u32)?,
                     Some(matched.misfit),
                 )
@@ -79,6 +75,14 @@ pub fn ground_motions(
             })
             .collect(),
         Ground::OnFloors => Ok(Vec::new()),
+    }
+}
+
+/// A motion with one component.
+fn along_alone(along: Motion) -> HorizontalMotion {
+    HorizontalMotion {
+        along,
+        across: None,
     }
 }
 
@@ -170,15 +174,7 @@ fn simulated_motions(
                 let along = simulator
                     .motion(simulated.request.seed, found.stream(index))
                     .map_err(failed(wrong))?;
-                finish(
-                    found.motion_name(index),
-                    HorizontalMotion {
-                        along,
-                        across: None,
-                    },
-                    None,
-                    None,
-                )
+                finish(found.motion_name(index), along_alone(along), None, None)
             })
             .collect::<Result<_, Problems>>()?;
         motions.extend(made);

@@ -1,12 +1,9 @@
 //! Warnings that follow from a result.
 
 use freestand::G0_M_S2;
-use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio,
-};
+use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome, RockingModel, StopReason};
 
-use crate::cushion::EdgeCushion;
 use crate::matched::peak_warning;
 use crate::result::{GroundMotion, LevelResult, ObjectResponse};
 use crate::study::Study;
@@ -24,14 +21,8 @@ pub(super) fn result_warnings(
             .iter()
             .flat_map(|level| level.responses.iter().flatten())
     };
-    let failed = rows()
-        .filter(|response| {
-            matches!(
-                response,
-                ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_)
-            )
-        })
-        .count();
+    let done = || rows().filter_map(ObjectResponse::done);
+    let failed = rows().count() - done().count();
     if failed > 0 {
         warnings.push(format!(
             "{failed} of {} histories could not be calculated: see the column reason of srs.csv",
@@ -39,8 +30,8 @@ pub(super) fn result_warnings(
         ));
     }
 
-    let unsettled = rows()
-        .filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if uplift.rocking.stop == StopReason::EndOfMotion))
+    let unsettled = done()
+        .filter(|(uplift, _)| uplift.rocking.stop == StopReason::EndOfMotion)
         .count();
     if unsettled > 0 {
         warnings.push(format!(
@@ -87,26 +78,20 @@ pub(super) fn result_warnings(
             objects.blocks.len()
         ));
     }
-    let EdgeCushion {
-        cushion,
-        pad_thickness_m,
-        ..
-    } = &objects.cushion;
-    let worst = rows()
-        .filter_map(|response| match response {
-            ObjectResponse::Done { uplift, .. } if uplift.rocking.outcome == Outcome::Rocked => {
-                let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
-                Some(landing.impact(objects.mass_kg, cushion, uplift.rocking.cg_rise_m, G0_M_S2))
-            }
-            _ => None,
+    let worst = done()
+        .filter(|(uplift, _)| uplift.rocking.outcome == Outcome::Rocked)
+        .map(|(uplift, _)| {
+            let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
+            landing.impact(
+                objects.mass_kg,
+                &objects.cushion.cushion,
+                uplift.rocking.cg_rise_m,
+                G0_M_S2,
+            )
         })
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(impact) = worst {
-        warnings.extend(
-            compression_warnings(impact.compression_m, cushion, *pad_thickness_m)
-                .iter()
-                .map(ToString::to_string),
-        );
+        warnings.extend(objects.cushion.compression_doubts(impact.compression_m));
     }
     warnings
 }

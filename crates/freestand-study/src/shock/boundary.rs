@@ -26,14 +26,16 @@ const CURVE_POINTS: u32 = 200;
 
 answer! {
     /// A damage boundary, with the demand.
-    pub struct BoundaryAnswer {
-        source: &'static str = "damage boundary from",
-        critical_acceleration_g: f64 = "  critical acceleration",
-        critical_velocity_change_m_s: f64 = "  critical velocity change",
+    pub struct BoundaryAnswer of (report: &DamageBoundaryReport) {
+        source: &'static str => "damage boundary from";
+        critical_acceleration_g: f64 =
+            report.boundary.acceleration_m_s2() / G0_M_S2 => "  critical acceleration";
+        critical_velocity_change_m_s: f64 =
+            report.boundary.velocity_change_m_s() => "  critical velocity change";
         /// Beyond the knee, at (π/2) V_c, the critical acceleration alone is the boundary.
-        knee_velocity_change_m_s: f64,
+        knee_velocity_change_m_s: f64 = KNEE_RATIO * report.boundary.velocity_change_m_s();
         /// min(A/A_c, Δv/V_c).
-        demand_ratio: f64,
+        demand_ratio: f64 = report.demand_ratio();
     }
 }
 
@@ -68,18 +70,6 @@ impl DamageBoundaryReport {
     /// min(A/A_c, Δv/V_c).
     fn demand_ratio(&self) -> f64 {
         self.boundary.demand_ratio(self.demand.1, self.demand.0)
-    }
-
-    /// Its part of the answer.
-    pub(super) fn answer(&self) -> BoundaryAnswer {
-        let velocity_change_m_s = self.boundary.velocity_change_m_s();
-        BoundaryAnswer {
-            source: self.source,
-            critical_acceleration_g: self.boundary.acceleration_m_s2() / G0_M_S2,
-            critical_velocity_change_m_s: velocity_change_m_s,
-            knee_velocity_change_m_s: KNEE_RATIO * velocity_change_m_s,
-            demand_ratio: self.demand_ratio(),
-        }
     }
 
     /// Peak against velocity change, with the shocks of a test.

@@ -23,7 +23,7 @@ pub use test_points::{
 pub use verdict::DemandCapacity;
 use verdict::{Compared, compared, max_stiffness};
 
-use crate::cushion::cushion_words;
+use crate::cushion::{cushion_words, told};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
@@ -258,18 +258,14 @@ answer! {
         max_stiffness_n_m: Option<f64> = "largest stiffness at this rise",
         notes: Vec<String> = "note",
     }
-}
 
-answer! {
     /// The shock by each impact model; none where it does not apply.
     pub struct ShockOfModels {
         paper_g: Option<f64> = "shock by the paper's model, Eq. (5)",
         halted_g: Option<f64> = "shock by the halted model, Eq. (8)",
         free_corner_g: Option<f64> = "shock by the free-corner model",
     }
-}
 
-answer! {
     /// The shock at a point of the object.
     pub struct PointShock {
         /// From the pivot.
@@ -438,28 +434,32 @@ struct Fall {
     warning: Option<String>,
 }
 
+impl Fall {
+    fn new(source: EnergySource, rise_m: Option<f64>, rotation_rad: Option<f64>) -> Self {
+        Self {
+            source,
+            rise_m,
+            rotation_rad,
+            warning: None,
+        }
+    }
+}
+
 fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     let (block, pivot) = (&request.block, landing.pivot);
     if let Some(Energy::AngularVelocity(omega)) = request.energy {
-        let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
-        return Ok(Fall {
-            source: EnergySource::ImpactVelocity,
-            rise_m,
-            rotation_rad: None,
-            warning: None,
-        });
+        let rise_m = landing.equivalent_rise_m(omega, request.gravity_m_s2);
+        return Ok(Fall::new(EnergySource::ImpactVelocity, Some(rise_m), None));
     }
     if request.scenario.overturns() {
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
             Some(fall) => Ok(Fall {
-                source: EnergySource::FallFromBalance,
-                rise_m: Some(fall),
-                rotation_rad: None,
                 warning: Some(
                     "the fall starts from rest at the balance point: this is a lower estimate, because an object \
                      that overturns while rocking still has some speed there"
                         .to_owned(),
                 ),
+                ..Fall::new(EnergySource::FallFromBalance, Some(fall), None)
             }),
             None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
                 "on its side the centre of gravity is higher than at the balance point: there is no fall to provide \
@@ -476,12 +476,7 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     let alpha = pivot.slenderness_angle_rad;
     let rotation = match request.energy {
         None if request.drop_acceleration_m_s2.is_some() => {
-            return Ok(Fall {
-                source: EnergySource::Measured,
-                rise_m: None,
-                rotation_rad: None,
-                warning: None,
-            });
+            return Ok(Fall::new(EnergySource::Measured, None, None));
         }
         None => {
             return Err(Problem::value(
@@ -491,12 +486,7 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
         }
         Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
             let rotation_rad = pivot.rotation_at_rise_rad(rise_m);
-            return Ok(Fall {
-                source: EnergySource::Uplift,
-                rise_m: Some(rise_m),
-                rotation_rad,
-                warning: None,
-            });
+            return Ok(Fall::new(EnergySource::Uplift, Some(rise_m), rotation_rad));
         }
         Some(Energy::Rotation(theta)) => Some(theta.abs()),
         Some(Energy::Uplift(uplift_m)) if uplift_m <= block.base_width_m() => {
@@ -505,13 +495,8 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
         Some(_) => None,
     };
     if let Some(theta) = rotation.filter(|&theta| theta <= alpha) {
-        let rise_m = Some(pivot.cg_rise_m(theta));
-        return Ok(Fall {
-            source: EnergySource::Uplift,
-            rise_m,
-            rotation_rad: Some(theta),
-            warning: None,
-        });
+        let rise_m = pivot.cg_rise_m(theta);
+        return Ok(Fall::new(EnergySource::Uplift, Some(rise_m), Some(theta)));
     }
     let balance = format!(
         "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
@@ -528,10 +513,8 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
             "the object is beyond its {balance}: if released, it would overturn"
         ));
         return Ok(Fall {
-            source: EnergySource::Uplift,
-            rise_m: Some(rise_m),
-            rotation_rad: rotation,
             warning,
+            ..Fall::new(EnergySource::Uplift, Some(rise_m), rotation)
         });
     }
     Err(Problem::value(
@@ -613,15 +596,14 @@ fn report(
         );
     }
     if let Some(cushion) = cushion {
-        warnings.extend(
-            stiffness_warnings(mass_kg, cushion, pad_thickness_m)
-                .iter()
-                .map(ToString::to_string),
-        );
+        warnings.extend(told(stiffness_warnings(mass_kg, cushion, pad_thickness_m)));
     }
     if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
-        let beyond = compression_warnings(impact.compression_m, cushion, pad_thickness_m);
-        warnings.extend(beyond.iter().map(ToString::to_string));
+        warnings.extend(told(compression_warnings(
+            impact.compression_m,
+            cushion,
+            pad_thickness_m,
+        )));
     }
     let rocks_through =
         request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
@@ -728,8 +710,8 @@ fn report(
         at,
         tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
         tolerance_edge_lift_m: request.tolerance_edge_lift_m,
-        damage_boundary_tests: request.boundary_tests.as_ref().map(BoundaryTests::answer),
-        damage_boundary: damage_boundary.map(|boundary| boundary.answer()),
+        damage_boundary_tests: request.boundary_tests.as_ref().map(TestsAnswer::of),
+        damage_boundary: damage_boundary.as_ref().map(BoundaryAnswer::of),
         demand_capacity: compared
             .as_ref()
             .map(|compared| compared.demand_capacity.clone()),

@@ -60,75 +60,44 @@ impl BoundaryTests {
             self.critical_velocity_change_m_s.survived?,
         ))
     }
-
-    /// Their part of the answer.
-    pub(super) fn answer(&self) -> TestsAnswer {
-        let point = |point: &TestPoint| TestPointAnswer {
-            method: point.method.to_string(),
-            velocity_change_m_s: point.velocity_change_m_s,
-            peak_acceleration_g: point.peak_acceleration_g,
-            damaged: point.damaged,
-            line: point.line,
-        };
-        let (v, a) = (
-            self.critical_velocity_change_m_s,
-            self.critical_acceleration_g,
-        );
-        TestsAnswer {
-            critical_velocity_change_m_s: BracketAnswer {
-                survived: v.survived,
-                damaged: v.damaged,
-            },
-            critical_acceleration_g: PeakBracket {
-                survived: a.survived,
-                damaged: a.damaged,
-            },
-            points: self.points.iter().map(point).collect(),
-        }
-    }
 }
 
 answer! {
     /// Shock tests of an object.
-    pub struct TestsAnswer {
+    pub struct TestsAnswer of (tests: &BoundaryTests) {
         /// Between which velocity changes the critical one lies.
-        critical_velocity_change_m_s: BracketAnswer,
+        critical_velocity_change_m_s: BracketAnswer =
+            BracketAnswer::of(&tests.critical_velocity_change_m_s);
         /// Between which peaks the critical one lies.
-        critical_acceleration_g: PeakBracket,
+        critical_acceleration_g: PeakBracket = PeakBracket::of(&tests.critical_acceleration_g);
         /// All tests.
-        points: Vec<TestPointAnswer>,
+        points: Vec<TestPointAnswer> = tests.points.iter().map(TestPointAnswer::of).collect();
     }
-}
 
-answer! {
     /// What was survived last and damaged first.
-    pub struct BracketAnswer {
-        survived: Option<f64> = "largest survived velocity change",
-        damaged: Option<f64> = "smallest damaging velocity change",
+    pub struct BracketAnswer of (bracket: &Bracket) {
+        survived: Option<f64> => "largest survived velocity change";
+        damaged: Option<f64> => "smallest damaging velocity change";
     }
-}
 
-answer! {
     /// What was survived last and damaged first.
-    pub struct PeakBracket {
-        survived: Option<f64> = "largest survived peak",
-        damaged: Option<f64> = "smallest damaging peak",
+    pub struct PeakBracket of (bracket: &Bracket) {
+        survived: Option<f64> => "largest survived peak";
+        damaged: Option<f64> => "smallest damaging peak";
     }
-}
 
-answer! {
     /// A shock test.
-    pub struct TestPointAnswer {
+    pub struct TestPointAnswer of (point: &TestPoint) {
         /// A or B.
-        method: String,
+        method: String = point.method.to_string();
         /// Velocity change of the pulse.
-        velocity_change_m_s: f64,
+        velocity_change_m_s: f64;
         /// Peak of the pulse.
-        peak_acceleration_g: f64,
+        peak_acceleration_g: f64;
         /// Whether it damaged the object.
-        damaged: bool,
+        damaged: bool;
         /// Line of the file.
-        line: usize,
+        line: usize;
     }
 }
 
@@ -163,21 +132,21 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
             Err(problem) => problems.push(problem),
         }
     }
-    for (method, what, size) in [
-        (TestMethod::A, "velocity change", velocity_change as Size),
-        (TestMethod::B, "peak", peak as Size),
-    ] {
-        problems.extend(contradiction(&points, method, what, size));
-    }
+    problems.extend(contradiction(
+        &points,
+        TestMethod::A,
+        "velocity change",
+        velocity_change,
+    ));
+    problems.extend(contradiction(&points, TestMethod::B, "peak", peak));
+    let problems: Problems = problems
+        .into_iter()
+        .map(|problem| problem.in_file(path))
+        .collect();
     if problems.is_empty() {
         return Ok(evaluated(points));
     }
-    Err(Problems {
-        problems: problems
-            .into_iter()
-            .map(|problem| problem.in_file(path))
-            .collect(),
-    })
+    Err(problems)
 }
 
 /// The quantity that a method increases from shock to shock.
@@ -215,6 +184,17 @@ fn method(row: &DamageRow) -> Result<TestMethod, Problem> {
     }
 }
 
+/// The shocks of a method that did damage, or did not.
+fn tested(
+    points: &[TestPoint],
+    method: TestMethod,
+    damaged: bool,
+) -> impl Iterator<Item = &TestPoint> {
+    points
+        .iter()
+        .filter(move |point| point.method == method && point.damaged == damaged)
+}
+
 /// A problem where a shock of a method was survived at or above the first damage.
 fn contradiction(
     points: &[TestPoint],
@@ -222,11 +202,7 @@ fn contradiction(
     what: &str,
     size: Size,
 ) -> Option<Problem> {
-    let of = |damaged: bool| {
-        points
-            .iter()
-            .filter(move |point| point.method == method && point.damaged == damaged)
-    };
+    let of = |damaged| tested(points, method, damaged);
     let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
@@ -243,11 +219,7 @@ fn contradiction(
 fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     let mut warnings = Vec::new();
     let bracket = |method: TestMethod, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
-        let of = |damaged: bool| {
-            points
-                .iter()
-                .filter(move |point| point.method == method && point.damaged == damaged)
-        };
+        let of = |damaged| tested(&points, method, damaged);
         Bracket {
             survived: of(false)
                 .filter(|point| counts(point))

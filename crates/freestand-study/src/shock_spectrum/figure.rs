@@ -2,6 +2,7 @@
 
 use kuva::plot::scatter::MarkerShape;
 
+use freestand_input::quantity::shorten;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{
@@ -53,12 +54,7 @@ fn decades(values: impl Iterator<Item = f64>, label: &str) -> Axis {
     }
     let to = most.log10().ceil();
     let from = least.log10().floor().max(to - DECADES).min(to - 1.0);
-    Axis {
-        from: 10f64.powf(from),
-        to: 10f64.powf(to),
-        step: None,
-        label: label.into(),
-    }
+    Axis::between(10f64.powf(from), 10f64.powf(to), label)
 }
 
 fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
@@ -68,8 +64,15 @@ fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
     Panel { plots, layout }
 }
 
-/// Spectra over frequency.
-pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) -> Page {
+/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn shock_spectrum_figure(
+    title: &str,
+    label: &str,
+    curves: &[ShockCurve],
+) -> Result<Figure, FigureError> {
     let of = |pick: fn(&(f64, f64)) -> f64| {
         curves
             .iter()
@@ -85,12 +88,7 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
         } else {
             (0.5 * to, 2.0 * to)
         };
-        Axis {
-            from,
-            to,
-            step: None,
-            label: "Frequency of the component (Hz)".into(),
-        }
+        Axis::between(from, to, "Frequency of the component (Hz)")
     };
     let mut plots = Vec::new();
     let mut legend = Vec::new();
@@ -108,29 +106,19 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
             plots.push(markers(&points, style.colour, style.marker, 3.5));
         }
         if i < MAX_NAMED {
-            let sign = Sign::Line {
-                colour: style.colour,
-                width_px: 2.0,
-                dash: style.dash,
-            };
-            legend.push(Entry {
-                sign,
-                words: freestand_input::quantity::shorten(&curve.name),
-            });
+            legend.push(Entry::line(
+                style.colour,
+                2.0,
+                style.dash,
+                shorten(&curve.name),
+            ));
         }
     }
     if curves.len() > MAX_NAMED {
-        let sign = Sign::Line {
-            colour: DARK,
-            width_px: 1.0,
-            dash: Some("2 3"),
-        };
-        legend.push(Entry {
-            sign,
-            words: format!("and {} more", curves.len() - MAX_NAMED),
-        });
+        let words = format!("and {} more", curves.len() - MAX_NAMED);
+        legend.push(Entry::line(DARK, 1.0, Some("2 3"), words));
     }
-    Page {
+    draw(Page {
         name: "shock_spectrum".to_owned(),
         title: plain(title),
         caption: format!("{label} of damped oscillators under the shock, against their frequency."),
@@ -138,11 +126,14 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
+    })
 }
 
-/// A boundary with the demand.
-pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
+/// Draws a damage boundary and a demand.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
     let (v_c, a_c) = picture.corner;
     let (v, a) = picture.demand;
     let points = || picture.survived.iter().chain(&picture.damaged);
@@ -189,56 +180,31 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         ));
         shocks.push((true, "damaged in the tests"));
     }
-    plots.push(markers(
-        &[(v, a)],
-        DARK,
-        if picture.safe {
-            MarkerShape::Circle
-        } else {
-            MarkerShape::Cross
-        },
-        6.0,
-    ));
-    let sign = |colour, dash| Sign::Line {
-        colour,
-        width_px: 2.0,
-        dash,
-    };
-    let demand = if picture.safe {
-        Sign::Dot { colour: DARK }
+    let (shape, demand, words) = if picture.safe {
+        (
+            MarkerShape::Circle,
+            Sign::Dot { colour: DARK },
+            "this landing: no damage",
+        )
     } else {
-        Sign::Cross
+        (MarkerShape::Cross, Sign::Cross, "this landing: damage")
     };
-    let words = if picture.safe {
-        "this landing: no damage"
-    } else {
-        "this landing: damage"
-    };
+    plots.push(markers(&[(v, a)], DARK, shape, 6.0));
     let mut legend = vec![
-        Entry {
-            sign: sign(rectangle.colour, None),
-            words: "rectangle of ASTM D3332".to_owned(),
-        },
-        Entry {
-            sign: sign(exact.colour, Some("10 6")),
-            words: "curve of a component".to_owned(),
-        },
+        Entry::line(rectangle.colour, 2.0, None, "rectangle of ASTM D3332"),
+        Entry::line(exact.colour, 2.0, Some("10 6"), "curve of a component"),
     ];
-    legend.extend(shocks.into_iter().map(|(filled, words)| {
-        let sign = Sign::Square {
-            colour: tested.colour,
-            filled,
-        };
-        Entry {
-            sign,
-            words: words.to_owned(),
-        }
-    }));
-    legend.push(Entry {
-        sign: demand,
-        words: words.to_owned(),
-    });
-    Page {
+    let square = |filled| Sign::Square {
+        colour: tested.colour,
+        filled,
+    };
+    legend.extend(
+        shocks
+            .into_iter()
+            .map(|(filled, words)| Entry::new(square(filled), words)),
+    );
+    legend.push(Entry::new(demand, words));
+    draw(Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
         caption: "A shock does damage only if both its peak and its velocity change are too large: above and to the \
@@ -250,25 +216,5 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
-}
-
-/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn shock_spectrum_figure(
-    title: &str,
-    label: &str,
-    curves: &[ShockCurve],
-) -> Result<Figure, FigureError> {
-    draw(shock_spectrum(title, label, curves))
-}
-
-/// Draws a damage boundary and a demand.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
-    draw(damage_boundary(picture))
+    })
 }

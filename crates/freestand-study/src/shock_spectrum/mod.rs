@@ -139,23 +139,23 @@ pub struct OneShockSpectrum {
 
 answer_of!(OneShockSpectrum as one {
     /// The file; `null` for a pulse.
-    path: Option<String> = one.path.clone();
+    path: Option<String>;
     /// Its name, or the shape of the pulse.
-    name: String = one.name.clone();
-    frequencies_hz: Vec<f64> = one.frequencies_hz.clone();
+    name: String;
+    frequencies_hz: Vec<f64>;
     /// The peaks, never negative, in `unit`.
-    values: Vec<f64> = one.values.clone();
-    unit: &'static str = one.unit;
+    values: Vec<f64>;
+    unit: &'static str;
     /// Of each oscillator.
-    samples_per_period: Vec<f64> = one.samples_per_period.clone();
+    samples_per_period: Vec<f64>;
     /// Between the samples of the input; `null` for a pulse.
-    dt_s: Option<f64> = one.dt_s;
+    dt_s: Option<f64>;
     /// Of the input; `null` for a pulse.
-    samples: Option<usize> = one.samples;
+    samples: Option<usize>;
     /// What was done to the samples.
-    processing: Vec<String> = one.processing.clone();
-    pulse: Option<GivenPulse> = one.pulse.clone();
-    enveloping_half_sine: Option<EnvelopingPulse> = one.enveloping_half_sine.clone();
+    processing: Vec<String>;
+    pulse: Option<GivenPulse>;
+    enveloping_half_sine: Option<EnvelopingPulse>;
 });
 
 answer! {
@@ -174,23 +174,19 @@ answer! {
         rule: &'static str,
         size: PulseSize = flat,
     }
-}
 
-answer! {
     /// The size of a pulse.
-    pub struct PulseSize {
+    pub struct PulseSize of (peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) {
         /// Its peak.
-        peak_acceleration_g: f64,
+        peak_acceleration_g: f64 = peak_m_s2 / G0_M_S2;
         /// The same.
-        peak_acceleration_m_s2: f64,
+        peak_acceleration_m_s2: f64 = peak_m_s2;
         /// How long it is.
-        duration_s: f64,
+        duration_s: f64 = duration_s;
         /// Its area.
-        velocity_change_m_s: f64,
+        velocity_change_m_s: f64 = velocity_change_m_s;
     }
-}
 
-answer! {
     /// Time taken.
     pub struct Timing {
         /// By the spectra alone, without reading and writing.
@@ -220,17 +216,17 @@ pub struct ShockSpectrumReport {
 
 answer_of!(ShockSpectrumReport as report {
     /// The response quantity.
-    kind: &'static str = report.kind;
+    kind: &'static str;
     /// Which peak.
-    peak: &'static str = report.peak;
-    damping_ratio: f64 = report.damping_ratio;
+    peak: &'static str;
+    damping_ratio: f64;
     /// Q = 1/(2ζ); `null` without damping.
     quality_factor_ratio: Option<f64> = (report.damping_ratio > 0.0).then(|| 0.5 / report.damping_ratio);
     /// Whether samples were added for oscillators with few in a period.
-    upsample: bool = report.upsample;
+    upsample: bool;
     /// One for each file, in their order, or that of the pulse.
     spectra: Vec<&OneShockSpectrum> = report.spectra.iter().collect();
-    timing: Timing = report.timing.clone();
+    timing: Timing;
 });
 
 /// Frequencies between two questions whether to go on: enough that the samples that are added for
@@ -320,7 +316,7 @@ pub fn pulse_shock_spectrum(
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
     one.pulse = Some(GivenPulse {
         shape: name_of(SHAPES, pulse.shape()),
-        size: pulse_size(peak_m_s2, duration_s, pulse.velocity_change_m_s()),
+        size: PulseSize::of(peak_m_s2, duration_s, pulse.velocity_change_m_s()),
     });
     let few = found
         .samples_per_period
@@ -408,21 +404,12 @@ fn one(
                 let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
                 EnvelopingPulse {
                     rule: "smallest-peak",
-                    size: pulse_size(peak_acceleration, duration_s, velocity_change_m_s),
+                    size: PulseSize::of(peak_acceleration, duration_s, velocity_change_m_s),
                 }
             },
         ),
         values_si,
     })
-}
-
-fn pulse_size(peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) -> PulseSize {
-    PulseSize {
-        peak_acceleration_g: peak_m_s2 / G0_M_S2,
-        peak_acceleration_m_s2: peak_m_s2,
-        duration_s,
-        velocity_change_m_s,
-    }
 }
 
 fn report(

@@ -172,7 +172,7 @@ answer_of!(FoundEarthquake as found {
     magnitude: f64 = found.source.magnitude;
     distance_m: f64 = found.source.distance_m;
     /// Geometric mean of the PSA divided by the code's on rock, if the distance was searched for.
-    mean_ratio_to_rock_spectrum: Option<f64> = found.mean_ratio_to_rock_spectrum;
+    mean_ratio_to_rock_spectrum: Option<f64>;
     moment_n_m: f64 = found.source.moment_n_m();
     corner_frequencies_hz: Vec<f64> = found.corner_frequencies_hz();
     duration_s: f64 = found.source.duration_s();
@@ -428,10 +428,10 @@ impl Parameters {
     }
 }
 
-answer_of!(Parameters as of {
-    stress_drop_pa: f64 = of.0.stress_drop_pa;
-    density_kg_m3: f64 = of.0.density_kg_m3;
-    shear_velocity_m_s: f64 = of.0.shear_velocity_m_s;
+answer_of!(Parameters as of.0 {
+    stress_drop_pa: f64;
+    density_kg_m3: f64;
+    shear_velocity_m_s: f64;
     source_spectrum: &'static str = words::spectrum_name(of.0.spectrum);
     spreading: Vec<Spreading<'_>> = of.0.spreading.iter().map(Spreading).collect();
     quality: String = quality_words(&of.0.quality);
@@ -442,13 +442,11 @@ answer_of!(Parameters as of {
     window: &'static str = of.0.window.into();
 });
 
-/// Geometric spreading from a distance on.
-#[derive(Clone, Copy)]
-struct Spreading<'s>(&'s SpreadingPiece);
-
-answer_of!(Spreading<'_> as piece {
-    from_distance_m: f64 = piece.0.from_distance_m;
-    exponent_ratio: f64 = piece.0.exponent_ratio;
+answer_of!(
+    /// Geometric spreading from a distance on.
+    struct Spreading<'s>(&'s SpreadingPiece) as piece.0 {
+    from_distance_m: f64;
+    exponent_ratio: f64;
 });
 
 /// The same parameters in words, for a report.
@@ -550,15 +548,15 @@ answer_of!(Earthquake as one {
     found: &FoundEarthquake = &one.found => flat;
     searched_motions: Option<u64> = one.searched_motions.map(u64::from);
     /// Geometric mean of the PSA of the written motions divided by the code's spectrum.
-    written_mean_ratio_to_site_spectrum: Option<f64> = one.written_mean_ratio_to_site_spectrum;
-    pad_s: f64 = one.pad_s;
+    written_mean_ratio_to_site_spectrum: Option<f64>;
+    pad_s: f64;
     motions: Vec<&SimulatedMotion> = one.motions.iter().collect();
 });
 
 answer_of!(SimulatedMotion as one {
-    name: String = one.name.clone();
+    name: String;
     /// The file that it was written to.
-    path: Option<String> = one.path.clone();
+    path: Option<String>;
     npts: usize = one.motion.accel_m_s2().len();
     pga_g: f64 = one.measures.pga_m_s2 / G0_M_S2;
     pgv_m_s: f64 = one.measures.pgv_m_s;

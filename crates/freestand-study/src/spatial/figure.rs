@@ -10,13 +10,14 @@ use freestand::spatial::{Pattern, Shape};
 use freestand::respond::{SpatialPoint, StackPoint};
 
 use super::{SpatialReport, StackReport};
+use crate::shape::size_words;
 use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
 use freestand_output::figure::style::{
     Axis, DARK, LABELS_PX, curve_style, line, markers, plain, round_step,
 };
-use freestand_output::figure::time::{stacked, symmetric, thin, time_axis};
+use freestand_output::figure::time::{peak, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the two panels in space: tilt, plan \[px\].
@@ -34,22 +35,21 @@ const PATTERNS: [(Pattern, &str, &str); 4] = [
 const BESIDE_PX: f64 = 76.0 + 18.0;
 const AROUND_PX: f64 = 8.0 + LABELS_PX;
 
-fn entry(sign: Sign, words: &str) -> Entry {
-    Entry {
-        sign,
-        words: words.into(),
-    }
+fn curve(index: usize, words: &str) -> Entry {
+    Entry::line(curve_style(index).colour, 1.5, None, words)
 }
 
-fn curve(index: usize, words: &str) -> Entry {
-    entry(
-        Sign::Line {
-            colour: curve_style(index).colour,
-            width_px: 1.5,
-            dash: None,
-        },
-        words,
-    )
+/// An angle of a history over time \[degrees\].
+fn degrees<P>(
+    history: &[P],
+    (from, to): (f64, f64),
+    of: impl Fn(&P) -> (f64, f64),
+) -> Vec<(f64, f64)> {
+    let points = history
+        .iter()
+        .map(of)
+        .map(|(time_s, angle_rad)| (time_s, angle_rad.to_degrees()));
+    thin(points, from, to)
 }
 
 /// Tilt against time, and the base from above: its outline at rest and at the end, and the path of
@@ -58,50 +58,20 @@ fn curve(index: usize, words: &str) -> Entry {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (
-        report.history.samples.first(),
-        report.history.samples.last(),
-    ) else {
+    let history = &report.history.samples;
+    let Some((from, to)) = span(history, |point| point.time_s) else {
         return Ok(None);
     };
-    let (from, to) = (first.time_s, last.time_s);
-    if to <= from {
-        return Ok(None);
-    }
     let degrees = |of: &dyn Fn(&SpatialPoint) -> f64| {
-        thin(
-            report
-                .history
-                .samples
-                .iter()
-                .map(|point| (point.time_s, of(point).to_degrees())),
-            from,
-            to,
-        )
+        degrees(history, (from, to), |point| (point.time_s, of(point)))
     };
-    let tilts = [
-        degrees(&|p| p.tilts_rad[2]),
-        degrees(&|p| p.tilts_rad[0]),
-        degrees(&|p| p.tilts_rad[1]),
-    ];
-    let largest = tilts
-        .iter()
-        .flatten()
-        .fold(0.0f64, |most, point| most.max(point.1.abs()));
+    let tilts = [2, 0, 1].map(|part| degrees(&|p| p.tilts_rad[part]));
+    let largest = tilts.iter().map(|tilt| peak(tilt)).fold(0.0, f64::max);
     let [x, y, height] = report.shape.sizes_m();
     let size = match report.shape {
-        Shape::Cylinder { .. } => format!(
-            "Cylinder, {} mm × {} m",
-            number(1e3 * x, 4),
-            number(height, 4)
-        ),
-        Shape::Plane { .. } => format!("{} mm × {} m", number(1e3 * x, 4), number(height, 4)),
-        _ => format!(
-            "{} mm × {} mm × {} m",
-            number(1e3 * x, 4),
-            number(1e3 * y, 4),
-            number(height, 4)
-        ),
+        Shape::Cylinder { .. } => format!("Cylinder, {}", size_words(x, height)),
+        Shape::Plane { .. } => size_words(x, height),
+        _ => format!("{} mm × {}", number(1e3 * x, 4), size_words(y, height)),
     };
     let tilt = Panel {
         plots: tilts
@@ -133,22 +103,8 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
             curve(0, "tilt"),
             curve(1, "to the right"),
             curve(2, "to the back"),
-            entry(
-                Sign::Line {
-                    colour: DARK,
-                    width_px: 1.0,
-                    dash: Some("5 3"),
-                },
-                "base at rest",
-            ),
-            entry(
-                Sign::Line {
-                    colour: DARK,
-                    width_px: 1.4,
-                    dash: None,
-                },
-                "base at the end",
-            ),
+            Entry::line(DARK, 1.0, Some("5 3"), "base at rest"),
+            Entry::line(DARK, 1.4, None, "base at the end"),
             curve(3, "path of its centre"),
         ],
     };
@@ -191,10 +147,8 @@ fn plan(report: &SpatialReport) -> Panel {
     let axis = |low: f64, high: f64, pixels: f64, label: &str| {
         let (middle, half) = (0.5 * (low + high), 0.5 * scale * pixels);
         Axis {
-            from: middle - half,
-            to: middle + half,
             step,
-            label: label.into(),
+            ..Axis::between(middle - half, middle + half, label)
         }
     };
     let x = axis(left, right, wide_px, "To the right (mm)");
@@ -216,42 +170,18 @@ fn plan(report: &SpatialReport) -> Panel {
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>, FigureError> {
-    let (Some(first), Some(last)) = (
-        report.history.samples.first(),
-        report.history.samples.last(),
-    ) else {
+    let history = &report.history.samples;
+    let Some((from, to)) = span(history, |point| point.time_s) else {
         return Ok(None);
     };
-    let (from, to) = (first.time_s, last.time_s);
-    if to <= from {
-        return Ok(None);
-    }
     let degrees = |of: &dyn Fn(&StackPoint) -> f64| {
-        thin(
-            report
-                .history
-                .samples
-                .iter()
-                .map(|point| (point.time_s, of(point).to_degrees())),
-            from,
-            to,
-        )
+        degrees(history, (from, to), |point| (point.time_s, of(point)))
     };
     let both = [0, 1].map(|body| degrees(&|p| p.rotations_rad[body]));
     let apart = degrees(&|p| p.rotations_rad[1] - p.rotations_rad[0]);
-    let most = |points: &[(f64, f64)]| {
-        points
-            .iter()
-            .fold(0.0f64, |most, point| most.max(point.1.abs()))
-    };
+
     let (lower, upper) = (&report.stack.lower, &report.stack.upper);
-    let size = |body: &freestand::spatial::StackBody| {
-        format!(
-            "{} mm × {} m",
-            number(1e3 * body.thickness_m, 4),
-            number(body.height_m, 4)
-        )
-    };
+    let size = |body: &freestand::spatial::StackBody| size_words(body.thickness_m, body.height_m);
     let top = Panel {
         plots: both
             .iter()
@@ -260,7 +190,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
             .collect(),
         layout: stacked(
             time_axis(from, to),
-            symmetric(most(&both[0]).max(most(&both[1])), "Rotation (deg)"),
+            symmetric(peak(&both[0]).max(peak(&both[1])), "Rotation (deg)"),
             false,
         ),
     };
@@ -268,7 +198,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         plots: vec![line(&apart, curve_style(2).colour, 1.5, None)],
         layout: stacked(
             time_axis(from, to),
-            symmetric(most(&apart), "Upper − lower (deg)"),
+            symmetric(peak(&apart), "Upper − lower (deg)"),
             true,
         ),
     };
@@ -296,7 +226,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         ]
         .into_iter()
         .chain(PATTERNS.iter().rev().map(|&(_, words, colour)| {
-            entry(
+            Entry::new(
                 Sign::Shade {
                     colour,
                     opacity: 1.0,
@@ -342,10 +272,8 @@ fn patterns(history: &[StackPoint], x: Axis) -> Panel {
         .into()
     };
     let y = Axis {
-        from: 0.0,
-        to: PATTERNS.len() as f64,
         step: Some(1.0),
-        label: "Pattern".into(),
+        ..Axis::between(0.0, PATTERNS.len() as f64, "Pattern")
     };
     let mut layout = stacked(x, y, false);
     layout.suppress_y_ticks = true;

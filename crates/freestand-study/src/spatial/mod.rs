@@ -5,15 +5,16 @@ mod wall;
 
 use freestand::compliant::CompliantEffort;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::impact::stiffness_warnings;
+
 use freestand::motion::Motion;
 use freestand::respond::{
     HistoryOptions, Settings, SpatialHistory, SpatialPoint, StackHistory, StackPoint,
 };
-use freestand::rocking::Base;
+
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
-    BodyMotion, Shape, SpatialMotion, SpatialObject, Stack, StackRocking, Support,
+    BodyMotion, Patterns, Shape, SpatialMotion, SpatialObject, SpatialRocking, Stack, StackRocking,
+    Support,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::Choices;
@@ -25,7 +26,7 @@ pub use wall::{CushionWallAnswer, walls_on_cushions};
 
 use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
-use crate::unsolved::{self, unresolved_warning};
+use crate::unsolved::{self, base, unresolved_warning};
 
 /// What a single history in space is worth.
 const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
@@ -114,147 +115,141 @@ pub struct SpatialRequest {
 
 answer! {
     /// What an object in space did.
-    pub struct SpatialAnswer {
+    pub struct SpatialAnswer of (body: &BodyMotion, rocking: &SpatialRocking, request: &SpatialRequest) {
         /// What the object stands on.
-        base: &'static str,
+        base: &'static str = "compliant";
         /// How it is followed.
-        model: &'static str,
-        shape: &'static str = "shape",
-        outcome: &'static str = "outcome",
-        end_time_s: f64 = "end",
-        peak_tilt_rad: f64 = "largest tilt",
-        peak_tilt_time_s: f64 = "  at",
-        peak_tilt_x_rad: f64 = "  to the right",
-        peak_tilt_y_rad: f64 = "  to the back",
-        uplift_m: f64 = "uplift of a point of the base",
-        first_uplift_time_s: Option<f64> = "first uplift",
-        overturn_time_s: Option<f64> = "overturns",
-        final_tilt_x_rad: f64 = "tilt at the end, to the right",
-        final_tilt_y_rad: f64 = "tilt at the end, to the back",
-        yaw_rad: f64 = "yaw at the end",
-        base_slide_peak_m: f64 = "largest displacement of the base",
-        base_slide_final_m: f64 = "displacement of the base at the end",
-        impact_count: usize = "contacts with the floor",
-        walls: Option<CushionWallAnswer> = flat,
-        threshold_x_g: f64 = "uplift threshold, thickness",
-        threshold_y_g: Option<f64> = "uplift threshold, width",
-        static_compression_m: f64 = "compression at rest",
-        energy_error_ratio: f64 = "error of the energy balance",
+        model: &'static str = names(&request.object.shape).0;
+        shape: &'static str = names(&request.object.shape).1 => "shape";
+        outcome: &'static str = body.outcome.name() => "outcome";
+        end_time_s: f64 = rocking.end_time_s => "end";
+        peak_tilt_rad: f64 => "largest tilt";
+        peak_tilt_time_s: f64 => "  at";
+        peak_tilt_x_rad: f64 => "  to the right";
+        peak_tilt_y_rad: f64 => "  to the back";
+        uplift_m: f64 => "uplift of a point of the base";
+        first_uplift_time_s: Option<f64> => "first uplift";
+        overturn_time_s: Option<f64> => "overturns";
+        final_tilt_x_rad: f64 => "tilt at the end, to the right";
+        final_tilt_y_rad: f64 => "tilt at the end, to the back";
+        yaw_rad: f64 => "yaw at the end";
+        base_slide_peak_m: f64 => "largest displacement of the base";
+        base_slide_final_m: f64 => "displacement of the base at the end";
+        impact_count: usize = rocking.base_contact_count => "contacts with the floor";
+        walls: Option<CushionWallAnswer> = wall::answer(&request.object, rocking) => flat;
+        threshold_x_g: f64 = request.object.shape.uplift_thresholds()[0] => "uplift threshold, thickness";
+        threshold_y_g: Option<f64> =
+            in_space(&request.object.shape, request.object.shape.uplift_thresholds()[1]) => "uplift threshold, width";
+        static_compression_m: f64 = rocking.static_compression_m => "compression at rest";
+        energy_error_ratio: f64 = rocking.energy.residual_ratio => "error of the energy balance";
         /// Dissipated in the cushions.
-        cushion_dissipation_j: f64,
+        cushion_dissipation_j: f64 = rocking.energy.cushion_dissipation_j;
         /// Dissipated by friction.
-        friction_j: f64,
+        friction_j: f64 = rocking.energy.friction_j;
         /// Left in the cushions where an edge leaves them.
-        lost_at_separation_j: f64,
+        lost_at_separation_j: f64 = rocking.energy.lost_at_separation_j;
         /// Work of the floor.
-        base_work_j: f64,
+        base_work_j: f64 = rocking.energy.base_work_j;
         /// Energy that was exchanged in all.
-        turnover_j: f64,
+        turnover_j: f64 = rocking.energy.turnover_j;
         /// Height of the object.
-        height_m: f64,
+        height_m: f64 = request.object.shape.sizes_m()[2];
         /// Size along the first motion, where the object is not turned.
-        thickness_m: f64,
+        thickness_m: f64 = request.object.shape.sizes_m()[0];
         /// Size across the thickness.
-        width_m: Option<f64>,
+        width_m: Option<f64> = in_space(&request.object.shape, request.object.shape.sizes_m()[1]);
         /// How far the object is turned from the first motion, anticlockwise from above.
-        orientation_rad: f64,
-        support: SupportAnswer = flat,
-        notes: Vec<String> = "note",
+        orientation_rad: f64 = request.orientation_rad;
+        support: SupportAnswer = SupportAnswer::of(
+            &request.object.support, request.object.mass_kg, &request.how.settings, rocking.effort,
+        ) => flat;
+        notes: Vec<String> = notes(&request.edge) => "note";
     }
-}
 
-answer! {
     /// What an object in space or a stack rests on, and how it was followed.
-    pub struct SupportAnswer {
+    pub struct SupportAnswer of (support: &Support, mass_kg: f64, settings: &Settings, effort: CompliantEffort) {
         /// Mass of the object.
-        mass_kg: f64,
+        mass_kg: f64 = mass_kg;
         /// The law of the cushions.
-        law: &'static str,
+        law: &'static str = support.cushion.law().name();
         /// Tangential over normal stiffness of a cushion.
-        tangential_stiffness_ratio: f64,
+        tangential_stiffness_ratio: f64;
         /// Coefficient of friction; none: no slip.
-        friction_ratio: Option<f64>,
+        friction_ratio: Option<f64>;
         /// Relative tolerance of the solver.
-        tolerance: f64,
+        tolerance: f64 = settings.on_pads.tolerance();
         /// Steps of the solver.
-        steps: usize,
+        steps: usize = effort.steps;
         /// Evaluations of the equations of motion.
-        evaluations: usize,
+        evaluations: usize = effort.evaluations;
     }
-}
 
-answer! {
     /// What a stack did.
-    pub struct StackAnswer {
+    pub struct StackAnswer of (rocking: &StackRocking, request: &StackRequest) {
         /// What the lower body stands on.
-        base: &'static str,
+        base: &'static str = "compliant";
         /// How it is followed.
-        model: &'static str,
-        outcome: &'static str = "outcome",
-        overturned_body: Option<&'static str> = "body that falls",
-        end_time_s: f64 = "end",
+        model: &'static str = "stack";
+        outcome: &'static str = rocking.outcome.name() => "outcome";
+        overturned_body: Option<&'static str> =
+            rocking.overturned_body.map(Into::into) => "body that falls";
+        end_time_s: f64 => "end";
         /// The lower body.
-        lower: LowerBody,
+        lower: LowerBody = LowerBody::of(&rocking.lower);
         /// The upper body.
-        upper: UpperBody,
-        threshold_upper_g: f64 = "uplift threshold, upper body alone",
-        threshold_together_g: f64 = "uplift threshold, both together",
+        upper: UpperBody = UpperBody::of(&rocking.upper, rocking.peak_relative_rotation_rad);
+        threshold_upper_g: f64 = request.stack.threshold_upper() => "uplift threshold, upper body alone";
+        threshold_together_g: f64 = request.stack.threshold_together() => "uplift threshold, both together";
         /// Shares of the time.
-        patterns: StackPatterns,
-        energy_error_ratio: f64 = "error of the energy balance",
-        support: SupportAnswer = flat,
+        patterns: StackPatterns = StackPatterns::of(&rocking.patterns);
+        energy_error_ratio: f64 = rocking.energy.residual_ratio => "error of the energy balance";
+        support: SupportAnswer = SupportAnswer::of(
+            &request.stack.support, request.stack.lower.mass_kg, &request.how.settings, rocking.effort,
+        ) => flat;
         /// Mass of the upper body.
-        upper_mass_kg: f64,
+        upper_mass_kg: f64 = request.stack.upper.mass_kg;
         /// Coefficient of friction between the bodies; none: no slip.
-        interface_friction_ratio: Option<f64>,
-        notes: Vec<String> = "note",
+        interface_friction_ratio: Option<f64> = request.stack.interface.friction_ratio;
+        notes: Vec<String> = notes(&request.edge) => "note";
     }
-}
 
-answer! {
     /// What a body of a stack did.
-    pub struct StackBodyAnswer {
+    pub struct StackBodyAnswer of (body: &BodyMotion) {
         /// How it ended.
-        outcome: &'static str,
+        outcome: &'static str = body.outcome.name();
         /// When the rotation was largest.
-        peak_rotation_time_s: f64,
+        peak_rotation_time_s: f64 = body.peak_tilt_time_s;
         /// Rotation at the end.
-        final_rotation_rad: f64,
+        final_rotation_rad: f64 = body.final_tilt_x_rad;
         /// Largest uplift of an edge.
-        uplift_m: f64,
+        uplift_m: f64;
         /// When an edge first lifted.
-        first_uplift_time_s: Option<f64>,
+        first_uplift_time_s: Option<f64>;
         /// When it overturned.
-        overturn_time_s: Option<f64>,
+        overturn_time_s: Option<f64>;
     }
-}
 
-answer! {
     /// What the lower body of a stack did.
-    pub struct LowerBody {
-        peak_rotation_rad: f64 = "largest rotation, lower body",
-        body: StackBodyAnswer = flat,
+    pub struct LowerBody of (motion: &BodyMotion) {
+        peak_rotation_rad: f64 = motion.peak_tilt_rad => "largest rotation, lower body";
+        body: StackBodyAnswer = StackBodyAnswer::of(motion) => flat;
     }
-}
 
-answer! {
     /// What the upper body of a stack did.
-    pub struct UpperBody {
-        peak_rotation_rad: f64 = "largest rotation, upper body",
-        peak_relative_rotation_rad: f64 = "  relative to the lower one",
-        body: StackBodyAnswer = flat,
+    pub struct UpperBody of (motion: &BodyMotion, peak_relative_rotation_rad: f64) {
+        peak_rotation_rad: f64 = motion.peak_tilt_rad => "largest rotation, upper body";
+        peak_relative_rotation_rad: f64 = peak_relative_rotation_rad => "  relative to the lower one";
+        body: StackBodyAnswer = StackBodyAnswer::of(motion) => flat;
     }
-}
 
-answer! {
     /// Shares of the time in which a stack moves in a pattern.
-    pub struct StackPatterns {
+    pub struct StackPatterns of (patterns: &Patterns) {
         /// Neither body has an edge off its support.
-        rest_ratio: f64,
-        same_ratio: f64 = "share of the time: both rock, same sense",
-        opposite_ratio: f64 = "  both rock, opposite sense",
-        together_ratio: f64 = "  together as one body",
-        upper_alone_ratio: f64 = "  the upper body alone",
+        rest_ratio: f64;
+        same_ratio: f64 => "share of the time: both rock, same sense";
+        opposite_ratio: f64 => "  both rock, opposite sense";
+        together_ratio: f64 => "  together as one body";
+        upper_alone_ratio: f64 => "  the upper body alone";
     }
 }
 
@@ -392,58 +387,13 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
         vertical: request.vertical.as_ref(),
     };
     let given = motion.x.or(motion.vertical);
-    let (object, settings) = (&request.object, &request.how.settings);
+    let object = &request.object;
     let history = object
         .follow(motion, &request.how)
         .map_err(unsolved::problem)?;
     let rocking = &history.rocking;
-    let [size_x, size_y, height_m] = object.shape.sizes_m();
-    let thresholds = object.shape.uplift_thresholds();
-    let (model, name) = match object.shape {
-        Shape::Prism { .. } => ("compliant-3d", "prism"),
-        Shape::Cylinder { .. } => ("compliant-3d", "cylinder"),
-        Shape::Plane { .. } => ("compliant", "prism in the plane of its thickness"),
-    };
-    // In the plane there is no width.
-    let in_space = |value: f64| (!matches!(object.shape, Shape::Plane { .. })).then_some(value);
     let body = &rocking.body;
-    let energy = &rocking.energy;
-    let answer = SpatialAnswer {
-        base: "compliant",
-        model,
-        shape: name,
-        outcome: body.outcome.name(),
-        end_time_s: rocking.end_time_s,
-        peak_tilt_rad: body.peak_tilt_rad,
-        peak_tilt_time_s: body.peak_tilt_time_s,
-        peak_tilt_x_rad: body.peak_tilt_x_rad,
-        peak_tilt_y_rad: body.peak_tilt_y_rad,
-        uplift_m: body.uplift_m,
-        first_uplift_time_s: body.first_uplift_time_s,
-        overturn_time_s: body.overturn_time_s,
-        final_tilt_x_rad: body.final_tilt_x_rad,
-        final_tilt_y_rad: body.final_tilt_y_rad,
-        yaw_rad: body.yaw_rad,
-        base_slide_peak_m: body.base_slide_peak_m,
-        base_slide_final_m: body.base_slide_final_m,
-        impact_count: rocking.base_contact_count,
-        walls: wall::answer(object, rocking),
-        threshold_x_g: thresholds[0],
-        threshold_y_g: in_space(thresholds[1]),
-        static_compression_m: rocking.static_compression_m,
-        energy_error_ratio: energy.residual_ratio,
-        cushion_dissipation_j: energy.cushion_dissipation_j,
-        friction_j: energy.friction_j,
-        lost_at_separation_j: energy.lost_at_separation_j,
-        base_work_j: energy.base_work_j,
-        turnover_j: energy.turnover_j,
-        height_m,
-        thickness_m: size_x,
-        width_m: in_space(size_y),
-        orientation_rad: request.orientation_rad,
-        support: support(object.mass_kg, &object.support, settings, rocking.effort),
-        notes: notes(&request.edge),
-    };
+    let answer = SpatialAnswer::of(body, rocking, request);
     let is_shaken = given.is_some();
     let mut warnings = warnings(
         object.mass_kg,
@@ -461,21 +411,18 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
     })
 }
 
-fn support(
-    mass_kg: f64,
-    support: &Support,
-    settings: &Settings,
-    effort: CompliantEffort,
-) -> SupportAnswer {
-    SupportAnswer {
-        mass_kg,
-        law: support.cushion.law().name(),
-        tangential_stiffness_ratio: support.tangential_stiffness_ratio,
-        friction_ratio: support.friction_ratio,
-        tolerance: settings.on_pads.tolerance(),
-        steps: effort.steps,
-        evaluations: effort.evaluations,
+/// The model of a shape, and its name.
+fn names(shape: &Shape) -> (&'static str, &'static str) {
+    match shape {
+        Shape::Prism { .. } => ("compliant-3d", "prism"),
+        Shape::Cylinder { .. } => ("compliant-3d", "cylinder"),
+        Shape::Plane { .. } => ("compliant", "prism in the plane of its thickness"),
     }
+}
+
+/// A value that an object has in three dimensions alone: in the plane there is no width.
+fn in_space(shape: &Shape, value: f64) -> Option<f64> {
+    (!matches!(shape, Shape::Plane { .. })).then_some(value)
 }
 
 fn notes(edge: &EdgeCushion) -> Vec<String> {
@@ -485,8 +432,7 @@ fn notes(edge: &EdgeCushion) -> Vec<String> {
 }
 
 fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f64) -> Vec<String> {
-    let stiffness = stiffness_warnings(mass_kg, &edge.cushion, edge.pad_thickness_m);
-    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
+    let mut warnings: Vec<String> = edge.stiffness_doubts(mass_kg).collect();
     warnings.extend(ringing_warning(&edge.cushion, is_shaken));
     warnings.extend(energy_warning(residual_ratio));
     warnings
@@ -497,17 +443,14 @@ fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f
 /// # Errors
 /// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
-    let motion = Base {
-        horizontal: request.horizontal.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let motion = base(&request.horizontal, &request.vertical);
     let given = motion.horizontal.or(motion.vertical);
     let history = request
         .stack
         .follow(motion, &request.how)
         .map_err(unsolved::problem)?;
     let rocking = &history.rocking;
-    let answer = stack_answer(request, rocking);
+    let answer = StackAnswer::of(rocking, request);
     let lower_kg = request.stack.lower.mass_kg;
     let mut warnings = warnings(
         lower_kg,
@@ -522,54 +465,6 @@ pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
         stack: request.stack.clone(),
         history,
     })
-}
-
-fn stack_answer(request: &StackRequest, rocking: &StackRocking) -> StackAnswer {
-    let stack = &request.stack;
-    let body = |body: &BodyMotion| StackBodyAnswer {
-        outcome: body.outcome.name(),
-        peak_rotation_time_s: body.peak_tilt_time_s,
-        final_rotation_rad: body.final_tilt_x_rad,
-        uplift_m: body.uplift_m,
-        first_uplift_time_s: body.first_uplift_time_s,
-        overturn_time_s: body.overturn_time_s,
-    };
-    let patterns = &rocking.patterns;
-    StackAnswer {
-        base: "compliant",
-        model: "stack",
-        outcome: rocking.outcome.name(),
-        overturned_body: rocking.overturned_body.map(Into::into),
-        end_time_s: rocking.end_time_s,
-        lower: LowerBody {
-            peak_rotation_rad: rocking.lower.peak_tilt_rad,
-            body: body(&rocking.lower),
-        },
-        upper: UpperBody {
-            peak_rotation_rad: rocking.upper.peak_tilt_rad,
-            peak_relative_rotation_rad: rocking.peak_relative_rotation_rad,
-            body: body(&rocking.upper),
-        },
-        threshold_upper_g: stack.threshold_upper(),
-        threshold_together_g: stack.threshold_together(),
-        patterns: StackPatterns {
-            rest_ratio: patterns.rest_ratio,
-            same_ratio: patterns.same_ratio,
-            opposite_ratio: patterns.opposite_ratio,
-            together_ratio: patterns.together_ratio,
-            upper_alone_ratio: patterns.upper_alone_ratio,
-        },
-        energy_error_ratio: rocking.energy.residual_ratio,
-        support: support(
-            stack.lower.mass_kg,
-            &stack.support,
-            &request.how.settings,
-            rocking.effort,
-        ),
-        upper_mass_kg: stack.upper.mass_kg,
-        interface_friction_ratio: stack.interface.friction_ratio,
-        notes: notes(&request.edge),
-    }
 }
 
 /// The columns of a history in space.

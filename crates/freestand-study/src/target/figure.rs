@@ -7,7 +7,7 @@ use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{
-    Axis, DARK, axes, curve_style, line, markers, plain, plain_ticks,
+    Axis, DARK, axes, curve_style, line, markers, over_periods, plain, plain_ticks, points,
 };
 use freestand_output::figure::{Figure, FigureError};
 
@@ -15,19 +15,18 @@ use super::spectrum::{CodeSpectrumReport, PartsLevel};
 
 const PANEL_PX: f64 = 330.0;
 
-/// Acceleration against period; in a second panel, if there is a clause, floor accelerations over
-/// the height.
-pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
+/// Draws the spectrum of a code, and the accelerations of parts over the height of a building.
+///
+/// # Errors
+/// The error of the plot library.
+pub fn code_spectrum_figure(report: &CodeSpectrumReport) -> Result<Figure, FigureError> {
     let mut panels = vec![spectrum_panel(report)];
     let mut legend = vec![line_entry(0, "horizontal")];
     if report.vertical_sa_g.is_some() {
         legend.push(line_entry(1, "vertical"));
     }
     if !report.corner_periods_s.is_empty() {
-        legend.push(Entry {
-            sign: Sign::Dot { colour: DARK },
-            words: "corner".into(),
-        });
+        legend.push(Entry::new(Sign::Dot { colour: DARK }, "corner"));
     }
     let zero = report
         .periods_s
@@ -49,7 +48,7 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
         ));
     }
     let columns = panels.len();
-    Page {
+    draw(Page {
         name: "spectrum".to_owned(),
         title: plain(&report.target.one_line()),
         caption,
@@ -57,46 +56,29 @@ pub(crate) fn code_spectrum(report: &CodeSpectrumReport) -> Page {
         columns,
         row_heights_px: vec![PANEL_PX],
         legend,
-    }
+    })
 }
 
 fn line_entry(index: usize, words: &str) -> Entry {
     let style = curve_style(index);
-    Entry {
-        sign: Sign::Line {
-            colour: style.colour,
-            width_px: 2.2,
-            dash: style.dash,
-        },
-        words: words.into(),
-    }
+    Entry::line(style.colour, 2.2, style.dash, words)
 }
 
 fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
-    let points = |values: &[f64]| -> Vec<(f64, f64)> {
-        report
-            .periods_s
-            .iter()
-            .copied()
-            .zip(values.iter().copied())
+    let above_zero = |values: &[f64]| -> Vec<(f64, f64)> {
+        points(&report.periods_s, values)
             .filter(|point| point.0 > 0.0)
             .collect()
     };
-    let curve = points(&report.sa_g);
-    let mut plots = vec![line(
-        &curve,
-        curve_style(0).colour,
-        2.2,
-        curve_style(0).dash,
-    )];
+    let drawn = |index: usize, curve: &[(f64, f64)]| {
+        let style = curve_style(index);
+        line(curve, style.colour, 2.2, style.dash)
+    };
+    let curve = above_zero(&report.sa_g);
+    let mut plots = vec![drawn(0, &curve)];
     let mut highest = report.sa_g.iter().copied().fold(0.0, f64::max);
     if let Some(vertical) = &report.vertical_sa_g {
-        plots.push(line(
-            &points(vertical),
-            curve_style(1).colour,
-            2.2,
-            curve_style(1).dash,
-        ));
+        plots.push(drawn(1, &above_zero(vertical)));
         highest = vertical.iter().copied().fold(highest, f64::max);
     }
     let (mut from, mut to) = (
@@ -106,26 +88,15 @@ fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
     if from >= to {
         (from, to) = (0.5 * from, 2.0 * from);
     }
-    let corners = report
-        .corner_periods_s
-        .iter()
-        .copied()
-        .zip(report.corners_g.iter().copied());
-    let drawn: Vec<(f64, f64)> = corners.filter(|(t, _)| (from..=to).contains(t)).collect();
-    if !drawn.is_empty() {
-        plots.push(markers(&drawn, DARK, MarkerShape::Circle, 3.6));
+    let corners: Vec<(f64, f64)> = points(&report.corner_periods_s, &report.corners_g)
+        .filter(|(t, _)| (from..=to).contains(t))
+        .collect();
+    if !corners.is_empty() {
+        plots.push(markers(&corners, DARK, MarkerShape::Circle, 3.6));
     }
-    let x = Axis {
-        from,
-        to,
-        step: None,
-        label: "Period (s)".into(),
-    };
     let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
-    let y_ticks = plain_ticks(y.to);
-    let mut layout = axes(x, y).with_log_x();
-    layout.x_tick_format = plain_ticks(0.0);
-    layout.y_tick_format = y_ticks;
+    let top = y.to;
+    let layout = over_periods(axes(Axis::between(from, to, "Period (s)"), y), top);
     Panel { plots, layout }
 }
 
@@ -143,20 +114,10 @@ fn parts_panel(levels: &[PartsLevel]) -> Panel {
     let x = Axis::from_zero(1.02 * highest, "Acceleration of a rigid part (g)");
     let x_ticks = plain_ticks(x.to);
     let y = Axis {
-        from: 0.0,
-        to: 1.0,
         step: Some(0.2),
-        label: "Height of the floor z/h".into(),
+        ..Axis::between(0.0, 1.0, "Height of the floor z/h")
     };
     let mut layout = axes(x, y);
     layout.x_tick_format = x_ticks;
     Panel { plots, layout }
-}
-
-/// Draws the spectrum of a code, and the accelerations of parts over the height of a building.
-///
-/// # Errors
-/// The error of the plot library.
-pub fn code_spectrum_figure(report: &CodeSpectrumReport) -> Result<Figure, FigureError> {
-    draw(code_spectrum(report))
 }

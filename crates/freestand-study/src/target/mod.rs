@@ -27,7 +27,7 @@ pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
 
 use crate::places::{Confidence, Place};
-use freestand_input::file::InputFile;
+use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
@@ -163,6 +163,14 @@ impl Target {
     }
 
     /// The facts for reports, each as a name and a value.
+    pub(crate) fn fact_rows(&self) -> Vec<(&str, String)> {
+        self.facts
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.clone()))
+            .collect()
+    }
+
+    /// Its facts, as documents have them.
     pub(crate) fn named_facts(&self) -> Vec<NamedFact<'_>> {
         self.facts.iter().map(NamedFact).collect()
     }
@@ -337,11 +345,8 @@ impl Target {
 
     /// The name of the table's file.
     fn file_name(&self) -> String {
-        let name = self.file.as_ref().and_then(|file| file.path.file_name());
-        name.map_or_else(
-            || "of the user".to_owned(),
-            |name| name.to_string_lossy().into_owned(),
-        )
+        let name = self.file.as_ref().and_then(|file| file_name(&file.path));
+        name.unwrap_or_else(|| "of the user".to_owned())
     }
 }
 
@@ -358,7 +363,7 @@ answer_of!(Target as target {
     /// The class of the site.
     site: Option<&'static str> = target.spectrum.site_name();
     /// The place whose hazard was used.
-    place: Option<&'static Place> = target.place;
+    place: Option<&'static Place>;
     hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
     /// Whether the minimum of kpZ governs, by AS 1170.4.
     minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);
@@ -366,22 +371,19 @@ answer_of!(Target as target {
     facts: Vec<NamedFact<'_>> = target.named_facts();
 });
 
-/// The hazard of a target; without one, its values are null.
-#[derive(Clone, Copy)]
-pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>);
-
-answer_of!(HazardOf<'_> as of {
+answer_of!(
+    /// The hazard of a target; without one, its values are null.
+    pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>) as of {
     /// Z.
     hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
-    return_period_years: Option<u64> = of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
+    return_period_years: Option<u64> =
+        of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
     kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
 });
 
-/// A name and a value.
-#[derive(Clone, Copy)]
-pub(crate) struct NamedFact<'t>(&'t (String, String));
-
-answer_of!(NamedFact<'_> as fact {
+answer_of!(
+    /// A name and a value.
+    pub(crate) struct NamedFact<'t>(&'t (String, String)) as fact {
     name: String = fact.0.0.clone();
     value: String = fact.0.1.clone();
 });

@@ -70,21 +70,17 @@ pub struct CodeSpectrumReport {
 
 answer_of!(CodeSpectrumReport as report {
     target: &Target = &report.target => flat;
-    corner_periods_s: Vec<f64> = report.corner_periods_s.clone();
-    periods_s: Vec<f64> = report.periods_s.clone();
-    sa_g: Vec<f64> = report.sa_g.clone();
+    corner_periods_s: Vec<f64>;
+    periods_s: Vec<f64>;
+    sa_g: Vec<f64>;
     /// Given by Eurocode 8 only.
-    vertical_sa_g: Option<Vec<f64>> = report.vertical_sa_g.clone();
-    parts: Option<PartsReport> = report.parts.clone();
+    vertical_sa_g: Option<Vec<f64>>;
+    parts: Option<PartsReport>;
 });
 
 answer! {
     /// Accelerations of rigid parts over the height of a building.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct PartsReport {
+    pub struct PartsReport named {
         clause: &'static str,
         building_height_m: Option<f64>,
         building_period_s: Option<f64>,
@@ -94,11 +90,7 @@ answer! {
 
 answer! {
     /// The acceleration of a rigid part on one level.
-    #[expect(
-        missing_docs,
-        reason = "the names are those of the JSON document and state the units"
-    )]
-    pub struct PartsLevel {
+    pub struct PartsLevel named {
         level_ratio: f64,
         height_m: Option<f64>,
         floor_acceleration_g: f64,

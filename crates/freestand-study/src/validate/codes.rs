@@ -102,28 +102,44 @@ fn melbourne() -> Result<As1170_4, Problem> {
     As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).map_err(defect)
 }
 
+fn europe(kind: SpectrumType, ground: GroundType) -> Result<Eurocode8, Problem> {
+    Eurocode8::new(kind, ground, 0.2, 1.0).map_err(defect)
+}
+
+fn america() -> Result<Asce7, Problem> {
+    Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)
+}
+
+fn new_zealand() -> Result<Nzs1170_5, Problem> {
+    Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)
+}
+
+/// Spectral accelerations \[g\] of a code at some periods \[s\].
+fn accelerations<const N: usize>(
+    name: &'static str,
+    code: &CodeSpectrum,
+    values: [(f64, f64); N],
+    reference: &'static str,
+) -> impl Iterator<Item = Check> {
+    values.into_iter().map(move |(t, sa_g)| {
+        let name = format!("{name}, Sa({t} s) [g]");
+        check(name, code.sa_g(t), sa_g, ROUNDING, reference)
+    })
+}
+
 fn australia() -> Result<Vec<Check>, Problem> {
     const CODE: &str =
         "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
     let spectrum = melbourne()?;
-    let mut checks: Vec<Check> = [
+    let values = [
         (0.0, 0.088),
         (0.3, 0.2944),
         (1.0, 0.1584),
         (1.5, 0.1056),
         (2.0, 0.0594),
-    ]
-    .into_iter()
-    .map(|(t, sa)| {
-        check(
-            format!("code spectrum, Sa({t} s) [g]"),
-            spectrum.sa_g(t),
-            sa,
-            ROUNDING,
-            CODE,
-        )
-    })
-    .collect();
+    ];
+    let mut checks: Vec<Check> =
+        accelerations("code spectrum", &spectrum.into(), values, CODE).collect();
     let sd_mm = 1e3 * G0_M_S2 * spectrum.sa_g(4.0) * (4.0 / TAU).powi(2);
     checks.push(check(
         "code spectrum, Sd beyond 1.5 s [mm]",
@@ -155,60 +171,37 @@ fn others() -> Result<Vec<Check>, Problem> {
     const EC8: &str = "EN 1998-1:2004, Eqs. (3.2)-(3.5), Tables 3.2 and 3.3, a_g = 0.2 g, by hand";
     const ASCE: &str = "ASCE 7, 11.4: SDS = 1 g, SD1 = 0.6 g, TL = 8 s, by hand";
     const NZS: &str = "NZS 1170.5:2004, Table 3.1 as printed, times Z R = 0.4";
-    let europe = |kind, ground| Eurocode8::new(kind, ground, 0.2, 1.0).map_err(defect);
     let first = europe(SpectrumType::Type1, GroundType::B)?;
     let second = europe(SpectrumType::Type2, GroundType::D)?;
-    let america = Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)?;
-    let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)?;
-    let mut checks = Vec::new();
-    for (t, sa) in [
+    let (america, new_zealand) = (america()?, new_zealand()?);
+    let values = [
         (0.0, 0.24),
         (0.15, 0.6),
         (0.5, 0.6),
         (1.0, 0.3),
         (2.0, 0.15),
         (4.0, 0.0375),
-    ] {
-        checks.push(check(
-            format!("Eurocode 8, type 1, ground B, Sa({t} s) [g]"),
-            first.sa_g(t),
-            sa,
-            ROUNDING,
-            EC8,
-        ));
-    }
-    for (t, sa) in [
+    ];
+    let mut checks: Vec<Check> =
+        accelerations("Eurocode 8, type 1, ground B", &first.into(), values, EC8).collect();
+    let values = [
         (0.0, 0.36),
         (0.1, 0.9),
         (0.3, 0.9),
         (1.2, 0.225),
         (2.4, 0.056_25),
-    ] {
-        checks.push(check(
-            format!("Eurocode 8, type 2, ground D, Sa({t} s) [g]"),
-            second.sa_g(t),
-            sa,
-            ROUNDING,
-            EC8,
-        ));
-    }
-    for (t, sa) in [
+    ];
+    let name = "Eurocode 8, type 2, ground D";
+    checks.extend(accelerations(name, &second.into(), values, EC8));
+    let values = [
         (0.0, 0.4),
         (0.12, 1.0),
         (0.6, 1.0),
         (2.0, 0.3),
         (8.0, 0.075),
         (16.0, 0.01875),
-    ] {
-        checks.push(check(
-            format!("ASCE 7, Sa({t} s) [g]"),
-            america.sa_g(t),
-            sa,
-            ROUNDING,
-            ASCE,
-        ));
-    }
-    // Half a unit of the last printed digit, times 0.4.
+    ];
+    checks.extend(accelerations("ASCE 7", &america.into(), values, ASCE));
     for (t, ch) in [
         (0.0, 1.33),
         (0.3, 2.93),
@@ -235,25 +228,11 @@ fn floors() -> Result<Vec<Check>, Problem> {
         ("AS 1170.4", melbourne()?.into(), 3.0 * 0.088),
         (
             "Eurocode 8",
-            Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0)
-                .map_err(defect)?
-                .into(),
+            europe(SpectrumType::Type1, GroundType::B)?.into(),
             2.5 * 0.24,
         ),
-        (
-            "ASCE 7-22",
-            Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0)
-                .map_err(defect)?
-                .into(),
-            3.5 * 0.4,
-        ),
-        (
-            "NZS 1170.5",
-            Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None)
-                .map_err(defect)?
-                .into(),
-            3.0 * 0.532,
-        ),
+        ("ASCE 7-22", america()?.into(), 3.5 * 0.4),
+        ("NZS 1170.5", new_zealand()?.into(), 3.0 * 0.532),
     ];
     let mut checks = Vec::new();
     for (name, code, expected) in codes {

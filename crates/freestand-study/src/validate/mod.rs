@@ -7,7 +7,7 @@ mod shock;
 mod synthesis;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
-use freestand::building::{Building, Damping, Storey};
+use freestand::building::{Building, Damping, Mode, Storey};
 use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
@@ -103,6 +103,20 @@ pub fn check(
         ok,
         reference,
     }
+}
+
+/// Checks of values in their order, each named by its number, from 1.
+fn numbered<const N: usize>(
+    name: impl Fn(usize) -> String,
+    computed: impl Iterator<Item = f64>,
+    expected: [f64; N],
+    tolerance: f64,
+    reference: &'static str,
+) -> impl Iterator<Item = Check> {
+    let each = (1..).zip(computed.zip(expected));
+    each.map(move |(i, (computed, expected))| {
+        check(name(i), computed, expected, tolerance, reference)
+    })
 }
 
 /// Runs every check. A group that cannot be computed is an error, not a failed check.
@@ -229,28 +243,27 @@ fn table_one_checks(rows: &[TableOneRow]) -> Vec<Check> {
     .map(|(i, a, e, p)| (rows.get(i), a, e, p))
     {
         let Some(row) = row else { continue };
-        let test = row.test;
-        checks.push(check(
-            format!("Table I, test {test}: a by Eq. (7) [g]"),
-            row.drop_acceleration_g,
-            a,
-            5e-4,
-            HAND,
-        ));
-        checks.push(check(
-            format!("Table I, test {test}: a_edge by Eq. (5) [g]"),
-            row.edge_acceleration_g,
-            a_edge,
-            5e-4,
-            HAND,
-        ));
-        checks.push(check(
-            format!("Table I, test {test}: a as printed [g]"),
-            row.drop_acceleration_g,
-            printed,
-            0.05,
-            PRINTED,
-        ));
+
+        for (what, computed, expected, tolerance, reference) in [
+            ("a by Eq. (7)", row.drop_acceleration_g, a, 5e-4, HAND),
+            (
+                "a_edge by Eq. (5)",
+                row.edge_acceleration_g,
+                a_edge,
+                5e-4,
+                HAND,
+            ),
+            (
+                "a as printed",
+                row.drop_acceleration_g,
+                printed,
+                0.05,
+                PRINTED,
+            ),
+        ] {
+            let name = format!("Table I, test {}: {what} [g]", row.test);
+            checks.push(check(name, computed, expected, tolerance, reference));
+        }
     }
     let mean = rows
         .iter()
@@ -343,53 +356,58 @@ fn block_checks() -> Result<Vec<Check>, Problem> {
         ));
     }
     const HOUSNER: &str = "Housner (1963): r = 1 − 1.5 sin²α";
-    let at = |alpha: f64| Block::uniform(1.0, alpha.tan()).map_err(defect);
-    checks.push(check(
-        "Housner's r at α = 0.2",
-        at(0.2)?.landing_ratio(),
-        0.940_795_745_5,
-        5e-11,
-        HOUSNER,
-    ));
-    let three = Block::uniform(3.0, 1.0).map_err(defect)?;
-    checks.push(check(
-        "Housner's r at h/t = 3",
-        three.landing_ratio(),
-        0.85,
-        1e-14,
-        HOUSNER,
-    ));
-    let squat = Block::uniform(SQUAT_SLENDERNESS, 1.0).map_err(defect)?;
-    checks.push(check(
-        "Housner's r at h/t = 1/√2",
-        squat.landing_ratio(),
-        0.0,
-        1e-14,
-        HOUSNER,
-    ));
-    const FRICTION: &str = "impulses of the no-slip landing: H(1 − r)/(1 + r)";
-    let needed = impact_friction_needed_ratio(&three, three.landing_ratio());
-    checks.push(check(
-        "friction needed in an impact, H = 3, Housner",
-        needed,
-        0.243,
-        5e-4,
-        FRICTION,
-    ));
-    let five = Block::uniform(5.0, 1.0).map_err(defect)?;
-    let needed = impact_friction_needed_ratio(&five, 0.63);
-    checks.push(check(
-        "friction needed in an impact, H = 5, r = 0.63",
-        needed,
-        5.0 * 0.37 / 1.63,
-        1e-14,
-        FRICTION,
-    ));
-    const SERIES: &str = "springs in series: 1/k = Σ 1/kᵢ";
-    let mut layers = Vec::new();
-    for stiffness_n_m in [4e6, 4e6, 2e6] {
-        layers.push(Cushion::linear(stiffness_n_m).map_err(defect)?);
+    let block =
+        |height_m: f64, thickness_m: f64| Block::uniform(height_m, thickness_m).map_err(defect);
+    let three = block(3.0, 1.0)?;
+    for (name, block, expected, tolerance) in [
+        (
+            "Housner's r at α = 0.2",
+            block(1.0, 0.2_f64.tan())?,
+            0.940_795_745_5,
+            5e-11,
+        ),
+        ("Housner's r at h/t = 3", three, 0.85, 1e-14),
+        (
+            "Housner's r at h/t = 1/√2",
+            block(SQUAT_SLENDERNESS, 1.0)?,
+            0.0,
+            1e-14,
+        ),
+    ] {
+        checks.push(check(
+            name,
+            block.landing_ratio(),
+            expected,
+            tolerance,
+            HOUSNER,
+        ));
     }
+    const FRICTION: &str = "impulses of the no-slip landing: H(1 − r)/(1 + r)";
+    for (name, block, restitution, expected, tolerance) in [
+        (
+            "friction needed in an impact, H = 3, Housner",
+            three,
+            three.landing_ratio(),
+            0.243,
+            5e-4,
+        ),
+        (
+            "friction needed in an impact, H = 5, r = 0.63",
+            block(5.0, 1.0)?,
+            0.63,
+            5.0 * 0.37 / 1.63,
+            1e-14,
+        ),
+    ] {
+        let needed = impact_friction_needed_ratio(&block, restitution);
+        checks.push(check(name, needed, expected, tolerance, FRICTION));
+    }
+    const SERIES: &str = "springs in series: 1/k = Σ 1/kᵢ";
+    let layers: Vec<Cushion> = [4e6, 4e6, 2e6]
+        .into_iter()
+        .map(Cushion::linear)
+        .collect::<Result<_, _>>()
+        .map_err(defect)?;
     let series = Cushion::in_series(&layers)
         .map_err(defect)?
         .force_n(1e-3, 0.0)
@@ -418,38 +436,38 @@ fn shock_response_checks() -> Vec<Check> {
         duration_s: 0.02,
         ..pulse
     };
-    vec![
+    [
         // The steps of 0.001 in fT miss the maximum by its curvature, below 1e-5.
-        check(
+        (
             "half-sine: largest amplification",
             largest,
             1.768_46,
             1.5e-5,
-            HALF_SINE,
         ),
-        check(
+        (
             "half-sine: amplification at fT = 1/2",
             half_sine_maximax_ratio(0.5),
             FRAC_PI_2,
             1e-14,
-            HALF_SINE,
         ),
         // 2b/(1−b²) sin of b = 1/2 at s = 2/3: √3.
-        check(
+        (
             "half-sine: amplification at fT = 1",
             half_sine_maximax_ratio(1.0),
             3f64.sqrt(),
             1e-14,
-            HALF_SINE,
         ),
-        check(
+        (
             "half-sine of twice the duration: severity",
             half_sine_severity_ratio(longer, pulse),
             2.0,
             1e-9,
-            HALF_SINE,
         ),
     ]
+    .map(|(name, computed, expected, tolerance)| {
+        check(name, computed, expected, tolerance, HALF_SINE)
+    })
+    .to_vec()
 }
 
 fn building_checks() -> Result<Vec<Check>, Problem> {
@@ -463,22 +481,24 @@ fn building_checks() -> Result<Vec<Check>, Problem> {
         (650.0, [0.333_33, 0.199_99], [1.2733, -0.4244]),
     ] {
         let beam = Building::beam(1.0, 0.05, alpha, 3).map_err(defect)?;
-        let modes = beam.modes();
-        // Half a unit of the last digit of the table.
-        for (i, (mode, expected)) in modes.iter().skip(1).zip(ratios).enumerate() {
-            let name = format!("beam with α₀ = {alpha}: T{}/T1", i + 2);
-            checks.push(check(name, mode.period_s(), expected, 5.5e-6, BEAM));
-        }
-        for (i, (mode, expected)) in modes.iter().zip(participation).enumerate() {
-            let name = format!("beam with α₀ = {alpha}: participation of mode {}", i + 1);
-            checks.push(check(
-                name,
-                mode.participation_ratio(),
-                expected,
-                5.5e-5,
-                BEAM,
-            ));
-        }
+        let modes = || beam.modes().iter();
+        // Tolerances: half a unit of the last digit of the table.
+        let name = |i| format!("beam with α₀ = {alpha}: T{}/T1", i + 1);
+        checks.extend(numbered(
+            name,
+            modes().skip(1).map(Mode::period_s),
+            ratios,
+            5.5e-6,
+            BEAM,
+        ));
+        let name = |i| format!("beam with α₀ = {alpha}: participation of mode {i}");
+        checks.extend(numbered(
+            name,
+            modes().map(Mode::participation_ratio),
+            participation,
+            5.5e-5,
+            BEAM,
+        ));
     }
     Ok(checks)
 }
@@ -493,51 +513,37 @@ fn storey_checks() -> Result<Vec<Check>, Problem> {
     };
     let building = Building::shear(&[storey; 30], &Damping::Uniform(0.05), 5).map_err(defect)?;
     let mut checks = Vec::new();
-    let modes = building.modes();
-    // Half a unit of the last digit of the table.
-    for (i, (mode, expected)) in modes
-        .iter()
+    let modes = || building.modes().iter();
+    let shorter = modes()
         .skip(1)
-        .zip([0.333_63, 0.200_53, 0.143_62, 0.112_10])
-        .enumerate()
-    {
-        let name = format!("shear building of 30 storeys: T{}/T1", i + 2);
-        checks.push(check(
-            name,
-            mode.period_s() / building.period_s(),
-            expected,
-            5.5e-6,
-            SHEAR,
-        ));
-    }
-    for (i, (mode, expected)) in modes
-        .iter()
-        .zip([1.272_54, -0.422_31, 0.251_14])
-        .enumerate()
-    {
-        let name = format!(
-            "shear building of 30 storeys: participation of mode {}",
-            i + 1
-        );
-        checks.push(check(
-            name,
-            mode.participation_ratio(),
-            expected,
-            5.5e-6,
-            SHEAR,
-        ));
-    }
-    for (i, (mode, expected)) in modes
-        .iter()
-        .zip([0.888_45, 0.310_85, -0.167_18])
-        .enumerate()
-    {
-        let name = format!(
-            "shear building of 30 storeys: share of mode {} at floor 15",
-            i + 1
-        );
-        checks.push(check(name, mode.share_ratio(0.5), expected, 5.5e-6, SHEAR));
-    }
+        .map(|mode| mode.period_s() / building.period_s());
+    // Tolerances: half a unit of the last digit of the table.
+    let name = |i| format!("shear building of 30 storeys: T{}/T1", i + 1);
+    checks.extend(numbered(
+        name,
+        shorter,
+        [0.333_63, 0.200_53, 0.143_62, 0.112_10],
+        5.5e-6,
+        SHEAR,
+    ));
+    let name = |i| format!("shear building of 30 storeys: participation of mode {i}");
+    let participation = modes().map(Mode::participation_ratio);
+    checks.extend(numbered(
+        name,
+        participation,
+        [1.272_54, -0.422_31, 0.251_14],
+        5.5e-6,
+        SHEAR,
+    ));
+    let name = |i| format!("shear building of 30 storeys: share of mode {i} at floor 15");
+    let share = modes().map(|mode| mode.share_ratio(0.5));
+    checks.extend(numbered(
+        name,
+        share,
+        [0.888_45, 0.310_85, -0.167_18],
+        5.5e-6,
+        SHEAR,
+    ));
     const RAYLEIGH: &str = "Rayleigh damping, closed form: ζ = a₀/(2ω) + a₁ω/2";
     let rayleigh = Damping::Rayleigh {
         damping_ratio: 0.05,
@@ -545,14 +551,14 @@ fn storey_checks() -> Result<Vec<Check>, Problem> {
     };
     let ratios = rayleigh.ratios(&[4.0, 2.0, 1.0, 0.5]).map_err(defect)?;
     // Frequencies as 1, 2, 4, 8: a₁ω₁ = 0.02 and a₀/ω₁ = 0.08.
-    for (i, (ratio, expected)) in ratios
-        .into_iter()
-        .zip([0.05, 0.04, 0.05, 0.085])
-        .enumerate()
-    {
-        let name = format!("Rayleigh damping of 5 % at modes 1 and 3: mode {}", i + 1);
-        checks.push(check(name, ratio, expected, 1e-15, RAYLEIGH));
-    }
+    let name = |i| format!("Rayleigh damping of 5 % at modes 1 and 3: mode {i}");
+    checks.extend(numbered(
+        name,
+        ratios.into_iter(),
+        [0.05, 0.04, 0.05, 0.085],
+        1e-15,
+        RAYLEIGH,
+    ));
     Ok(checks)
 }
 

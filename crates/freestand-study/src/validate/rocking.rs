@@ -10,7 +10,7 @@ use freestand::rocking::{
     Base, Restitution, RockingModel, RockingOptions, Until, rock, rock_observed,
 };
 
-use super::{Check, check, defect};
+use super::{Check, check, defect, numbered};
 use freestand_input::problem::Problem;
 
 const HOUSNER: &str = "Housner (1963): free rocking, p T/4";
@@ -117,37 +117,31 @@ fn decay() -> Result<Vec<Check>, Problem> {
         }
     })
     .map_err(defect)?;
-    let mut checks = Vec::new();
-    for (n, expected) in [0.420_356_31, 0.358_022_88, 0.307_493_61, 0.265_647_96]
-        .into_iter()
-        .enumerate()
-    {
-        let computed = peaks.get(n).copied().unwrap_or(f64::NAN);
-        checks.push(check(
-            format!("amplitude θ/α after impact {}", n + 1),
-            computed,
-            expected,
-            5.1e-9,
-            ENERGY,
-        ));
-    }
-    for (n, expected) in [1.318_504_4, 3.604_495_4, 5.632_523_4, 7.457_080_0]
-        .into_iter()
-        .enumerate()
-    {
-        let computed = history
-            .impacts
-            .get(n)
-            .map_or(f64::NAN, |impact| p * impact.time_s);
-        checks.push(check(
-            format!("p × time of impact {}", n + 1),
-            computed,
-            expected,
-            5.1e-8,
-            HOUSNER,
-        ));
-    }
-    Ok(checks)
+    // A missing impact fails its check.
+    let missing = || std::iter::repeat(f64::NAN);
+    let peaks = peaks.into_iter().chain(missing());
+    let expected = [0.420_356_31, 0.358_022_88, 0.307_493_61, 0.265_647_96];
+    let amplitudes = numbered(
+        |n| format!("amplitude θ/α after impact {n}"),
+        peaks,
+        expected,
+        5.1e-9,
+        ENERGY,
+    );
+    let times = history
+        .impacts
+        .iter()
+        .map(|impact| p * impact.time_s)
+        .chain(missing());
+    let expected = [1.318_504_4, 3.604_495_4, 5.632_523_4, 7.457_080_0];
+    let times = numbered(
+        |n| format!("p × time of impact {n}"),
+        times,
+        expected,
+        5.1e-8,
+        HOUSNER,
+    );
+    Ok(amplitudes.chain(times).collect())
 }
 
 /// The amplitude between `low` and `high` at which `overturns` changes its answer; NaN if it does

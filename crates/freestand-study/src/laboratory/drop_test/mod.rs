@@ -473,44 +473,49 @@ impl DropReport {
 }
 
 answer_of!(DropReport as one {
-    path: String = one.path.clone() => "file";
+    path: String => "file";
     /// Its number in its file.
-    drop: usize = one.drop;
+    drop: usize;
     /// Of its pulse, from the first sample of the file.
-    start_time_s: Option<f64> = one.start_time_s;
-    mass_kg: f64 = one.mass_kg;
+    start_time_s: Option<f64>;
+    mass_kg: f64;
     impact_velocity_m_s: Option<f64> = one.test.impact_velocity_m_s => "impact velocity";
     /// given, height or impulse.
     impact_velocity_source: &'static str = one.velocity_source.into() => "  source";
     fitted_velocity_m_s: Option<f64> = one.of(|found| found.fitted_velocity_m_s);
-    peak_acceleration_g: Option<f64> = one.test.peak_acceleration_m_s2.map(|a| a / G0_M_S2) => "peak acceleration";
+    peak_acceleration_g: Option<f64> =
+        one.test.peak_acceleration_m_s2.map(|a| a / G0_M_S2) => "peak acceleration";
     contact_time_s: Option<f64> = one.test.contact_time_s => "contact time";
     max_compression_m: Option<f64> = one.test.max_compression_m => "largest compression";
     restitution_ratio: Option<f64> = one.test.restitution_ratio => "restitution";
-    restitution_bounce_ratio: Option<f64> = one.test.restitution_bounce_ratio => "restitution, from the bounce";
+    restitution_bounce_ratio: Option<f64> =
+        one.test.restitution_bounce_ratio => "restitution, from the bounce";
     energy_lost_ratio: Option<f64> = one.test.energy_lost_ratio;
     stiffness_n_m: Estimates = Estimates(one.of(|found| found.stiffness));
     stiffness_ci95_n_m: Option<[f64; 2]> = one.of(|found| {
         [-NORMAL_975, NORMAL_975].map(|side| found.stiffness.fit_n_m * (side * found.error_ratio).exp())
     }) => "  95 % interval of the fit";
     law: Option<&'static str> = one.of(|found| found.chosen.name()) => "law";
-    initial_stiffness_n_m: Option<f64> = one.of(|found| found.initial_stiffness_n_m).flatten() => "tangent at the origin";
+    initial_stiffness_n_m: Option<f64> =
+        one.of(|found| found.initial_stiffness_n_m).flatten() => "tangent at the origin";
     cubic_n_m3: Option<f64> = one.of(|found| found.cubic_n_m3).flatten();
     filter_corner_hz: Option<f64> = one.of(|found| found.filter_corner_hz).flatten();
     coefficient_n_mn: Option<f64> = numbers(one.found()).0;
     exponent: Option<f64> = one.of(|found| found.exponent) => "exponent, fitted";
     exponent_error: Option<f64> = one.of(|found| found.exponent_error).flatten();
-    exponent_by_identity: Option<f64> = one.of(|found| found.exponent_by_identity) => "exponent, 2ad/v² − 1";
+    exponent_by_identity: Option<f64> =
+        one.of(|found| found.exponent_by_identity) => "exponent, 2ad/v² − 1";
     damping_ratio: Option<f64> = one.of(|found| found.damping_ratio) => "damping ratio";
     damping_n_s_m: Option<f64> = numbers(one.found()).1;
     dissipation_s_m: Option<f64> = numbers(one.found()).2;
     gravity_in_contact: Option<bool> = one.of(|found| found.has_gravity);
     /// The laws that were fitted.
-    candidates: Vec<Fitted<'_>> = one.found().map_or(&[][..], |found| &found.candidates).iter().map(Fitted).collect();
+    candidates: Vec<Fitted<'_>> =
+        one.found().map_or(&[][..], |found| &found.candidates).iter().map(Fitted).collect();
     quality: OfQuality<'_> = OfQuality(one);
-    impactor: Option<String> = one.impactor.clone();
-    sphere_radius_m: Option<f64> = one.sphere_radius_m;
-    boundary: Option<String> = one.boundary.clone();
+    impactor: Option<String>;
+    sphere_radius_m: Option<f64>;
+    boundary: Option<String>;
     reason: Option<String> = one.reason() => "no stiffness";
 });
 
@@ -524,33 +529,31 @@ answer_of!(Estimates as k {
     peak_over_velocity: Option<f64> = k.0.map(|k| k.peak_over_velocity_n_m) => "  m (a/v)²";
     contact_time: Option<f64> = k.0.map(|k| k.contact_time_n_m) => "  m (π/tc)²";
     velocity_over_compression: Option<f64> = k.0.map(|k| k.velocity_over_compression_n_m) => "  m (v/d)²";
-    acceleration_over_compression: Option<f64> = k.0.map(|k| k.acceleration_over_compression_n_m) => "  m a/d";
+    acceleration_over_compression: Option<f64> =
+        k.0.map(|k| k.acceleration_over_compression_n_m) => "  m a/d";
     energy: Option<f64> = k.0.map(|k| k.energy_n_m) => "  2E/d²";
 });
 
-/// A law that was fitted.
-#[derive(Clone, Copy)]
-struct Fitted<'r>(&'r Candidate);
-
-answer_of!(Fitted<'_> as fitted {
+answer_of!(
+    /// A law that was fitted.
+    struct Fitted<'r>(&'r Candidate) as fitted.0 {
     law: &'static str = fitted.0.law.name();
     stiffness_n_m: f64 = fitted.0.secant_n_m;
-    exponent: f64 = fitted.0.exponent;
-    damping_ratio: f64 = fitted.0.damping_ratio;
-    residual_ratio: f64 = fitted.0.residual_ratio;
-    chi_squared: f64 = fitted.0.chi_squared;
+    exponent: f64;
+    damping_ratio: f64;
+    residual_ratio: f64;
+    chi_squared: f64;
 });
 
-/// How far a drop can be trusted.
-#[derive(Clone, Copy)]
-struct OfQuality<'r>(&'r DropReport);
-
-answer_of!(OfQuality<'_> as of {
+answer_of!(
+    /// How far a drop can be trusted.
+    struct OfQuality<'r>(&'r DropReport) as of {
     samples_per_contact: Option<f64> = of.0.test.samples_per_contact => "samples per contact";
     zero_shift_ratio: Option<f64> = of.0.test.zero_shift_ratio => "zero shift over peak";
     noise_ratio: Option<f64> = of.0.test.noise_ratio => "noise over peak";
     residual_ratio: Option<f64> = of.0.of(|found| found.residual_ratio) => "residual of the fit over peak";
-    spread_ratio: Option<f64> = of.0.of(|found| found.stiffness.spread_ratio()) => "spread of the estimates";
+    spread_ratio: Option<f64> =
+        of.0.of(|found| found.stiffness.spread_ratio()) => "spread of the estimates";
     flags: Vec<&'static str> = of.0.test.flags.iter().map(|flag| flag.name()).collect() => "flag";
 });
 

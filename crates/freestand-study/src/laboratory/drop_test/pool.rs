@@ -182,7 +182,7 @@ answer_of!(PooledReport as pooled {
     dissipation_s_m: Option<f64> = pooled.of(|pad| pad.dissipation_s_m).flatten();
     restitution_ratio: Option<f64> = pooled.of(|pad| pad.restitution_ratio).flatten();
     /// Why there is no pad although each drop has a stiffness.
-    reason: Option<String> = pooled.reason.clone();
+    reason: Option<String>;
 });
 
 /// The properties in which the drops differ too much to be repeats, with their values. A value that
