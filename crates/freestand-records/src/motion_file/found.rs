@@ -74,9 +74,11 @@ impl Found {
                 "the record is in {} according to the file, not in {}",
                 self.unit.symbol, unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message)
-                .at_line(self.line)
-                .hint("leave out `unit`, or correct the file if it is wrong"));
+            return Err(Problem::value(
+                message,
+                "leave out `unit`, or correct the file if it is wrong",
+            )
+            .at_line(self.line));
         }
         let at_step = |problem: Problem| problem.at_line(self.line_of_step);
         check_step(self.dt_s, ProblemKind::Format).map_err(at_step)?;
@@ -209,8 +211,6 @@ pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
 pub(crate) fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
     check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
     Motion::new(dt_s, accel_m_s2).map_err(|error| {
-        Problem::new(ProblemKind::Format, error.to_string())
-            .at_line(line)
-            .hint("check that the record is complete")
+        Problem::format(error.to_string(), "check that the record is complete").at_line(line)
     })
 }

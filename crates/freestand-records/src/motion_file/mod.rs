@@ -128,7 +128,8 @@ impl Reading {
     /// No component: every file must have at least one.
     pub(crate) fn with_components(self) -> Result<Self, Problem> {
         if self.components.is_empty() {
-            return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
+            return Err(Problem::format(
+                "holds no acceleration record",
                 "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
             ));
         }
@@ -212,9 +213,10 @@ impl MotionFile {
                 }
             }
         };
-        Err(Problem::new(ProblemKind::Value, problem)
-            .in_file(&self.path)
-            .hint("choose one by name or number with `component`"))
+        Err(
+            Problem::value(problem, "choose one by name or number with `component`")
+                .in_file(&self.path),
+        )
     }
 
     fn listing(&self) -> String {

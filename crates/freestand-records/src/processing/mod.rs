@@ -18,7 +18,7 @@ use freestand::signal::taper::tapered;
 
 use crate::formats::{Component, MotionFile};
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
 use factor::{factor, factor_words, target_notes};
@@ -138,8 +138,10 @@ pub struct Processed {
 pub fn process(component: &Component, processing: &Processing) -> Result<Processed, Problem> {
     if let Some(azimuth_deg) = processing.azimuth_deg {
         let message = format!("an azimuth of {azimuth_deg} degrees needs two components, not one");
-        return Err(Problem::new(ProblemKind::Value, message)
-            .hint("leave out `azimuth`, or rotate the record first with freestand motion rotate"));
+        return Err(Problem::value(
+            message,
+            "leave out `azimuth`, or rotate the record first with freestand motion rotate",
+        ));
     }
     let mut unasked = Vec::new();
     let motion = without_mean(component, processing, &mut unasked)?;

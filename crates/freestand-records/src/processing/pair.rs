@@ -6,7 +6,7 @@ use super::align::{Aligned, aligned};
 use super::{Processed, Processing, Scale, finish, refused};
 use crate::formats::{Component, Direction, MotionFile};
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 
@@ -46,9 +46,11 @@ pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), 
         1 => "has 1 horizontal component, but two are needed".to_owned(),
         count => format!("has {count} horizontal components, but two are needed"),
     };
-    Err(Problem::new(ProblemKind::Value, message)
-        .in_file(&file.path)
-        .hint("use freestand motion rotate with two files, or two components of one, and their azimuths"))
+    Err(Problem::value(
+        message,
+        "use freestand motion rotate with two files, or two components of one, and their azimuths",
+    )
+    .in_file(&file.path))
 }
 
 /// The azimuth that the file states \[degrees clockwise from north\].
@@ -81,12 +83,11 @@ pub fn pair_of_one<'f>(
     if let Some((first, second)) = called {
         let (first, second) = (file.select(Some(first))?, file.select(Some(second))?);
         if std::ptr::eq(first, second) {
-            return Err(Problem::new(
-                ProblemKind::Value,
+            return Err(Problem::value(
                 format!("\"{}\" is named twice", shorten(&first.name)),
+                "name two different components",
             )
-            .in_file(&file.path)
-            .hint("name two different components"));
+            .in_file(&file.path));
         }
         return Ok((first, second));
     }
@@ -105,9 +106,7 @@ pub fn pair_of_one<'f>(
         (_, [only]) => {
             let message = format!("the file has only one horizontal component, {}", only.name);
             let hint = "give the file with the second component too, or use a file with both";
-            Err(Problem::new(ProblemKind::Value, message)
-                .in_file(&file.path)
-                .hint(hint))
+            Err(Problem::value(message, hint).in_file(&file.path))
         }
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
@@ -115,9 +114,10 @@ pub fn pair_of_one<'f>(
                 "cannot tell which two components are meant: {}",
                 names(&all)
             );
-            Err(Problem::new(ProblemKind::Value, message)
-                .in_file(&file.path)
-                .hint("name two with `components`, or give two files"))
+            Err(
+                Problem::value(message, "name two with `components`, or give two files")
+                    .in_file(&file.path),
+            )
         }
     }
 }
@@ -139,11 +139,10 @@ pub fn with_azimuths<'f>(
             .map(|azimuth_deg| (component, azimuth_deg))
             .ok_or_else(|| {
                 let name = shorten(&component.name);
-                Problem::new(
-                    ProblemKind::Value,
+                Problem::value(
                     format!("the file does not state the direction of {name}"),
+                    "give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`",
                 )
-                .hint("give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`")
             })
     };
     Ok((bearing(first)?, bearing(second)?))

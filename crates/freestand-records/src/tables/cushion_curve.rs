@@ -7,7 +7,7 @@ use crate::text::headings::{Heading, headings_of, in_si, only};
 use crate::text::lines::check_text;
 use crate::text::table;
 use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 
 const HINT: &str = "name the columns and their units, such as \
@@ -42,7 +42,7 @@ pub fn load_curve(path: &Path) -> Result<Vec<CurveRow>, Problem> {
 fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let table = table::read(bytes).map_err(|problem| problem.hint(HINT))?;
     let Some((headings, line)) = headings_of(&table) else {
-        return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(HINT));
+        return Err(Problem::format("the columns have no names", HINT));
     };
     let column = |dimension: Dimension, words: &[&str]| -> Result<Option<Vec<f64>>, Problem> {
         let is_it = |heading: &Heading| {
@@ -54,12 +54,7 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
         Ok(found.map(|index| in_si(&table, &headings, index)))
     };
     let missing = |what: &str| {
-        Problem::new(
-            ProblemKind::Format,
-            format!("no column holds a {what} with its unit"),
-        )
-        .at_line(line)
-        .hint(HINT)
+        Problem::format(format!("no column holds a {what} with its unit"), HINT).at_line(line)
     };
     let stress = column(Dimension::Pressure, &[])?.ok_or_else(|| missing("static stress"))?;
     let peak = column(Dimension::Acceleration, &[])?.ok_or_else(|| missing("peak acceleration"))?;

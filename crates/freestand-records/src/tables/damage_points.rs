@@ -7,7 +7,7 @@ use crate::text::cells::Cells;
 use crate::text::headings::Heading;
 use crate::text::lines::check_text;
 use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 
 const HINT: &str = "name the columns and their units, such as \
@@ -95,8 +95,10 @@ fn is_damaged(text: &str) -> Result<bool, Problem> {
                 "\"{}\" does not say whether there was damage",
                 shorten(other)
             );
-            Err(Problem::new(ProblemKind::Format, message)
-                .hint("write 0 or 1, yes or no, true or false"))
+            Err(Problem::format(
+                message,
+                "write 0 or 1, yes or no, true or false",
+            ))
         }
     }
 }
@@ -110,7 +112,7 @@ fn method_of(text: &str) -> Result<Option<TestMethod>, Problem> {
             let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
             let hint =
                 "write A (short pulses, critical velocity change) or B (critical acceleration)";
-            Err(Problem::new(ProblemKind::Format, message).hint(hint))
+            Err(Problem::format(message, hint))
         }
     }
 }

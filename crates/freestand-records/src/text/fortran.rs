@@ -2,7 +2,7 @@
 //! fifty years.
 
 use super::units::missing;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// A number found at the start of a field.
@@ -161,12 +161,11 @@ impl BadField {
 pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
     match bad {
         BadField::Missing(text) => missing(text, line),
-        BadField::NotANumber(text) => Problem::new(
-            ProblemKind::Format,
+        BadField::NotANumber(text) => Problem::format(
             format!("\"{}\" is not a number", shorten(text)),
+            "the file may be damaged; comment lines must begin with #",
         )
-        .at_line(line)
-        .hint("the file may be damaged; comment lines must begin with #"),
+        .at_line(line),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::fortran::scan;
 use super::lines::{Line, Lines};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// The lines, counted from 1.
@@ -44,12 +44,8 @@ impl Head {
             .iter()
             .find_map(|(line, text)| Some((*line, value(text)?)))
             .ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Format,
-                    format!("the header has no line \"{key}\""),
-                )
-                .at_line(self.lines.last().map_or(1, |(line, _)| *line))
-                .hint(hint)
+                Problem::format(format!("the header has no line \"{key}\""), hint)
+                    .at_line(self.lines.last().map_or(1, |(line, _)| *line))
             })
     }
 }
@@ -63,11 +59,10 @@ pub(crate) fn leading_number(key: &str, (line, text): (usize, &str)) -> Result<f
         .map(|number| number.value)
         .filter(|value| value.is_finite())
         .ok_or_else(|| {
-            Problem::new(
-                ProblemKind::Format,
+            Problem::format(
                 format!("\"{}\" is not a number for \"{key}\"", shorten(text)),
+                "the header is damaged: fetch the file again",
             )
             .at_line(line)
-            .hint("the header is damaged: fetch the file again")
         })
 }

@@ -2,7 +2,7 @@
 
 use super::table::Table;
 use super::units::{record_unit, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, lookup, shorten};
 
 /// Name and unit of a column.
@@ -44,11 +44,11 @@ pub(crate) fn only(
             shorten(&one.name),
             shorten(&other.name)
         );
-        return Err(
-            Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
-                .at_line(line)
-                .hint("keep only one of them in the file"),
-        );
+        return Err(Problem::format(
+            format!("{names} are both {what}"),
+            "keep only one of them in the file",
+        )
+        .at_line(line));
     }
     Ok(first.map(|(index, _)| index))
 }

@@ -1,7 +1,7 @@
 //! The time step of a column of printed times.
 
 use super::even_grid::{Uneven, common_step};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// The time step \[s\] of a sampling rate \[Hz\] on `line`.
@@ -13,12 +13,11 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
     if rate_hz > 0.0 && rate_hz <= 1e5 {
         return Ok(1.0 / rate_hz);
     }
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         format!("the sampling rate is {rate_hz} Hz"),
+        "this header line must give samples per second, such as 100 or 200: correct it",
     )
-    .at_line(line)
-    .hint("this header line must give samples per second, such as 100 or 200: correct it"))
+    .at_line(line))
 }
 
 /// The step of equally spaced `times`, in their own unit. Their last printed digit counts

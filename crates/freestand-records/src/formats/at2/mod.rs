@@ -7,7 +7,7 @@ use crate::text::fortran::{bad_field, fields, scan};
 use crate::text::gaps::Markers;
 use crate::text::lines::{Line, lines};
 use crate::text::units::{Stated, decide, not_known, requested, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
@@ -72,10 +72,10 @@ fn find_word(text: &str, word: &str) -> Option<usize> {
 /// Reads an AT2 file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let Some(header_line) = header_end(bytes) else {
-        return Err(
-            Problem::new(ProblemKind::Format, "no line names NPTS and DT")
-                .hint("an AT2 header has four lines; the fourth names NPTS and DT"),
-        );
+        return Err(Problem::format(
+            "no line names NPTS and DT",
+            "an AT2 header has four lines; the fourth names NPTS and DT",
+        ));
     };
     let header: Vec<String> = lines(bytes)
         .take(header_line)
@@ -83,9 +83,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .collect();
     refuse_sisters(&header)?;
     let counts = read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
-        Problem::new(ProblemKind::Format, message)
-            .at_line(header_line)
-            .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
+        Problem::format(
+            message,
+            "the header line should read like \"NPTS=  4000, DT= .01000 SEC\"",
+        )
+        .at_line(header_line)
     })?;
     let counts = Counts {
         line: header_line,
@@ -154,12 +156,11 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
                 && !upper.contains("ACCEL")
                 && (series && upper.trim_start().starts_with(word) || stated.is_some())
             {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     format!("is a {name}; an acceleration record is expected"),
+                    "use the AT2 file of the same record",
                 )
-                .at_line(i + 1)
-                .hint("use the AT2 file of the same record"));
+                .at_line(i + 1));
             }
         }
     }
@@ -273,9 +274,7 @@ fn read_values(
         counts.npts,
         values.len()
     );
-    Err(Problem::new(ProblemKind::Format, message)
-        .at_line(counts.line)
-        .hint(hint))
+    Err(Problem::format(message, hint).at_line(counts.line))
 }
 
 /// PEER's second line is `event, date, station, component`. If it is anything else, the file's name

@@ -10,7 +10,7 @@ use crate::text::fixed_width::Format;
 use crate::text::fortran::{Number, fields, is_missing_value, scan};
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::units::TENTHS_OF_G;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -72,12 +72,11 @@ fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
             return Ok(Some(line));
         }
         if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 "there are more values than the header declares",
+                "the number of values in the header does not match the file: fetch it again",
             )
-            .at_line(line.number)
-            .hint("the number of values in the header does not match the file: fetch it again"));
+            .at_line(line.number));
         }
     }
     Ok(None)
@@ -91,12 +90,11 @@ fn component(
     notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
     if let Some(volume) = volume(title).filter(|volume| volume != "VOL1DS") {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("is a {} file; only VOL1DS files are read", shorten(&volume)),
+            "use the uncorrected file (volume 1) of the same record",
         )
-        .at_line(title.number)
-        .hint("use the uncorrected file (volume 1) of the same record"));
+        .at_line(title.number));
     }
     let text: Vec<String> = rest
         .by_ref()
@@ -150,12 +148,11 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
     {
         return Ok((count.value as usize, step(count.value, *duration), line));
     }
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         "the header does not state the number of values and the duration",
+        "the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\"",
     )
-    .at_line(line)
-    .hint("the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\""))
+    .at_line(line))
 }
 
 /// The step \[s\] of `count` values in a duration with a few decimals. Files may or may not count

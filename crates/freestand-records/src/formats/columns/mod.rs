@@ -15,7 +15,7 @@ use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use crate::text::table::{self, Table};
 use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, lookup, shorten};
 use freestand_input::words::number;
 use std::path::Path;
@@ -201,9 +201,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     if components.is_empty() {
         let what = refused.unwrap_or("a time");
-        return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
-            .at_line(table.line_of_first_value)
-            .hint("use a file with accelerations, or state their unit in the heading, such as \"accel [m/s2]\""));
+        return Err(Problem::format(format!("no column holds an acceleration, only {what}"), "use a file with accelerations, or state their unit in the heading, such as \"accel [m/s2]\"")
+            .at_line(table.line_of_first_value));
     }
     Ok(Reading {
         format,
@@ -342,21 +341,21 @@ fn time_source(
             } else {
                 "there is one column besides the number of the sample"
             };
-            Err(
-                Problem::new(ProblemKind::Value, format!("{what} and no time step"))
-                    .at_line(table.line_of_first_value)
-                    .hint("give the time step, such as `dt = \"0.01 s\"`"),
+            Err(Problem::value(
+                format!("{what} and no time step"),
+                "give the time step, such as `dt = \"0.01 s\"`",
             )
+            .at_line(table.line_of_first_value))
         }
         _ if first
             .and_then(|heading| heading.unit)
             .is_some_and(|unit| unit.dimension != Dimension::Time) =>
         {
-            Err(
-                Problem::new(ProblemKind::Format, "the first column is not the time")
-                    .at_line(stating.line)
-                    .hint("put the time first; without a time column, give `dt`"),
+            Err(Problem::format(
+                "the first column is not the time",
+                "put the time first; without a time column, give `dt`",
             )
+            .at_line(stating.line))
         }
         _ => Ok(Time::Column),
     }
@@ -372,12 +371,11 @@ fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
         None => Ok(()),
         Some(heading) => {
             let name = shorten(&heading.name);
-            Err(Problem::new(
-                ProblemKind::Format,
+            Err(Problem::format(
                 format!("\"{name}\" is not a time: this seems to be a spectrum, not a record"),
+                "name a record; records are scaled to a spectrum with `scale_to_spectrum`",
             )
-            .at_line(stating.line)
-            .hint("name a record; records are scaled to a spectrum with `scale_to_spectrum`"))
+            .at_line(stating.line))
         }
     }
 }
@@ -449,12 +447,11 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
         return Ok(());
     }
-    Err(Problem::new(
-        ProblemKind::Value,
+    Err(Problem::value(
         format!("the time step is {stated_s} s according to the file, not {given_s} s"),
+        "leave out `dt`, or correct the file if it is wrong",
     )
-    .at_line(line)
-    .hint("leave out `dt`, or correct the file if it is wrong"))
+    .at_line(line))
 }
 
 /// The step of the time column, in seconds.
@@ -467,8 +464,10 @@ fn spacing_of_column(
     notes: &mut Vec<Note>,
 ) -> Result<Spacing, Problem> {
     let Some(column) = table.columns.get(at) else {
-        return Err(Problem::new(ProblemKind::Format, "there are no columns")
-            .hint("name a file with columns of time and acceleration"));
+        return Err(Problem::format(
+            "there are no columns",
+            "name a file with columns of time and acceleration",
+        ));
     };
     let heading = stating
         .headings
@@ -477,17 +476,14 @@ fn spacing_of_column(
     if let Some(heading) =
         heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '(']))
     {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!(
                 "\"{}\" does not state a unit of time",
                 shorten(&heading.name)
             ),
-        )
-        .at_line(stating.line)
-        .hint(
             "the first column is the time: write it in s or ms; without a time column, give `dt`",
-        ));
+        )
+        .at_line(stating.line));
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
@@ -546,9 +542,7 @@ fn spacing_of_column(
 }
 
 fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
-    Problem::new(ProblemKind::Format, uneven.message)
-        .at_line(table.line_of_row(bytes, uneven.row))
-        .hint(uneven.hint)
+    Problem::format(uneven.message, uneven.hint).at_line(table.line_of_row(bytes, uneven.row))
 }
 
 /// Interpolates a component to equal steps, with notes about the effect.

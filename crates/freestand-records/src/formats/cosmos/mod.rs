@@ -76,11 +76,11 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 }
             }
         } else if !line.is_text() {
-            return Err(
-                Problem::new(ProblemKind::Format, "no line states what these numbers are")
-                    .at_line(line.number)
-                    .hint("the line above them may be damaged: fetch the file again"),
-            );
+            return Err(Problem::format(
+                "no line states what these numbers are",
+                "the line above them may be damaged: fetch the file again",
+            )
+            .at_line(line.number));
         }
     }
     refuse_open(open)?;
@@ -92,12 +92,11 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
 /// A header at the end of the file is a channel that was cut off.
 fn refuse_open(open: Option<usize>) -> Result<(), Problem> {
     open.map_or(Ok(()), |line| {
-        Err(Problem::new(
-            ProblemKind::Format,
+        Err(Problem::format(
             "no values follow the header of a channel",
+            "the file may be cut off: fetch it again",
         )
-        .at_line(line)
-        .hint("the file may be cut off: fetch it again"))
+        .at_line(line))
     })
 }
 
@@ -171,11 +170,8 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     }
     let parsed = first_integer(&title).zip(Format::named_in(&title));
     let Some((count, format)) = parsed else {
-        return Err(Problem::new(ProblemKind::Format, "the number of values or their format is missing")
-            .at_line(line.number)
-            .hint(
-                "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"",
-            ));
+        return Err(Problem::format("the number of values or their format is missing", "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"")
+            .at_line(line.number));
     };
     Ok(Some(Series {
         line: line.number,
@@ -202,15 +198,14 @@ fn read_values(
             *rest = at;
             return Ok(block);
         }
-        Ok(_) => Problem::new(
-            ProblemKind::Format,
+        Ok(_) => Problem::format(
             format!(
                 "more values follow than the {} that are declared",
                 series.count
             ),
+            "the file is damaged, or the number of values is wrong: fetch it again",
         )
-        .at_line(series.line)
-        .hint("the file is damaged, or the number of values is wrong: fetch it again"),
+        .at_line(series.line),
         Err(problem) => problem,
     };
     for count in [
@@ -307,9 +302,7 @@ fn unit(series: &Series) -> Result<Unit, Problem> {
     let named = record_unit(name).filter(|unit| unit.dimension == Dimension::Acceleration);
     let of_code = code.and_then(unit_of_code);
     let wrong = |message: String, hint: &'static str| {
-        Err(Problem::new(ProblemKind::Format, message)
-            .at_line(series.line)
-            .hint(hint))
+        Err(Problem::format(message, hint).at_line(series.line))
     };
     match (of_code, named) {
         (Some(unit), Some(named))

@@ -10,7 +10,7 @@ use crate::text::lines::lines;
 use crate::text::rows::{self, Rows};
 use crate::text::sampling::step_of_rate;
 use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -167,12 +167,11 @@ impl Header {
         {
             return Ok(channels);
         }
-        Err(Problem::new(
-            ProblemKind::Format,
+        Err(Problem::format(
             format!("the columns are given as \"{}\"", shorten(text)),
+            "the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\"",
         )
-        .at_line(line)
-        .hint("the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\""))
+        .at_line(line))
     }
 
     /// `#Data: 4F10.3`, which the files of all years have.
@@ -182,15 +181,14 @@ impl Header {
         };
         match Format::parse(text) {
             Some(format) if format.per_line == columns => Ok(format),
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 format!(
                     "the format is \"{}\", but there are {columns} columns",
                     shorten(text)
                 ),
+                "the header is damaged: fetch the file again",
             )
-            .at_line(line)
-            .hint("the header is damaged: fetch the file again")),
+            .at_line(line)),
         }
     }
 
@@ -226,10 +224,12 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
                 "the time is {time}, but should be {:.6} at {rate_hz} values per second",
                 expected(row)
             );
-            Err(Problem::new(ProblemKind::Format, message)
-                // Blank lines between the rows are not counted: no such file has them.
-                .at_line(rows.first_line + row)
-                .hint("rows are missing or the sampling rate is wrong: fetch the file again"))
+            Err(Problem::format(
+                message,
+                "rows are missing or the sampling rate is wrong: fetch the file again",
+            )
+            // Blank lines between the rows are not counted: no such file has them.
+            .at_line(rows.first_line + row))
         }
     }
 }
@@ -261,11 +261,11 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Not
         "the header declares {} s at {rate_hz} Hz, which are {:.0} rows, but the file has {found}",
         length.value, expected
     );
-    Err(Problem::new(ProblemKind::Format, message)
-        .at_line(line)
-        .hint(
-            "the file may be cut off: fetch it again, or correct the length if no row is missing",
-        ))
+    Err(Problem::format(
+        message,
+        "the file may be cut off: fetch it again, or correct the length if no row is missing",
+    )
+    .at_line(line))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::notes::{Note, NoteKind};
 use crate::text::keyed::{Header, entry, read_rows};
 use crate::text::lines::lines;
 use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
@@ -106,9 +106,11 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
             "holds \"{}\"; an acceleration record is expected",
             shorten(&stated.value)
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(stated.line)
-            .hint("use the acceleration file (ACC) of the same record"));
+        return Err(Problem::format(
+            message,
+            "use the acceleration file (ACC) of the same record",
+        )
+        .at_line(stated.line));
     }
     Ok(())
 }
@@ -119,12 +121,11 @@ fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem
         return decide(None, requested, "the record");
     };
     let unit = record_unit(&stated.value).ok_or_else(|| {
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             format!("the unit \"{}\" is not known", shorten(&stated.value)),
+            "correct UNITS in the header; the archives write cm/s^2",
         )
         .at_line(stated.line)
-        .hint("correct UNITS in the header; the archives write cm/s^2")
     })?;
     decide(
         Some(Stated {

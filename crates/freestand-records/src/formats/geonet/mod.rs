@@ -12,7 +12,7 @@ use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::{fields, is_missing_value};
 use crate::text::lines::{Line, Lines, lines};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
 use std::path::Path;
@@ -107,12 +107,11 @@ fn next_title<'a>(
             break;
         }
         if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 "there are more values than the header declares",
+                "the number of values in the header does not match the file: fetch it again",
             )
-            .at_line(line.number)
-            .hint("the number of values in the header does not match the file: fetch it again"));
+            .at_line(line.number));
         }
         ignored += 1;
     }
@@ -229,8 +228,10 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
         }
     }
     Err(refused.unwrap_or_else(|| {
-        Problem::new(ProblemKind::Format, "the header declares no values")
-            .hint("the file may be damaged: fetch it again")
+        Problem::format(
+            "the header declares no values",
+            "the file may be damaged: fetch it again",
+        )
     }))
 }
 
@@ -246,12 +247,11 @@ fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> 
         // At the end of the file, the last line must be complete too.
         let fields_in_last = count - VALUES.per_line * wanted.saturating_sub(1);
         if found < wanted || rest.bytes_left() == 0 && width < fields_in_last * VALUES.width {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 format!("the file ends after {found} of {wanted} lines of {what}"),
+                "the file is cut off: fetch it again",
             )
-            .at_line(rest.line_number())
-            .hint("the file is cut off: fetch it again"));
+            .at_line(rest.line_number()));
         }
     }
     Ok(())

@@ -9,7 +9,7 @@ use crate::text::head::{Head, leading_number};
 use crate::text::lines::{Lines, lines};
 use crate::text::sampling::step_of_rate;
 use crate::text::units::{missing, record_unit};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use std::path::Path;
 
@@ -145,12 +145,11 @@ impl Header {
     fn scale(&self) -> Result<Scale, Problem> {
         let (line, text) = self.value("scale factor")?;
         parse_scale(text).ok_or_else(|| {
-            Problem::new(
-                ProblemKind::Format,
+            Problem::format(
                 format!("the scale factor is \"{}\"", shorten(text)),
+                "it should read like 3920(gal)/6182761: acceleration/counts",
             )
             .at_line(line)
-            .hint("it should read like 3920(gal)/6182761: acceleration/counts")
         })
     }
 }
@@ -238,9 +237,8 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
         let message = format!(
             "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values, but the file has {found}"
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
+        return Err(Problem::format(message, "the file may be cut off: fetch it again, or correct the duration if no value is missing")
+            .at_line(line));
     }
     let words = || {
         format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")

@@ -15,7 +15,7 @@ use crate::text::lines::{Line, lines};
 use crate::text::sampling::time_step;
 use crate::text::table::quoted_cells;
 use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, shorten};
 
 /// Headings are among the first lines.
@@ -192,9 +192,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
 }
 
 fn format_problem(message: impl Into<String>, line: usize, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Format, message)
-        .at_line(line)
-        .hint(hint)
+    Problem::format(message, hint).at_line(line)
 }
 
 /// The head of the table, and its rows by joint.

@@ -11,7 +11,7 @@ pub(super) use record::Source;
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
 use crate::notes::{Note, NoteKind};
 use crate::text::units;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
 use record::{Record, header_order, is_version3, version2, version3};
@@ -82,10 +82,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         if let Some(problem) = first_left_out {
             return Err(problem);
         }
-        return Err(
-            Problem::new(ProblemKind::Format, "holds no records with samples")
-                .hint("use a file with data; a dataless SEED volume describes stations only"),
-        );
+        return Err(Problem::format(
+            "holds no records with samples",
+            "use a file with data; a dataless SEED volume describes stations only",
+        ));
     }
     Ok(Reading {
         format,
@@ -124,8 +124,10 @@ fn scaled(
                 inventory.name(),
                 unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message)
-                .hint("leave out `unit`; if the values are already in that unit, move the StationXML file away"));
+            return Err(Problem::value(
+                message,
+                "leave out `unit`; if the values are already in that unit, move the StationXML file away",
+            ));
         }
         (Some(inventory), None) => {
             let scaling = match inventory.scaling(&source, start, end)? {
@@ -151,10 +153,13 @@ fn scaled(
             let station = source
                 .full_station()
                 .unwrap_or_else(|| "STATION".to_owned());
-            return Err(Problem::new(ProblemKind::Value, message).hint(format!(
-                "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
+            return Err(Problem::value(
+                message,
+                format!(
+                    "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
                  values already have a unit, state it with `unit`"
-            )));
+                ),
+            ));
         }
     };
     let station = source.full_station();
@@ -334,14 +339,13 @@ fn skip_control_header(
         }
         let is_binary = |b: &u8| b.is_ascii_control() && !b.is_ascii_whitespace() && *b != 0;
         if next.iter().take(SKIP).any(is_binary) {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 format!(
                     "the control header at byte {at} has bytes at {} that are not text",
                     at + from
                 ),
-            )
-            .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
+                "the file is damaged, and a record of data may be lost in it: fetch it again",
+            ));
         }
     }
     Ok(most)

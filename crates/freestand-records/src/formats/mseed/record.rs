@@ -2,7 +2,7 @@
 
 use crate::formats::binary::{Order, as_written, field};
 use crate::formats::instant::Instant;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 /// The channel that recorded.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -38,11 +38,10 @@ type Found<'a> = (Source, Record<'a>);
 /// A problem with a record.
 pub(super) fn problem(number: usize, at: usize, what: &str) -> Problem {
     // The caller may give a better hint.
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!("record {number} (byte {at}) {what}"),
+        "the file is damaged or cut off: fetch it again",
     )
-    .hint("the file is damaged or cut off: fetch it again")
 }
 
 const HEADER: usize = 48;

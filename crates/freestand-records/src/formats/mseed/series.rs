@@ -4,7 +4,7 @@ use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
 use crate::formats::instant::Instant;
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 
 /// A channel without gaps.
@@ -60,15 +60,14 @@ pub(super) fn join(
         append(record, &mut values).map_err(|what| problem(record.number, record.at, &what))?;
     }
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!(
                 "{name}: sample {} is {}, which marks a missing value",
                 at + 1,
                 values[at]
             ),
-        )
-        .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
+            "a motion with gaps cannot be used: repair the record or cut it before the gap",
+        ));
     }
     if first.encoding.is_none() {
         let words =
@@ -135,7 +134,7 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
             record.at,
             record.start
         );
-        return Err(Problem::new(ProblemKind::Format, message).hint(hint));
+        return Err(Problem::format(message, hint));
     }
     Ok(())
 }

@@ -80,11 +80,10 @@ pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
 
 /// Refuses SAC in text.
 pub(super) fn read_text(_: &[u8], _: &Path, _: &ReadOptions) -> Result<Reading, Problem> {
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         "is an alphanumeric SAC file, which cannot be read",
-    )
-    .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
+        "convert it to binary SAC (in SAC: read alpha FILE, then write)",
+    ))
 }
 
 /// Reads a SAC file.
@@ -116,7 +115,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .hint("the file is damaged or cut off: fetch it again"));
     }
     let Some(unit) = units::requested(options.unit.as_deref())? else {
-        return Err(Problem::new(ProblemKind::Value, "a SAC file does not state its unit").hint(
+        return Err(Problem::value(
+            "a SAC file does not state its unit",
             "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, \
              cm/s2 or m/s2 elsewhere",
         ));
@@ -232,9 +232,7 @@ impl Header<'_> {
     }
 
     fn refuse_other_kinds(&self) -> Result<(), Problem> {
-        let refused = |message: String, hint: &str| {
-            Err(Problem::new(ProblemKind::Format, message).hint(hint))
-        };
+        let refused = |message: String, hint: &str| Err(Problem::format(message, hint));
         let time_series = "a time series (IFTYPE = ITIME) is expected";
         match self.integer(word::IFTYPE) {
             1 => {}
@@ -294,8 +292,10 @@ impl Header<'_> {
             .or_else(|| self.real(word::DELTA).map(as_written))
             .filter(|step| *step > 0.0)
             .ok_or_else(|| {
-                Problem::new(ProblemKind::Format, "the time step (DELTA) is missing")
-                    .hint("set DELTA in the header")
+                Problem::format(
+                    "the time step (DELTA) is missing",
+                    "set DELTA in the header",
+                )
             })
     }
 

@@ -7,7 +7,7 @@ use crate::text::fortran::is_missing_value;
 use crate::text::keyed::{Header, entry, refuse_more_values};
 use crate::text::lines::lines;
 use crate::text::units::{Stated, decide, requested, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -48,12 +48,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
     let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             "the header has no number of values (Number of Data)",
+            "the file may be damaged: fetch it again",
         )
         .at_line(1)
-        .hint("the file may be damaged: fetch it again")
     })?;
     let mut notes = Vec::new();
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
@@ -102,9 +101,11 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
             "holds \"{}\"; an acceleration record is expected",
             shorten(&title.key)
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(title.line)
-            .hint("use the acceleration file (.acc) of the same record"));
+        return Err(Problem::format(
+            message,
+            "use the acceleration file (.acc) of the same record",
+        )
+        .at_line(title.line));
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use crate::text::fortran::is_missing_value;
 use crate::text::keyed::refuse_more_values;
 use crate::text::lines::{Line, lines};
 use crate::text::sampling::step_of_rate;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
@@ -67,9 +67,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 "holds \"{}\"; an acceleration record is expected",
                 shorten(text[0].trim())
             );
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(1)
-                .hint("use the acceleration file of the same record"));
+            return Err(
+                Problem::format(message, "use the acceleration file of the same record").at_line(1),
+            );
         }
     };
     let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
@@ -79,12 +79,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let dt_s = step_of_rate(reals.values[1], reals.first_line)?;
     let found = rest.by_ref().take(comments).count();
     if found < comments {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the header declares {comments} comment lines, but {found} lines follow"),
+            "the file is damaged or cut off: fetch it again",
         )
-        .at_line(integers.first_line + 15 / INTEGERS.per_line)
-        .hint("the file is damaged or cut off: fetch it again"));
+        .at_line(integers.first_line + 15 / INTEGERS.per_line));
     }
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
     let mut notes = Vec::from_iter(block.refuse_missing(VALUES, is_missing_value)?);

@@ -9,7 +9,7 @@ use crate::text::head::Head;
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::rows;
 use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -205,12 +205,11 @@ impl Header {
             .collect();
         match numbers {
             Some(numbers) if numbers.len() == columns => Ok((line, numbers)),
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 format!("\"{name}\" does not have a number for each of {columns} channels"),
+                "the header is damaged: fetch the file again",
             )
-            .at_line(line)
-            .hint("the header is damaged: fetch the file again")),
+            .at_line(line)),
         }
     }
 
@@ -221,12 +220,11 @@ impl Header {
         {
             let format = Format::parse(text).filter(|format| format.per_line <= 24);
             return format.ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Format,
+                Problem::format(
                     format!("the format of the data is \"{}\"", shorten(text)),
+                    "it should read like 3F10.3: one number for each channel",
                 )
                 .at_line(line)
-                .hint("it should read like 3F10.3: one number for each channel")
             });
         }
         let mut columns = 0;
@@ -252,12 +250,11 @@ impl Header {
             {
                 Ok((line, dt_s))
             }
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 "the channels have different time steps, or none",
+                "put each channel into a file of its own",
             )
-            .at_line(line)
-            .hint("put each channel into a file of its own")),
+            .at_line(line)),
         }
     }
 
@@ -294,9 +291,11 @@ impl Header {
                     shorten(text.trim()),
                     names.join(", ")
                 );
-                return Err(Problem::new(ProblemKind::Format, message)
-                    .at_line(*line)
-                    .hint("find out which is right, and correct the other"));
+                return Err(Problem::format(
+                    message,
+                    "find out which is right, and correct the other",
+                )
+                .at_line(*line));
             }
         }
         Ok(names)
@@ -314,12 +313,8 @@ impl Header {
         let found = columns.first().map_or(0, Vec::len);
         let most = counts.iter().fold(0.0f64, |a, b| a.max(*b));
         if found as f64 != most {
-            return Err(Problem::new(
-                ProblemKind::Format,
-                format!("the header declares {most} rows, but the file has {found}"),
-            )
-            .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the number if no row is missing"));
+            return Err(Problem::format(format!("the header declares {most} rows, but the file has {found}"), "the file may be cut off: fetch it again, or correct the number if no row is missing")
+            .at_line(line));
         }
         for ((column, name), &count) in columns.iter_mut().zip(names).zip(&counts) {
             if count < most {
@@ -360,9 +355,11 @@ impl Header {
             .ok()
             .and_then(|(_, text)| scan(text.as_bytes()));
         if thinned.is_some_and(|factor| factor.value > 1.0) {
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint("the record was decimated (FACTOR DE DECIMACION): correct the time step"));
+            return Err(Problem::format(
+                message,
+                "the record was decimated (FACTOR DE DECIMACION): correct the time step",
+            )
+            .at_line(line));
         }
         notes.push(Note::new(NoteKind::DurationDiffers, message));
         Ok(())

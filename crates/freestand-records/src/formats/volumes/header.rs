@@ -5,7 +5,7 @@ use crate::notes::{Note, NoteKind};
 use crate::text::fortran::{number, scan};
 use crate::text::lines::{Line, Lines};
 use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit};
 
 /// The most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped lines.
@@ -88,12 +88,11 @@ pub(super) fn read_header(
                 return end(start, rest, notes).map(|()| None);
             }
             _ => {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     "no integer header follows the lines of text",
+                    "the file may be cut off or damaged: fetch it again",
                 )
-                .at_line(header.first_line.max(1))
-                .hint("the file may be cut off or damaged: fetch it again"));
+                .at_line(header.first_line.max(1)));
             }
         }
     }

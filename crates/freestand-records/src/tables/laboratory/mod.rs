@@ -9,7 +9,7 @@ use crate::text::lines::{check_text, lines};
 use crate::text::sensitivity::{Sensitivity, no_sensitivity, not_in_volts, volts_of_heading};
 use crate::text::table;
 use freestand_input::file;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
@@ -71,7 +71,7 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
     let table = table::read(bytes)?;
     let wanted = "name the columns and their units, such as \"displacement [mm],force [N]\"";
     let Some((headings, line)) = headings_of(&table) else {
-        return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(wanted));
+        return Err(Problem::format("the columns have no names", wanted));
     };
     let is_volts = |heading: &Heading| volts_of_heading(heading).is_some();
     let has = |dimension: Dimension| headings.iter().any(|heading| heading.measures(dimension));
@@ -108,9 +108,7 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
         )?
         else {
             let message = format!("no column holds a {what} with its unit");
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint(wanted));
+            return Err(Problem::format(message, wanted).at_line(line));
         };
         let (Some(sensor), Some(volts)) = (sensor, volts_of_heading(&headings[index])) else {
             return Err(no_sensitivity(&headings[index], line, example));

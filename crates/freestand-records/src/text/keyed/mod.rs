@@ -6,7 +6,7 @@ use super::fortran::{Number, bad_field, fields, is_missing_word, number};
 use super::lines::{Line, Lines};
 use super::rows::Rows;
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// The last line on which the first row of numbers may be; in the longest of these headers it is
@@ -49,12 +49,11 @@ impl Entry {
 
     fn problem(&self, what: &str) -> Problem {
         let (key, value) = (shorten(&self.key), shorten(&self.value));
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             format!("{key} is \"{value}\"; {what} is expected"),
+            "correct the header if it is wrong, or fetch the file again",
         )
         .at_line(self.line)
-        .hint("correct the header if it is wrong, or fetch the file again")
     }
 }
 
@@ -112,11 +111,10 @@ impl Header {
     pub(crate) fn step_s(&self, key: &str, given_s: Option<f64>) -> Result<(f64, usize), Problem> {
         let Some((value, line)) = self.number(key)? else {
             return given_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Value,
+                Problem::value(
                     format!("the header has no time step ({key})"),
+                    "give the time step, such as `dt = \"0.01 s\"`",
                 )
-                .hint("give the time step, such as `dt = \"0.01 s\"`")
             });
         };
         let unit = self
@@ -131,12 +129,11 @@ impl Header {
         {
             "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
             "ms" | "msec" => Ok((value / 1000.0, line)),
-            other => Err(Problem::new(
-                ProblemKind::Format,
+            other => Err(Problem::format(
                 format!("\"{}\" is not a unit of time", shorten(other)),
+                "the step must be in s or ms",
             )
-            .at_line(line)
-            .hint("the step must be in s or ms")),
+            .at_line(line)),
         }
     }
 
@@ -219,11 +216,10 @@ pub(crate) fn read_rows(
 
 /// The problem that the header states another number of values than the file has.
 fn wrong_count(declared: usize, found: usize) -> Problem {
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!("the header declares {declared} values, but the file has {found}"),
+        "the file may be cut off: fetch it again, or correct the number if no value is missing",
     )
-    .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
 }
 
 /// Refuses numbers after the last value that the header declares, and notes other text there.
@@ -238,12 +234,11 @@ pub(crate) fn refuse_more_values(
         return Ok(());
     };
     if is_row(&line) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             "there are more values than the header declares",
+            "correct the number in the header if the values belong to the record",
         )
-        .at_line(line.number)
-        .hint("correct the number in the header if the values belong to the record"));
+        .at_line(line.number));
     }
     notes.push(Note::new(
         NoteKind::TextIgnored,

@@ -169,9 +169,11 @@ impl Inventory {
 
     fn parse(bytes: &[u8], path: &Path) -> Result<Self, Problem> {
         let refused = |message: String| {
-            Problem::new(ProblemKind::Format, message)
-                .in_file(path)
-                .hint("fetch the station's description as StationXML, level response or channel")
+            Problem::format(
+                message,
+                "fetch the station's description as StationXML, level response or channel",
+            )
+            .in_file(path)
         };
         if bytes.len() > MAX_BYTES {
             return Err(refused("is longer than 512 MiB".to_owned()));
@@ -260,9 +262,7 @@ impl Inventory {
                     ),
                 )
             };
-            return Err(Problem::new(ProblemKind::Value, what)
-                .in_file(&self.file.path)
-                .hint(hint));
+            return Err(Problem::value(what, hint).in_file(&self.file.path));
         };
         let refused = |message: String| {
             Problem::new(ProblemKind::Value, format!("{name}: {message}"))
