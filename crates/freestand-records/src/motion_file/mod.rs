@@ -5,9 +5,10 @@ mod found;
 
 pub use crate::text::direction::Direction;
 pub(crate) use doubts::doubts;
-pub(crate) use found::check_step;
+
 pub(crate) use found::{
-    Found, channels_note, end_note, length_note, motion, peak_note, peak_note_of, tell_apart,
+    Found, channels_note, check_step, end_note, length_note, motion, peak_note, peak_note_of,
+    refuse_not_finite, tell_apart, three_note,
 };
 
 use crate::notes::{Note, NoteKind};
@@ -130,7 +131,8 @@ impl Reading {
         if self.components.is_empty() {
             return Err(Problem::format(
                 "holds no acceleration record",
-                "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
+                "the file may be cut off or damaged: fetch it again, or use the acceleration \
+                 file of the same record",
             ));
         }
         Ok(self)
@@ -144,7 +146,7 @@ impl MotionFile {
         for file in self
             .components
             .iter()
-            .filter_map(|component| component.station_xml.as_ref())
+            .filter_map(|one| one.station_xml.as_ref())
         {
             if !files.contains(file) {
                 files.push(file.clone());
@@ -155,19 +157,15 @@ impl MotionFile {
 
     /// Adds a note if a StationXML was named but not used.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
-        if let Some(xml) = options
-            .station_xml
-            .as_ref()
-            .filter(|_| self.station_xml().is_empty())
+        if let Some(xml) = &options.station_xml
+            && self.station_xml().is_empty()
         {
-            let why = format!(
-                "was not used: a {} record does not need a StationXML file",
+            let words = format!(
+                "{} was not used: a {} record does not need a StationXML file",
+                xml.display(),
                 self.format
             );
-            self.notes.push(Note::new(
-                NoteKind::XmlUnused,
-                format!("{} {why}", xml.display()),
-            ));
+            self.notes.push(Note::new(NoteKind::XmlUnused, words));
         }
         self
     }

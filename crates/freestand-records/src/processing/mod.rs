@@ -300,15 +300,15 @@ fn without_baseline(motion: &Motion, baseline: Baseline) -> Result<(Motion, Stri
 }
 
 fn pass(processing: &Processing) -> Option<Pass> {
-    match (processing.low_cut_hz, processing.high_cut_hz) {
-        (None, None) => None,
-        (Some(low_cut_hz), None) => Some(Pass::High { low_cut_hz }),
-        (None, Some(high_cut_hz)) => Some(Pass::Low { high_cut_hz }),
-        (Some(low_cut_hz), Some(high_cut_hz)) => Some(Pass::Band {
+    Some(match (processing.low_cut_hz, processing.high_cut_hz) {
+        (None, None) => return None,
+        (Some(low_cut_hz), None) => Pass::High { low_cut_hz },
+        (None, Some(high_cut_hz)) => Pass::Low { high_cut_hz },
+        (Some(low_cut_hz), Some(high_cut_hz)) => Pass::Band {
             low_cut_hz,
             high_cut_hz,
-        }),
-    }
+        },
+    })
 }
 
 fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, String), Problem> {

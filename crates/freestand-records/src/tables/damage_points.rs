@@ -3,10 +3,10 @@
 
 use std::path::Path;
 
+use super::building::load_table;
 use crate::text::cells::Cells;
 use crate::text::headings::Heading;
-use crate::text::lines::check_text;
-use freestand_input::file::load;
+
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 
@@ -53,10 +53,7 @@ pub struct DamageRow {
 /// # Errors
 /// A missing column, or a cell that cannot be read.
 pub fn load_damage_points(path: &Path) -> Result<Vec<DamageRow>, Problem> {
-    let mut bytes = load(path)?;
-    check_text(&mut bytes)
-        .and_then(|()| read_damage_points(&bytes))
-        .map_err(|problem| problem.in_file(path))
+    read_damage_points(&load_table(path)?).map_err(|problem| problem.in_file(path))
 }
 
 fn read_damage_points(bytes: &[u8]) -> Result<Vec<DamageRow>, Problem> {

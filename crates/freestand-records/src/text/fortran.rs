@@ -217,25 +217,25 @@ pub(crate) fn is_gap_mark(value: f64) -> bool {
 pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
     let mut rest = line.trim_ascii();
     while !rest.is_empty() {
-        let Some(number) = scan(rest) else {
-            return Err(BadField::new(first_word(rest)));
+        let ends = |number: &Number| {
+            matches!(
+                rest.get(number.length),
+                None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C)
+            )
         };
-        let tail = &rest[number.length..];
-        match tail.first() {
-            None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C) => {}
-            Some(_) => return Err(BadField::new(first_word(rest))),
-        }
+        let Some(number) = scan(rest).filter(ends) else {
+            return Err(BadField::new(words(rest).next().unwrap_or(rest)));
+        };
         each(number);
-        rest = tail.trim_ascii_start();
+        rest = rest[number.length..].trim_ascii_start();
     }
     Ok(())
 }
 
-fn first_word(text: &[u8]) -> &[u8] {
-    &text[..text
-        .iter()
-        .position(u8::is_ascii_whitespace)
-        .unwrap_or(text.len())]
+/// What stands between blanks.
+pub(crate) fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(u8::is_ascii_whitespace)
+        .filter(|word| !word.is_empty())
 }
 
 #[cfg(test)]

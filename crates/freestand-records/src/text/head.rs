@@ -1,6 +1,6 @@
 //! The lines above the numbers of a file, with their line numbers.
 
-use super::fortran::scan;
+use super::fortran::{fields, scan};
 use super::lines::{Line, Lines};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -17,17 +17,10 @@ impl Head {
         most: usize,
         mut ends: impl FnMut(&Line<'_>) -> bool,
     ) -> Self {
-        let mut lines = Vec::new();
-        for _ in 0..most {
-            let before = rest.clone();
-            let Some(line) = rest.next() else { break };
-            if ends(&line) {
-                *rest = before;
-                break;
-            }
-            lines.push((line.number, line.text()));
+        let above = rest.leading(|line| !ends(line)).take(most);
+        Self {
+            lines: above.map(|line| (line.number, line.text())).collect(),
         }
-        Self { lines }
     }
 
     /// The first line for which `value` returns something, and what it returns.
@@ -48,6 +41,31 @@ impl Head {
                     .at_line(self.lines.last().map_or(1, |(line, _)| *line))
             })
     }
+}
+
+/// The first line of the next component in a file of several, and how many lines of text stand above it.
+///
+/// # Errors
+/// Numbers where a component should begin: the header declared fewer than there are.
+pub(crate) fn next_title<'a>(
+    rest: &mut Lines<'a>,
+    is_title: impl Fn(&Line<'a>) -> bool,
+) -> Result<(Option<Line<'a>>, usize), Problem> {
+    let mut above = 0;
+    for line in rest.filled() {
+        if is_title(&line) {
+            return Ok((Some(line), above));
+        }
+        if fields(line.bytes, |_| {}).is_ok() {
+            return Err(Problem::format(
+                "there are more values than the header declares",
+                "the number of values in the header does not match the file: fetch it again",
+            )
+            .at_line(line.number));
+        }
+        above += 1;
+    }
+    Ok((None, above))
 }
 
 /// The number that follows a key; text after it, as in `100Hz`, is ignored.

@@ -266,6 +266,19 @@ pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
     all_named.then_some((headings, *line))
 }
 
+/// As [`headings_of`], for a table that must have them.
+///
+/// # Errors
+/// No headings.
+pub(crate) fn names_of(table: &Table, hint: &str) -> Result<(Vec<Heading>, usize), Problem> {
+    headings_of(table).ok_or_else(|| Problem::format("the columns have no names", hint))
+}
+
+/// The problem of a table without a column that it needs.
+pub(crate) fn no_column(what: &str, hint: &str) -> Problem {
+    Problem::format(format!("no column holds a {what} with its unit"), hint)
+}
+
 /// The values of a column, in SI if its heading has a unit.
 pub(crate) fn in_si(table: &Table, headings: &[Heading], index: usize) -> Vec<f64> {
     let unit = headings.get(index).and_then(|heading| heading.unit);

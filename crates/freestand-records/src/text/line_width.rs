@@ -48,8 +48,11 @@ impl LineWidth {
             Some((line, length, full)) => {
                 let message =
                     format!("the line has {length} characters, but its numbers need {full}");
-                Err(Problem::format(message, "a character is missing or the file is cut off: fetch it again, or align the numbers with \
-                     those of the other lines").at_line(line))
+                Err(Problem::format(
+message,
+"a character is missing or the file is cut off: fetch it again, or align the numbers with \
+                     those of the other lines",
+).at_line(line))
             }
         }
     }

@@ -139,6 +139,27 @@ impl<'a> Lines<'a> {
         self.clone().find(|line| !line.is_blank())
     }
 
+    /// The next line if `holds`; another one stays unread.
+    pub(crate) fn next_if(&mut self, holds: impl FnOnce(&Line<'a>) -> bool) -> Option<Line<'a>> {
+        let mut ahead = self.clone();
+        let line = ahead.next().filter(holds)?;
+        *self = ahead;
+        Some(line)
+    }
+
+    /// The next lines, as long as `holds`; the first other one stays unread.
+    pub(crate) fn leading(
+        &mut self,
+        mut holds: impl FnMut(&Line<'a>) -> bool,
+    ) -> impl Iterator<Item = Line<'a>> {
+        std::iter::from_fn(move || self.next_if(&mut holds))
+    }
+
+    /// The next lines without those that are blank.
+    pub(crate) fn filled(&mut self) -> impl Iterator<Item = Line<'a>> {
+        self.filter(|line| !line.is_blank())
+    }
+
     /// Bytes that are not read yet.
     pub(crate) fn bytes_left(&self) -> usize {
         self.rest.len()

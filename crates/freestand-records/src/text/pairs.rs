@@ -16,6 +16,7 @@ const MAX_SAMPLES_UNASKED: f64 = 1e7;
 const MAX_SAMPLES_PER_POINT: f64 = 1e4;
 
 /// A series of pairs.
+#[derive(Default)]
 pub(crate) struct Pairs {
     pub(crate) times_s: Vec<f64>,
     pub(crate) values: Vec<f64>,
@@ -34,24 +35,14 @@ pub(crate) struct Pairs {
 /// A field that is not a number, a value that marks a missing value, half a pair.
 pub(crate) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
     let mut found = Pairs {
-        times_s: Vec::new(),
-        values: Vec::new(),
-        last_digit_exponent: 0,
-        first_line: 0,
         pairs_per_line: 1,
-        notes: Vec::new(),
+        ..Pairs::default()
     };
     let mut markers = Markers::default();
-    loop {
-        let before = rest.clone();
-        let Some(line) = rest.next() else { break };
-        if line.is_blank() {
-            continue;
-        }
-        if line.is_text() {
-            *rest = before;
-            break;
-        }
+    for line in rest
+        .leading(|line| !line.is_text())
+        .filter(|line| !line.is_blank())
+    {
         let numbers = numbers_of(&line)?;
         if found.first_line == 0 {
             found.first_line = line.number;

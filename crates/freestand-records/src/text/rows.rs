@@ -108,7 +108,7 @@ pub(crate) fn read(
         Vec::new(),
         LineWidth::default(),
     );
-    for line in lines.by_ref().filter(|line| !line.is_blank()) {
+    for line in lines.filled() {
         row.clear();
         let by_column = format.read_line(&line, format.per_line, &mut row)?;
         line_width.see(&line, format.per_line * format.width, by_column);

@@ -5,6 +5,7 @@ use super::digit_style::DigitStyle;
 use super::fortran::{BadField, Number, bad_field, fields};
 use super::gaps::Markers;
 use super::lines::{Line, lines};
+use super::units::GAP;
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 
@@ -96,7 +97,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
         let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
             return Err(Problem::format(
                 "no row of numbers was found; the format is not recognised",
-                "known formats: PEER AT2, those of the agencies, and text with columns of time and acceleration",
+                "known formats: PEER AT2, those of the agencies, and text with columns of \
+                 time and acceleration",
             ));
         };
         if line.is_comment() {
@@ -350,18 +352,19 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
 
 fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
     match bad {
-        BadField::Missing(text) if text.is_empty() => Problem::format(
-            "a value is missing",
-            "a motion with gaps cannot be used: repair the record or cut it before the gap",
-        )
-        .at_line(line),
+        BadField::Missing(text) if text.is_empty() => {
+            Problem::format("a value is missing", GAP).at_line(line)
+        }
         _ => bad_field(bad, line),
     }
 }
 
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
-    Problem::format(format!("the first row has {}, this one has {found}", counted(expected, "value")), "every row must have the same columns; one series with several values per line needs an AT2 header \
-               (NPTS, DT)")
+    Problem::format(
+format!("the first row has {}, this one has {found}", counted(expected, "value")),
+"every row must have the same columns; one series with several values per line needs an AT2 header \
+               (NPTS, DT)",
+)
         .at_line(line)
 }
 
@@ -386,8 +389,12 @@ fn check_first_row(table: &Table) -> Result<(), Problem> {
         "the first row, {first}, seems to be the number of values, but {} values follow",
         others.len()
     );
-    Err(Problem::format(message, "the file may be cut off: fetch it again; if the row is a value, write it with a decimal point")
-        .at_line(table.line_of_first_value))
+    Err(Problem::format(
+        message,
+        "the file may be cut off: fetch it again; if the row is a value, write it \
+                 with a decimal point",
+    )
+    .at_line(table.line_of_first_value))
 }
 
 /// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program

@@ -201,13 +201,13 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
     .at_line(stated.line)
 }
 
+/// What to do about a missing value.
+pub(crate) const GAP: &str =
+    "a motion with gaps cannot be used: repair the record or cut it before the gap";
+
 /// The problem of a value that marks a missing value.
 pub(crate) fn missing(text: &str, line: usize) -> Problem {
-    Problem::format(
-        format!("\"{}\" marks a missing value", shorten(text)),
-        "a motion with gaps cannot be used: repair the record or cut it before the gap",
-    )
-    .at_line(line)
+    Problem::format(format!("\"{}\" marks a missing value", shorten(text)), GAP).at_line(line)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::motion_file::{Direction, Found, ReadOptions, Reading};
 use crate::notes::Note;
 use crate::text::digit_style::DigitStyle;
+use crate::text::fixed_width::Block;
 use crate::text::fortran::{bad_field, fields, scan};
 use crate::text::gaps::Markers;
 use crate::text::lines::{Line, lines};
@@ -16,13 +17,6 @@ use std::path::Path;
 const HEADER_LINES: usize = 20;
 
 const NO_COUNTS: &str = "the number of values or the time step is missing";
-
-/// The line that states the number of values and the time step.
-struct Counts {
-    line: usize,
-    npts: usize,
-    dt_s: f64,
-}
 
 /// Whether the text is an AT2 file, or a VT2 or DT2 file, which has the same layout.
 pub(super) fn is_at2(bytes: &[u8]) -> bool {
@@ -82,17 +76,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .map(|line| line.text())
         .collect();
     refuse_sisters(&header)?;
-    let counts = read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
-        Problem::format(
-            message,
-            "the header line should read like \"NPTS=  4000, DT= .01000 SEC\"",
-        )
-        .at_line(header_line)
-    })?;
-    let counts = Counts {
-        line: header_line,
-        ..counts
-    };
+    let (npts, dt_s) =
+        read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
+            Problem::format(
+                message,
+                "the header line should read like \"NPTS=  4000, DT= .01000 SEC\"",
+            )
+            .at_line(header_line)
+        })?;
 
     // The last line that states a unit is the one nearest to the values; line 3 in every file of
     // PEER.
@@ -114,20 +105,13 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         })?;
 
     let mut notes = Vec::new();
-    let (values, line) = read_values(bytes, &counts, &mut notes)?;
+    let block = read_values(bytes, npts, header_line, &mut notes)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
     let direction = station.as_ref().and_then(|_| Direction::parse(&name));
-    let (unit, dt_s, line_of_step) = (*unit, counts.dt_s, counts.line);
     let component = Found {
-        name,
         station,
         direction,
-        unit,
-        dt_s,
-        line_of_step,
-        values,
-        line,
-        is_raw: false,
+        ..Found::new(name, *unit, (dt_s, header_line), block)
     }
     .component(options)?;
     Ok(Reading {
@@ -169,7 +153,7 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
 
 /// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers
 /// first: `4000  .01  NPTS, DT`.
-fn read_counts(text: &str) -> Result<Counts, String> {
+fn read_counts(text: &str) -> Result<(usize, f64), String> {
     let upper = text.to_ascii_uppercase();
     let (npts_at, dt_at) = (
         find_word(&upper, "NPTS").ok_or(NO_COUNTS)?,
@@ -216,11 +200,7 @@ fn read_counts(text: &str) -> Result<Counts, String> {
     if !(dt_s > 0.0 && dt_s.is_finite()) {
         return Err(format!("the time step, {dt_s} s, is not positive"));
     }
-    Ok(Counts {
-        line: 0,
-        npts: npts as usize,
-        dt_s,
-    })
+    Ok((npts as usize, dt_s))
 }
 
 /// The number that follows `at`, after blanks, `=`, `:` and commas; with the position after it.
@@ -236,16 +216,17 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
 
 fn read_values(
     bytes: &[u8],
-    counts: &Counts,
+    npts: usize,
+    header_line: usize,
     notes: &mut Vec<Note>,
-) -> Result<(Vec<f64>, usize), Problem> {
+) -> Result<Block, Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two
     // bytes.
-    let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
+    let mut values = Vec::with_capacity(npts.min(bytes.len() / 2 + 1));
     // Without values, the line that says so.
-    let (mut line_of_first_value, mut digit_style, mut markers) =
-        (counts.line, DigitStyle::default(), Markers::default());
-    for line in lines(bytes).skip(counts.line) {
+    let (mut first_line, mut digit_style, mut markers) =
+        (header_line, DigitStyle::default(), Markers::default());
+    for line in lines(bytes).skip(header_line) {
         let before = values.len();
         fields(line.bytes, |number| {
             digit_style.see(&number, line.number);
@@ -256,25 +237,24 @@ fn read_values(
             markers.see(*value, line.number)?;
         }
         if before == 0 && !values.is_empty() {
-            line_of_first_value = line.number;
+            first_line = line.number;
         }
     }
     notes.extend(markers.judge(&values)?);
-    if values.len() == counts.npts {
+    if values.len() == npts {
         notes.extend(digit_style.note());
-        return Ok((values, line_of_first_value));
+        return Ok(Block { values, first_line });
     }
-    let hint = if values.len() == 2 * counts.npts {
+    let hint = if values.len() == 2 * npts {
         "if these are columns of time and acceleration, begin the line that names NPTS with #"
     } else {
         "the file may be cut off: fetch it again, or correct NPTS if no value is missing"
     };
     let message = format!(
-        "the header declares {} values, but the file has {}",
-        counts.npts,
+        "the header declares {npts} values, but the file has {}",
         values.len()
     );
-    Err(Problem::format(message, hint).at_line(counts.line))
+    Err(Problem::format(message, hint).at_line(header_line))
 }
 
 /// PEER's second line is `event, date, station, component`. If it is anything else, the file's name

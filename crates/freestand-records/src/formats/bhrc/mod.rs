@@ -4,10 +4,11 @@
 //! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line
 //! that ends the record.
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note, three_note};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
-use crate::text::fortran::{Number, fields, is_missing_value, scan};
+use crate::text::fortran::{Number, is_missing_value, scan};
+use crate::text::head::next_title;
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::units::TENTHS_OF_G;
 use freestand_input::problem::Problem;
@@ -36,25 +37,19 @@ pub(super) fn is_bhrc(bytes: &[u8]) -> bool {
     lines(bytes)
         .take(20)
         .find(|line| !line.is_blank())
-        .is_some_and(|line| volume(&line).is_some())
+        .is_some_and(|line| is_title(&line))
 }
 
 /// Reads a BHRC file.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let (mut components, mut notes) = (Vec::new(), Vec::new());
-    while let Some(title) = next_title(&mut rest)? {
+    while let (Some(title), _) = next_title(&mut rest, is_title)? {
         let number = components.len() + 1;
         components.push(component(&mut rest, &title, number, options, &mut notes)?);
     }
     notes.extend(end_note(bytes, "end of record"));
-    if components.len() < 3 {
-        let words = format!(
-            "the file has only {} of three components: it may be cut off",
-            components.len()
-        );
-        notes.push(Note::new(NoteKind::CutOff, words));
-    }
+    notes.extend(three_note(components.len()));
     Ok(Reading {
         format: "BHRC volume 1",
         components,
@@ -62,24 +57,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     })
 }
 
-/// The first line of the next component, after the line that ends the one before.
-///
-/// # Errors
-/// Numbers where a component should begin.
-fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
-    for line in rest.by_ref().filter(|line| !line.is_blank()) {
-        if volume(&line).is_some() {
-            return Ok(Some(line));
-        }
-        if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::format(
-                "there are more values than the header declares",
-                "the number of values in the header does not match the file: fetch it again",
-            )
-            .at_line(line.number));
-        }
-    }
-    Ok(None)
+fn is_title(line: &Line<'_>) -> bool {
+    volume(line).is_some()
 }
 
 fn component(
@@ -115,14 +94,8 @@ fn component(
     notes.push(Note::of(&name, NoteKind::StepFromDuration, words));
     Found {
         direction: direction(&text, &name),
-        name,
         station: station(title, &text),
-        unit: TENTHS_OF_G,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, TENTHS_OF_G, (dt_s, line_of_step), block)
     }
     .component(options)
 }

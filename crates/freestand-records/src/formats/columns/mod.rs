@@ -21,20 +21,21 @@ use freestand_input::words::number;
 use std::path::Path;
 
 /// What the lines above the numbers state.
+#[derive(Default)]
 struct Stating {
-    headings: Option<Vec<Heading>>,
+    /// Empty where no line names the columns.
+    headings: Vec<Heading>,
     /// Line of the headings.
     line: usize,
     unit: Option<Stated>,
     dt_s: Option<(f64, usize)>,
 }
 
-/// Where the times of the samples come from.
-enum Time {
-    /// The first column.
-    Column,
-    /// A time step from elsewhere: every column is a component.
-    Step(f64),
+impl Stating {
+    /// The heading of a column.
+    fn heading(&self, at: usize) -> Option<&Heading> {
+        self.headings.get(at)
+    }
 }
 
 /// The step of the samples, and the times \[s\] of the rows if they must be interpolated to it.
@@ -59,9 +60,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let words = "column 1 counts the rows or samples and was ignored";
         notes.push(Note::new(NoteKind::ColumnIgnored, words));
     }
-    let time = time_source(&table, first, &stating, options)?;
-    let (spacing, skip) = match time {
-        Time::Step(dt_s) => {
+    let (spacing, skip) = match step_of_components(&table, first, &stating, options)? {
+        Some(dt_s) => {
             if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
                 let column = first + 1;
                 let words = format!(
@@ -78,7 +78,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 first,
             )
         }
-        Time::Column => (
+        None => (
             spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?,
             first + 1,
         ),
@@ -93,12 +93,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .skip(skip)
     {
-        let heading = stating
-            .headings
-            .as_ref()
-            .and_then(|all| all.get(i))
-            .cloned()
-            .unwrap_or_default();
+        let heading = stating.heading(i).cloned().unwrap_or_default();
         let what = if count == 1 {
             "the acceleration".to_owned()
         } else {
@@ -201,8 +196,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     if components.is_empty() {
         let what = refused.unwrap_or("a time");
-        return Err(Problem::format(format!("no column holds an acceleration, only {what}"), "use a file with accelerations, or state their unit in the heading, such as \"accel [m/s2]\"")
-            .at_line(table.line_of_first_value));
+        return Err(Problem::format(
+            format!("no column holds an acceleration, only {what}"),
+            "use a file with accelerations, or state their unit in the heading, such as \
+                 \"accel [m/s2]\"",
+        )
+        .at_line(table.line_of_first_value));
     }
     Ok(Reading {
         format,
@@ -213,10 +212,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 
 fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Problem> {
     let mut stating = Stating {
-        headings: None,
         line: table.line_of_first_value,
-        unit: None,
-        dt_s: None,
+        ..Stating::default()
     };
     if let Some(dt_s) = table.series_dt_s {
         stating.dt_s = Some((dt_s, table.line_of_first_value));
@@ -263,12 +260,12 @@ fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Probl
         }
     }
     if let Some((headings, line)) = headings_of(table) {
-        (stating.headings, stating.line) = (Some(headings), line);
+        (stating.headings, stating.line) = (headings, line);
     }
     if stating.unit.is_none() && !table.header.is_empty() {
         // Prose above the numbers may state the unit in words; brackets in prose do not count.
         let prose = table.header.iter().filter(|(line, text)| {
-            says_unit(text) && (stating.headings.is_none() || *line != stating.line)
+            says_unit(text) && (stating.headings.is_empty() || *line != stating.line)
         });
         stating.unit = prose
             .filter_map(|(line, text)| unit_in_prose(text).map(|unit| Stated { unit, line: *line }))
@@ -297,32 +294,21 @@ fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Probl
 /// Whether the columns cannot include a time. A step in prose counts only in this case, because it
 /// may belong to something else.
 fn has_no_time(table: &Table, stating: &Stating) -> bool {
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.first());
     // Names of directions, "NS,EW,UD", or accelerations.
-    let is_acceleration = first.is_some_and(|heading| {
-        Direction::parse(&heading.name).is_some()
-            || heading
-                .unit
-                .is_some_and(|unit| unit.dimension == Dimension::Acceleration)
+    let is_acceleration = stating.heading(0).is_some_and(|heading| {
+        Direction::parse(&heading.name).is_some() || heading.measures(Dimension::Acceleration)
     });
     table.columns.len() == 1 || is_acceleration
 }
 
-/// With a step from the user or the file, every column is a component unless the header says that
-/// the first is the time.
-fn time_source(
+/// The time step, if every column is a component: with a step from the user or the file, unless the
+/// header says that the first column is the time. `None` if it is the time.
+fn step_of_components(
     table: &Table,
     at: usize,
     stating: &Stating,
     options: &ReadOptions,
-) -> Result<Time, Problem> {
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
+) -> Result<Option<f64>, Problem> {
     let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
@@ -333,8 +319,8 @@ fn time_source(
     };
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
     match step {
-        Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
-        Some(dt_s) if !named => Ok(Time::Step(dt_s)),
+        Some(dt_s) if counts_time(dt_s) => Ok(None),
+        Some(_) if !named => Ok(step),
         _ if table.columns.len() == at + 1 => {
             let what = if at == 0 {
                 "there is one column"
@@ -347,7 +333,8 @@ fn time_source(
             )
             .at_line(table.line_of_first_value))
         }
-        _ if first
+        _ if stating
+            .heading(at)
             .and_then(|heading| heading.unit)
             .is_some_and(|unit| unit.dimension != Dimension::Time) =>
         {
@@ -357,17 +344,14 @@ fn time_source(
             )
             .at_line(stating.line))
         }
-        _ => Ok(Time::Column),
+        _ => Ok(None),
     }
 }
 
 /// Refuses a column of periods instead of the time.
 fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
-    match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
+    let is_period = |heading: &&Heading| heading.name.to_ascii_lowercase().starts_with("period");
+    match stating.heading(at).filter(is_period) {
         None => Ok(()),
         Some(heading) => {
             let name = shorten(&heading.name);
@@ -381,36 +365,28 @@ fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
 }
 
 fn names_time(stating: &Stating, at: usize) -> bool {
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
-    heading.is_some_and(|heading| match heading.unit {
-        Some(unit) => unit.dimension == Dimension::Time,
-        None => is_time_name(&heading.name),
-    })
+    stating
+        .heading(at)
+        .is_some_and(|heading| match heading.unit {
+            Some(unit) => unit.dimension == Dimension::Time,
+            None => is_time_name(&heading.name),
+        })
 }
 
 /// Whether a column rises in equal steps, from 0 or from one step, as motions do not; if `dt_s` is
 /// given, in steps of `dt_s`.
 fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
-    let Some(column) = table
-        .columns
-        .get(at)
-        .filter(|column| column.values.len() > 2)
-    else {
+    let Some(column) = table.columns.get(at) else {
         return false;
     };
-    let Ok(step) = time_step(&column.values, column.last_digit_exponent) else {
+    let [first, _, _, ..] = column.values[..] else {
         return false;
     };
-    // One part in a thousand, as for a stated step next to printed times.
-    let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
-    column
-        .values
-        .first()
-        .is_some_and(|first| *first == 0.0 || is_step(*first))
-        && dt_s.is_none_or(is_step)
+    time_step(&column.values, column.last_digit_exponent).is_ok_and(|step| {
+        // One part in a thousand, as for a stated step next to printed times.
+        let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
+        (first == 0.0 || is_step(first)) && dt_s.is_none_or(is_step)
+    })
 }
 
 /// Whether the first column is 1, 2, 3 … and named as a number of samples, or the second is the time: read as a time, the first would
@@ -424,22 +400,13 @@ fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool 
             .values
             .windows(2)
             .all(|pair| pair[1] - pair[0] == 1.0);
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.first());
-    if counts
-        && first.is_some_and(|heading| heading.unit.is_none() && is_counter_name(&heading.name))
-    {
-        return true;
-    }
-    if table.columns.len() < 3 {
-        return false;
-    }
-    let is_named = names_time(stating, 1);
-    counts
-        && !names_time(stating, 0)
-        && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
+    let is_counter = |heading: &Heading| heading.unit.is_none() && is_counter_name(&heading.name);
+    let precedes_time = || {
+        table.columns.len() > 2
+            && !names_time(stating, 0)
+            && (names_time(stating, 1) || options.dt_s.is_none() && is_time(table, 1, None))
+    };
+    counts && (stating.heading(0).is_some_and(is_counter) || precedes_time())
 }
 
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
@@ -469,10 +436,7 @@ fn spacing_of_column(
             "name a file with columns of time and acceleration",
         ));
     };
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
+    let heading = stating.heading(at);
     if let Some(heading) =
         heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '(']))
     {
@@ -526,12 +490,8 @@ fn spacing_of_column(
         }
     };
     let dt_s = to_si(step);
-    for (other_s, line) in options
-        .dt_s
-        .map(|dt_s| (dt_s, stating.line))
-        .into_iter()
-        .chain(stating.dt_s)
-    {
+    let given = options.dt_s.map(|dt_s| (dt_s, stating.line));
+    for (other_s, line) in given.into_iter().chain(stating.dt_s) {
         agree(other_s, dt_s, line)?;
     }
     Ok(Spacing {

@@ -109,11 +109,17 @@ impl Header {
     /// The value of one count \[m/s²\]: volts per count divided by volts per g.
     pub(super) fn count_m_s2(&self, notes: &mut Vec<Note>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
-            self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
-                let message = format!("the values are counts, but the header does not give the {what}");
-                Problem::format(message, format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"))
+            self.real(number)
+                .filter(|value| *value > 0.0)
+                .ok_or_else(|| {
+                    let message =
+                        format!("the values are counts, but the header does not give the {what}");
+                    Problem::format(
+message,
+format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"),
+)
                     .at_line(self.line_of_reals)
-            })
+                })
         };
         let volts = positive(22, "recorder's microvolts per count (real header 22)")? / 1e6;
         let volts_a_g = positive(42, "sensor's volts per g (real header 42)")?;

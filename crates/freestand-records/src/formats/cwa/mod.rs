@@ -3,7 +3,7 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
-use crate::text::fixed_width::Format;
+use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::scan;
 use crate::text::head::{Head, leading_number};
 use crate::text::lines::lines;
@@ -80,16 +80,15 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let mut components = Vec::new();
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
+        let block = Block {
+            values,
+            first_line: rows.first_line,
+        };
         let component = Found {
             direction: channel.direction(),
-            name: channel.name,
             station: station.clone(),
-            unit: *unit,
-            dt_s,
-            line_of_step: rate_line,
-            values,
-            line: rows.first_line,
             is_raw,
+            ..Found::new(channel.name, *unit, (dt_s, rate_line), block)
         }
         .component(options)?;
         // If the offset is left in, it is unknown whether the header's peak is counted from the

@@ -4,6 +4,7 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::fortran::{fields, scan};
 use crate::text::head::{Head, leading_number};
 use crate::text::lines::{Lines, lines};
@@ -42,14 +43,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let dt_s = step_of_rate(rate_hz, line_of_step)?;
     let scale = header.scale()?;
     let (name, direction, borehole) = component(&header, path);
-    let (mut values, line) = read_counts(&mut rest)?;
+    let mut block = read_counts(&mut rest)?;
     let mut notes = Vec::new();
-    notes.extend(check_duration(&header, rate_hz, values.len())?);
+    notes.extend(check_duration(&header, rate_hz, block.values.len())?);
     if borehole {
         let words = "recorded at the bottom of a borehole, not at the surface";
         notes.push(Note::of(&name, NoteKind::Borehole, words));
     }
-    for count in &mut values {
+    for count in &mut block.values {
         *count *= scale.per_count;
     }
     let station = header
@@ -57,17 +58,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .ok()
         .map(|(_, code)| code.to_owned())
         .filter(|code| !code.is_empty());
-    let unit = *scale.unit;
     let component = Found {
-        name,
         station,
         direction,
-        unit,
-        dt_s,
-        line_of_step,
-        values,
-        line,
         is_raw: true,
+        ..Found::new(name, *scale.unit, (dt_s, line_of_step), block)
     }
     .component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format
@@ -210,7 +205,7 @@ fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) 
 
 /// The counts and the line of the first. -999 and -32768 are ordinary counts; only a word can mark
 /// a missing value.
-fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
+fn read_counts(rest: &mut Lines<'_>) -> Result<Block, Problem> {
     let (mut values, mut first_line) = (Vec::new(), rest.line_number() + 1);
     for line in rest {
         let before = values.len();
@@ -223,7 +218,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
             first_line = line.number;
         }
     }
-    Ok((values, first_line))
+    Ok(Block { values, first_line })
 }
 
 /// Checks the duration, which the header states instead of the number of values. One value more or
@@ -237,8 +232,12 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
         let message = format!(
             "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values, but the file has {found}"
         );
-        return Err(Problem::format(message, "the file may be cut off: fetch it again, or correct the duration if no value is missing")
-            .at_line(line));
+        return Err(Problem::format(
+            message,
+            "the file may be cut off: fetch it again, or correct the duration if no \
+                 value is missing",
+        )
+        .at_line(line));
     }
     let words = || {
         format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")

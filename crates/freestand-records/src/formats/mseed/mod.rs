@@ -10,6 +10,7 @@ pub(super) use record::Source;
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::units;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
@@ -162,17 +163,15 @@ fn scaled(
             ));
         }
     };
-    let station = source.full_station();
-    Ok(Ok(Found {
-        name,
-        station,
-        direction,
-        unit,
-        dt_s,
-        line_of_step: 1,
+    let block = Block {
         values,
-        line: 1,
+        first_line: 1,
+    };
+    Ok(Ok(Found {
+        station: source.full_station(),
+        direction,
         is_raw: true,
+        ..Found::new(name, unit, (dt_s, 1), block)
     }))
 }
 

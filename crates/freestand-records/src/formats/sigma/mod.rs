@@ -1,7 +1,7 @@
 //! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values per line, which
 //! may touch.
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::motion_file::{Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::{Header, entry, refuse_more_values};
@@ -46,7 +46,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         })
     });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
+    let step = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
         Problem::format(
             "the header has no number of values (Number of Data)",
@@ -65,15 +65,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let station =
         Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
     let component = Found {
-        direction: Direction::parse(&name),
-        name,
         station,
-        unit: *unit,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, *unit, step, block)
     }
     .component(options)?;
     // The peak is only a check, not a reason to refuse a record.

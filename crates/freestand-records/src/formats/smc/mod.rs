@@ -1,7 +1,7 @@
 //! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
 //! in cm/s².
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Found, ReadOptions, Reading, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::refuse_more_values;
@@ -89,17 +89,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut notes = Vec::from_iter(block.refuse_missing(VALUES, is_missing_value)?);
     refuse_more_values(&mut rest, &mut notes)?;
     let (station, name) = station_and_component(&text, path);
-    let direction = Direction::parse(&name);
     let component = Found {
-        name,
         station,
-        direction,
-        unit: UNIT,
-        dt_s,
-        line_of_step: reals.first_line,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, UNIT, (dt_s, reals.first_line), block)
     }
     .component(options)?;
     // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.

@@ -3,7 +3,7 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
-use crate::text::fixed_width::Format;
+use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::{fields, scan};
 use crate::text::head::Head;
 use crate::text::lines::{Line, Lines, lines};
@@ -92,16 +92,15 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         .find(|name| !name.is_empty());
     let mut components = Vec::new();
     for (i, (name, values)) in names.into_iter().zip(rows.columns).enumerate() {
+        let block = Block {
+            values,
+            first_line: rows.first_line,
+        };
+        let bearing = name.split(';').next().unwrap_or(&name).trim().to_owned();
         let component = Found {
             direction: direction(&name),
-            name: name.split(';').next().unwrap_or(&name).trim().to_owned(),
             station: station.clone(),
-            unit: *unit,
-            dt_s,
-            line_of_step: dt_line,
-            values,
-            line: rows.first_line,
-            is_raw: false,
+            ..Found::new(bearing, *unit, (dt_s, dt_line), block)
         }
         .component(options)?;
         if let Some(peak) = peaks.get(i).and_then(|peak| scan(peak.as_bytes())) {
@@ -313,7 +312,11 @@ impl Header {
         let found = columns.first().map_or(0, Vec::len);
         let most = counts.iter().fold(0.0f64, |a, b| a.max(*b));
         if found as f64 != most {
-            return Err(Problem::format(format!("the header declares {most} rows, but the file has {found}"), "the file may be cut off: fetch it again, or correct the number if no row is missing")
+            return Err(Problem::format(
+                format!("the header declares {most} rows, but the file has {found}"),
+                "the file may be cut off: fetch it again, or correct the number if no row is \
+                 missing",
+            )
             .at_line(line));
         }
         for ((column, name), &count) in columns.iter_mut().zip(names).zip(&counts) {

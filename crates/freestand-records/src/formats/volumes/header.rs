@@ -97,17 +97,11 @@ pub(super) fn read_header(
         }
     }
     let mut rows = Vec::new();
-    loop {
-        let before = rest.clone();
-        match rest.next() {
-            Some(line) if is_integer_row(&line) && rows.len() < MAX_REALS => {
-                rows.push(line.bytes.trim_ascii_end())
-            }
-            Some(line) if line.is_blank() => {}
-            _ => {
-                *rest = before;
-                break;
-            }
+    while let Some(line) =
+        rest.next_if(|line| line.is_blank() || is_integer_row(line) && rows.len() < MAX_REALS)
+    {
+        if !line.is_blank() {
+            rows.push(line.bytes.trim_ascii_end());
         }
     }
     // 16I5 on seven lines; some of the oldest files have 20I4 on five.
@@ -192,6 +186,11 @@ pub(super) fn unit_of(text: &str, line: usize) -> Result<Option<Unit>, Problem> 
     }
 }
 
+/// What stands before three blanks.
+fn first_part(text: &str) -> &str {
+    text.split("   ").next().unwrap_or("").trim()
+}
+
 impl Header {
     pub(super) fn lines_with<'a>(&'a self, word: &'a str) -> impl Iterator<Item = String> + 'a {
         self.text
@@ -265,15 +264,7 @@ impl Header {
                 || upper.starts_with("STA CHAN")
                 || upper.starts_with("CANAL");
             let (_, name) = line.split_once(':').filter(|_| starts)?;
-            Some(
-                name.split('(')
-                    .next()?
-                    .trim()
-                    .split("   ")
-                    .next()?
-                    .trim()
-                    .to_owned(),
-            )
+            Some(first_part(name.split('(').next()?.trim()))
         });
         let of_component = || {
             let line = self
@@ -284,19 +275,12 @@ impl Header {
                 .trim_start()
                 .trim_start_matches("COMPONENT")
                 .trim_start_matches("COMP");
-            Some(
-                name.trim_matches(['=', ':', ' '])
-                    .split("   ")
-                    .next()?
-                    .trim()
-                    .to_owned(),
-            )
+            Some(first_part(name.trim_matches(['=', ':', ' '])))
         };
-        let name = of_channel
-            .filter(|name| !name.is_empty())
-            .or_else(of_component);
-        name.filter(|name| !name.is_empty())
-            .unwrap_or_else(|| format!("channel {channel}"))
+        let is_named = |name: &&str| !name.is_empty();
+        let name = of_channel.filter(is_named).or_else(of_component);
+        name.filter(is_named)
+            .map_or_else(|| format!("channel {channel}"), str::to_owned)
     }
 
     /// The line below the one with the station's number and place.

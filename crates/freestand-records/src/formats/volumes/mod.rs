@@ -11,8 +11,7 @@ mod header;
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note,
-    peak_note,
+    Component, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
@@ -302,7 +301,7 @@ fn found(
     header: &Header,
     channel: usize,
     unit: Option<Unit>,
-    (dt_s, line_of_step): (f64, usize),
+    step: (f64, usize),
     block: Block,
     options: &ReadOptions,
 ) -> Result<Component, Problem> {
@@ -311,17 +310,9 @@ fn found(
         None => *decide(None, requested(options.unit.as_deref())?, "the record")
             .map_err(|problem| problem.at_line(block.first_line))?,
     };
-    let name = header.name(channel);
     Found {
-        direction: Direction::parse(&name),
-        name,
         station: header.station(),
-        unit,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(header.name(channel), unit, step, block)
     }
     .component(options)
 }
@@ -345,20 +336,14 @@ fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
 
 /// What a channel holds, if its text says that it is not an acceleration: `Data: Velocity`,
 /// response spectra.
-fn other_quantity(header: &Header) -> Option<(String, usize)> {
-    let data = header.lines_with("DATA:").find_map(|line| {
+fn other_quantity(header: &Header) -> Option<(&'static str, usize)> {
+    header.lines_with("DATA:").find_map(|line| {
         let (_, tail) = line.split_once("DATA:")?;
         let word = tail.trim_start();
-        let name = if word.starts_with("VEL") {
-            "a velocity"
-        } else if word.starts_with("DIS") {
-            "a displacement"
-        } else {
-            return None;
-        };
-        Some(name.to_owned())
-    });
-    data.map(|what| (what, header.first_line))
+        let others = [("VEL", "a velocity"), ("DIS", "a displacement")];
+        let other = others.iter().find(|(start, _)| word.starts_with(start))?;
+        Some((other.1, header.first_line))
+    })
 }
 
 /// Leaves `rest` at the first line of the next channel, after the velocity and the displacement and
@@ -422,7 +407,7 @@ fn is_numbers(line: &Line<'_>) -> bool {
 }
 
 /// The problem of numbers that may be a channel whose first lines are damaged.
-fn unannounced(line: &Line<'_>) -> Problem {
+pub(super) fn unannounced(line: &Line<'_>) -> Problem {
     Problem::format(
         "no line states what these numbers are",
         "the line above them may be damaged: fetch the file again",
@@ -435,17 +420,8 @@ fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Proble
     if let Some(title) = title {
         return skip_series(title, rest);
     }
-    loop {
-        let before = rest.clone();
-        match rest.next() {
-            Some(line) if line.is_text() => {
-                *rest = before;
-                return Ok(());
-            }
-            Some(_) => {}
-            None => return Ok(()),
-        }
-    }
+    rest.leading(|line| !line.is_text()).for_each(drop);
+    Ok(())
 }
 
 /// Skips the lines of a series. Only their number is checked, so a value too large for its field

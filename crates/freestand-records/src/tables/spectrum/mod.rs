@@ -2,7 +2,7 @@
 
 use crate::text::headings::{Heading, headings_of, in_si, is_time_name};
 use crate::text::lines::check_text;
-use crate::text::table::{self, Table};
+use crate::text::table;
 use freestand_input::file::load_up_to;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, lookup, shorten};
@@ -64,12 +64,22 @@ pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     let at_headings = |problem: Problem| problem.at_line(line);
     let period = period.map_err(at_headings)?;
     let psa = acceleration_column(&headings).map_err(at_headings)?;
-    Ok(rows(
-        &table,
-        &bytes,
-        &headings,
-        [Some(period), Some(psa), damping],
-    ))
+    // In SI; a ratio may be a bare number.
+    let column = |index: usize| in_si(&table, &headings, index);
+    let dampings = damping.map(column);
+    let values = column(period).into_iter().zip(column(psa));
+    let rows = table.lines_of_rows(&bytes).zip(values).enumerate();
+    Ok(rows
+        .map(|(row, (line, (period_s, psa_m_s2)))| SpectrumRow {
+            line,
+            period_s,
+            psa_m_s2,
+            damping_ratio: dampings
+                .as_ref()
+                .and_then(|dampings| dampings.get(row))
+                .copied(),
+        })
+        .collect())
 }
 
 /// Adds the unit at the end of a heading: `period_s`, `psa_g`, `rotd50_g`.
@@ -202,10 +212,7 @@ fn is_damping(heading: &Heading) -> bool {
 
 fn damping_column(headings: &[Heading]) -> Option<usize> {
     places(headings, |heading| {
-        is_damping(heading)
-            && heading
-                .unit
-                .is_none_or(|unit| unit.dimension == Dimension::Ratio)
+        is_damping(heading) && (heading.unit.is_none() || heading.measures(Dimension::Ratio))
     })
     .first()
     .copied()
@@ -217,35 +224,6 @@ fn unit_is_open(heading: &Heading, example: &str) -> Problem {
         format!("the unit of \"{name}\" is not stated"),
         format!("write it in the heading, such as \"{example}\""),
     )
-}
-
-/// Three columns row by row, in SI; a ratio may be a bare number.
-fn rows(
-    table: &Table,
-    bytes: &[u8],
-    headings: &[Heading],
-    places: [Option<usize>; 3],
-) -> Vec<SpectrumRow> {
-    let column = |place: Option<usize>| place.map(|index| in_si(table, headings, index));
-    let [periods, accelerations, dampings] = places.map(column);
-    let values = periods
-        .unwrap_or_default()
-        .into_iter()
-        .zip(accelerations.unwrap_or_default());
-    let rows = table.lines_of_rows(bytes).zip(values).enumerate();
-    rows.map(|(row, (line, (period_s, psa_m_s2)))| {
-        let damping_ratio = dampings
-            .as_ref()
-            .and_then(|dampings| dampings.get(row))
-            .copied();
-        SpectrumRow {
-            line,
-            period_s,
-            psa_m_s2,
-            damping_ratio,
-        }
-    })
-    .collect()
 }
 
 #[cfg(test)]

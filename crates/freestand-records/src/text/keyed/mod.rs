@@ -2,7 +2,7 @@
 //! them.
 
 use super::digit_style::DigitStyle;
-use super::fortran::{Number, bad_field, fields, is_missing_word, number};
+use super::fortran::{Number, bad_field, fields, is_missing_word, number, words};
 use super::lines::{Line, Lines};
 use super::rows::Rows;
 use crate::notes::{Note, NoteKind};
@@ -60,21 +60,14 @@ impl Entry {
 impl Header {
     /// Reads the lines above the first row of numbers, and leaves `rest` before that row.
     pub(crate) fn read(rest: &mut Lines<'_>) -> Self {
-        let mut entries = Vec::new();
-        loop {
-            let before = rest.clone();
-            let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
-                break;
-            };
-            if is_row(&line) {
-                *rest = before;
-                break;
-            }
-            if !line.is_blank() {
-                entries.push(entry(&line));
-            }
+        let is_below = |line: &Line<'_>| line.number > HEADER_LINES;
+        let above = rest
+            .leading(|line| is_below(line) || !is_row(line))
+            .take_while(|line| !is_below(line))
+            .filter(|line| !line.is_blank());
+        Self {
+            entries: above.map(|line| entry(&line)).collect(),
         }
-        Self { entries }
     }
 
     /// The line of a key whose value is not empty.
@@ -160,11 +153,7 @@ fn is_row(line: &Line<'_>) -> bool {
     if fields(line.bytes, |_| values += 1).is_ok() {
         return values > 0;
     }
-    let mut words = line
-        .bytes
-        .split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty());
-    words.all(|word| is_missing_word(word) || number(word).is_some())
+    words(line.bytes).all(|word| is_missing_word(word) || number(word).is_some())
 }
 
 /// Reads rows of `width` numbers to the end of the file; `declared` is the number that the header
@@ -180,7 +169,7 @@ pub(crate) fn read_rows(
 ) -> Result<Rows, Problem> {
     let (mut rows, mut row) = (Rows::of_width(width), Vec::with_capacity(width));
     let mut digit_styles: Vec<DigitStyle> = (0..width).map(|_| DigitStyle::default()).collect();
-    for line in rest.by_ref().filter(|line| !line.is_blank()) {
+    for line in rest.filled() {
         row.clear();
         let each = |number: Number| {
             if let Some(style) = digit_styles.get_mut(row.len()) {
@@ -191,13 +180,7 @@ pub(crate) fn read_rows(
         if let Err(bad) = fields(line.bytes, each) {
             // A footer may follow the last value.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
-                notes.push(Note::new(
-                    NoteKind::TextIgnored,
-                    format!(
-                        "line {} follows the last value and was ignored",
-                        line.number
-                    ),
-                ));
+                notes.push(below_values(&line));
                 break;
             }
             return Err(bad_field(&bad, line.number));
@@ -230,7 +213,7 @@ pub(crate) fn refuse_more_values(
     rest: &mut Lines<'_>,
     notes: &mut Vec<Note>,
 ) -> Result<(), Problem> {
-    let Some(line) = rest.by_ref().find(|line| !line.is_blank()) else {
+    let Some(line) = rest.filled().next() else {
         return Ok(());
     };
     if is_row(&line) {
@@ -240,14 +223,26 @@ pub(crate) fn refuse_more_values(
         )
         .at_line(line.number));
     }
-    notes.push(Note::new(
-        NoteKind::TextIgnored,
-        format!(
-            "line {} follows the last value and was ignored",
-            line.number
-        ),
-    ));
+    notes.push(below_values(&line));
     Ok(())
+}
+
+fn below_values(line: &Line<'_>) -> Note {
+    let words = format!(
+        "line {} follows the last value and was ignored",
+        line.number
+    );
+    Note::new(NoteKind::TextIgnored, words)
+}
+
+/// The parts that are not empty; `None` if all are.
+pub(crate) fn joined(parts: &[&str], between: &str) -> Option<String> {
+    let filled: Vec<&str> = parts
+        .iter()
+        .copied()
+        .filter(|part| !part.is_empty())
+        .collect();
+    (!filled.is_empty()).then(|| filled.join(between))
 }
 
 #[cfg(test)]
