@@ -5,7 +5,7 @@ use super::{Component, Direction, ReadOptions};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
 use crate::text::lines::Line;
-use crate::text::units::{self, GAP};
+use crate::text::units::GAP;
 use freestand::motion::Motion;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
@@ -81,7 +81,7 @@ impl Found {
             mut values,
             first_line: line,
         } = self.block;
-        if let Some(unit) = units::requested(options.unit.as_deref())?
+        if let Some(unit) = options.unit()?
             // The last bit may differ where a factor is a product, such as counts times a scale.
             && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
             && unit.symbol != self.unit.symbol

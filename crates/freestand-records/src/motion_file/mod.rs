@@ -17,7 +17,7 @@ use crate::text::units;
 use freestand::motion::Motion;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{Unit, shorten};
 use std::path::{Path, PathBuf};
 
 /// What the user states about a file that may not state it itself.
@@ -43,9 +43,14 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
+    /// The unit that the user states.
+    pub(crate) fn unit(&self) -> Result<Option<&'static Unit>, Problem> {
+        units::requested(self.unit.as_deref())
+    }
+
     /// Checks what can be checked without a file.
     pub(crate) fn check(&self) -> Result<(), Problem> {
-        units::requested(self.unit.as_deref())?;
+        self.unit()?;
         let steps = [self.dt_s, self.uneven_dt_s];
         steps
             .into_iter()

@@ -137,6 +137,11 @@ pub(crate) fn number(text: &[u8]) -> Option<Number> {
     scan(text).filter(|number| number.length == text.len())
 }
 
+/// The number that a text begins with.
+pub(crate) fn leading_value(text: &str) -> Option<f64> {
+    scan(text.as_bytes()).map(|number| number.value)
+}
+
 /// Why a field is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum BadField {

@@ -1,6 +1,6 @@
 //! The lines above the numbers of a file, with their line numbers.
 
-use super::fortran::{fields, scan};
+use super::fortran::{fields, leading_value};
 use super::lines::{Line, Lines};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -73,8 +73,7 @@ pub(crate) fn next_title<'a>(
 /// # Errors
 /// No number.
 pub(crate) fn leading_number(key: &str, (line, text): (usize, &str)) -> Result<f64, Problem> {
-    scan(text.as_bytes())
-        .map(|number| number.value)
+    leading_value(text)
         .filter(|value| value.is_finite())
         .ok_or_else(|| {
             Problem::format(

@@ -221,6 +221,16 @@ impl Line<'_> {
     }
 }
 
+/// The parts that are not empty; `None` if all are.
+pub(crate) fn joined(parts: &[&str], between: &str) -> Option<String> {
+    let filled: Vec<&str> = parts
+        .iter()
+        .copied()
+        .filter(|part| !part.is_empty())
+        .collect();
+    (!filled.is_empty()).then(|| filled.join(between))
+}
+
 pub(crate) fn text_of(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),

@@ -1,13 +1,13 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values, any number per line.
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem};
 use crate::notes::Note;
 use crate::text::digit_style::DigitStyle;
 use crate::text::fixed_width::Block;
 use crate::text::fortran::{bad_field, fields, scan};
 use crate::text::gaps::Markers;
 use crate::text::lines::{Line, lines};
-use crate::text::units::{Stated, decide, not_known, requested, unit_in_prose};
+use crate::text::units::{Stated, decide, not_known, unit_in_prose};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use std::path::Path;
@@ -92,17 +92,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .rev()
         .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
-    let unit =
-        decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
-            let lines = header
-                .iter()
-                .enumerate()
-                .map(|(i, text)| (i + 1, text.as_str()));
-            let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
-            not_known(units)
-                .filter(|_| stated.is_none())
-                .unwrap_or(problem)
-        })?;
+    let unit = decide(stated, options.unit()?, "the record").map_err(|problem| {
+        let lines = header
+            .iter()
+            .enumerate()
+            .map(|(i, text)| (i + 1, text.as_str()));
+        let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+        not_known(units)
+            .filter(|_| stated.is_none())
+            .unwrap_or(problem)
+    })?;
 
     let mut notes = Vec::new();
     let block = read_values(bytes, npts, header_line, &mut notes)?;
@@ -280,7 +279,7 @@ fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
             return (component.to_owned(), Some((*station).to_owned()));
         }
     }
-    (crate::motion_file::file_stem(path), None)
+    (file_stem(path), None)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Motions in columns, with or without a time column, a header and units.
 
-use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, file_stem, motion};
 use crate::notes::{Note, NoteKind};
 use crate::text::dialect::Separator;
 use crate::text::even_grid::{Uneven, on_even_grid};
@@ -13,7 +13,7 @@ use crate::text::sampling::{even_step, time_step};
 use crate::text::sensitivity::{no_sensitivity, not_in_volts, volts_of_heading};
 use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use crate::text::table::{self, Table};
-use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
+use crate::text::units::{Stated, decide, missing, not_known, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, lookup, shorten};
@@ -84,7 +84,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         ),
     };
     refuse_spectrum(&stating, first)?;
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let mut components = Vec::new();
     let mut refused = None;
     let count = table.columns.len() - skip;
@@ -172,7 +172,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
-            "" if count == 1 => crate::motion_file::file_stem(path),
+            "" if count == 1 => file_stem(path),
             // Numbered as components, which is not the number of the column.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),

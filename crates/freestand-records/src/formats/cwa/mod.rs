@@ -6,10 +6,10 @@ use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::scan;
 use crate::text::head::{Head, leading_number};
-use crate::text::lines::lines;
+use crate::text::lines::{joined, lines};
 use crate::text::rows::{self, Rows};
 use crate::text::sampling::step_of_rate;
-use crate::text::units::{Stated, decide, record_unit, requested};
+use crate::text::units::{Stated, decide, record_unit};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -61,7 +61,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             unit,
             line: unit_line,
         });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, options.unit()?, "the record")?;
     // "gal. DCoffset(corr)": the agency removed the offset. Without this text, the offset may still
     // be there.
     let is_raw = !text.to_ascii_lowercase().contains("(corr)");
@@ -72,11 +72,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     check_times(&rows, rate_hz)?;
     notes.extend(check_length(&header, &rows, rate_hz)?);
 
-    let station = header
-        .value("#StationCode")
-        .ok()
-        .map(|(_, code)| code.to_owned())
-        .filter(|code| !code.is_empty());
+    let station = header.value("#StationCode").map_or("", |(_, code)| code);
     let mut components = Vec::new();
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
@@ -86,7 +82,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         };
         let component = Found {
             direction: channel.direction(),
-            station: station.clone(),
+            station: joined(&[station], ""),
             is_raw,
             ..Found::new(channel.name, *unit, (dt_s, rate_line), block)
         }

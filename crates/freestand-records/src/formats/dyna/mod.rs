@@ -6,9 +6,9 @@ use crate::motion_file::{
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
-use crate::text::keyed::{Header, entry, joined, read_rows};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, record_unit, requested};
+use crate::text::keyed::{Header, entry, read_rows};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, record_unit};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -114,7 +114,7 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
 }
 
 fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem> {
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let Some(stated) = header.get("UNITS") else {
         return decide(None, requested, "the record");
     };

@@ -7,7 +7,7 @@ use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
 use crate::text::fortran::{fields, scan};
 use crate::text::head::{Head, leading_number};
-use crate::text::lines::{Lines, lines};
+use crate::text::lines::{Lines, joined, lines};
 use crate::text::sampling::step_of_rate;
 use crate::text::units::{missing, record_unit};
 use freestand_input::problem::Problem;
@@ -53,13 +53,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     for count in &mut block.values {
         *count *= scale.per_count;
     }
-    let station = header
-        .value("station code")
-        .ok()
-        .map(|(_, code)| code.to_owned())
-        .filter(|code| !code.is_empty());
+    let station = header.value("station code").map_or("", |(_, code)| code);
     let component = Found {
-        station,
+        station: joined(&[station], ""),
         direction,
         is_raw: true,
         ..Found::new(name, *scale.unit, (dt_s, line_of_step), block)

@@ -15,7 +15,7 @@ use crate::text::fortran::number;
 use crate::text::lines::{Line, lines};
 use crate::text::sampling::time_step;
 use crate::text::table::quoted_cells;
-use crate::text::units::{Stated, decide, record_unit, requested};
+use crate::text::units::{Stated, decide, record_unit};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, shorten};
 
@@ -151,7 +151,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
                      export \"Joint Accelerations - Absolute\"";
         notes.push(Note::new(NoteKind::Relative, words));
     }
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let mut labels: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for joint in &joints {
         labels.entry(&joint.story).or_default().insert(&joint.label);

@@ -8,10 +8,11 @@ mod steim;
 
 pub(super) use record::Source;
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, Start, file_stem, without_line,
+};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
-use crate::text::units;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
@@ -115,10 +116,7 @@ fn scaled(
     } = series;
     notes.extend(found);
     let full_name = source.full_name();
-    let (unit, direction) = match (
-        stations.of(&source)?,
-        units::requested(options.unit.as_deref())?,
-    ) {
+    let (unit, direction) = match (stations.of(&source)?, options.unit()?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
                 "{} gives the sensitivity of its counts, but the unit {} is given too",
@@ -196,7 +194,7 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
         .unwrap_or_else(|| named(&ways[2]));
     let or_file = |name: String| {
         if name.is_empty() {
-            crate::motion_file::file_stem(path)
+            file_stem(path)
         } else {
             name
         }

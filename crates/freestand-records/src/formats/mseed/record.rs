@@ -2,6 +2,7 @@
 
 use crate::formats::binary::{Order, as_written, field};
 use crate::formats::instant::Instant;
+use crate::text::lines::joined;
 use freestand_input::problem::Problem;
 
 /// The channel that recorded.
@@ -348,11 +349,7 @@ const CRC_OF_BYTE: [u32; 256] = {
 impl Source {
     /// `NET.STA`, or the part of it that is stated.
     pub(in crate::formats) fn full_station(&self) -> Option<String> {
-        match (self.network.as_str(), self.station.as_str()) {
-            ("", "") => None,
-            ("", one) | (one, "") => Some(one.to_owned()),
-            (network, station) => Some(format!("{network}.{station}")),
-        }
+        joined(&[&self.network, &self.station], ".")
     }
 
     /// `NET.STA.LOC.CHA`.

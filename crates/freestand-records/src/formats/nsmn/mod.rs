@@ -4,10 +4,10 @@
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
-use crate::text::fortran::scan;
-use crate::text::keyed::{Entry, Header, entry, joined, read_rows};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, requested, unit_in_prose};
+use crate::text::fortran::leading_value;
+use crate::text::keyed::{Entry, Header, entry, read_rows};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, unit_in_prose};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::lookup;
 use std::path::Path;
@@ -49,7 +49,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             line: entry.line,
         })
     });
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let unit = match (stated, requested, lookup("gal")) {
         (None, None, Some(gal)) => {
             let words =
@@ -104,7 +104,7 @@ fn column_names(header: &Header, notes: &mut Vec<Note>) -> Vec<String> {
 /// `(N-S) 0.316125 (E-W) 0.331524 (U-D) 0.363887`.
 fn peak_of(value: &str, name: &str) -> Option<f64> {
     let (_, rest) = value.split_once(&format!("({name})"))?;
-    scan(rest.trim_start().as_bytes()).map(|number| number.value)
+    leading_value(rest.trim_start())
 }
 
 #[cfg(test)]

@@ -4,13 +4,12 @@
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, Start, length_note, peak_note,
+    Component, Direction, Found, ReadOptions, Reading, Start, file_stem, length_note, peak_note,
     refuse_not_finite, without_line,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Block;
-use crate::text::lines::lines;
-use crate::text::units;
+use crate::text::lines::{joined, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 use std::path::Path;
 
@@ -114,7 +113,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             "the file is damaged or cut off: fetch it again",
         ));
     }
-    let Some(unit) = units::requested(options.unit.as_deref())? else {
+    let Some(unit) = options.unit()? else {
         return Err(Problem::value(
             "a SAC file does not state its unit",
             "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, \
@@ -132,21 +131,22 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     );
     let mut notes = vec![Note::new(NoteKind::UnitAssumed, words)];
     notes.extend(header.notes());
-    let text = |word: usize, bytes: usize| header.text(word, bytes);
-    let channel = text(600, 8);
-    let name = channel
-        .clone()
-        .unwrap_or_else(|| crate::motion_file::file_stem(path));
+    let text = |at: usize| header.text(at);
+    let channel = text(600);
+    let name = channel.clone().unwrap_or_else(|| file_stem(path));
     let dt_s = header.step(version, HEADER + 4 * npts)?;
     let block = Block {
         values,
         first_line: 1,
     };
     let component = Found {
-        station: match (text(608, 8), text(440, 8)) {
-            (Some(network), Some(station)) => Some(format!("{network}.{station}")),
-            (network, station) => station.or(network),
-        },
+        station: joined(
+            &[
+                &text(608).unwrap_or_default(),
+                &text(440).unwrap_or_default(),
+            ],
+            ".",
+        ),
         direction: header
             .direction()
             .or_else(|| channel.as_deref().and_then(Direction::parse)),
@@ -223,8 +223,9 @@ impl Header<'_> {
             .filter(|value| *value != UNSET && value.is_finite())
     }
 
-    fn text(&self, at: usize, length: usize) -> Option<String> {
-        Some(field(self.bytes, at, at + length))
+    /// A field of eight letters.
+    fn text(&self, at: usize) -> Option<String> {
+        Some(field(self.bytes, at, at + 8))
             .filter(|text| !text.is_empty() && !text.starts_with("-12345"))
     }
 

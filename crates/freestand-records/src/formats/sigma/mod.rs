@@ -5,8 +5,8 @@ use crate::motion_file::{Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::{Header, entry, refuse_more_values};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, requested, unit_in_prose};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, unit_in_prose};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -45,7 +45,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             line: entry.line,
         })
     });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, options.unit()?, "the record")?;
     let step = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
         Problem::format(
@@ -62,10 +62,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         "" => file_stem(path),
         name => name.to_owned(),
     };
-    let station =
-        Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
     let component = Found {
-        station,
+        station: joined(&[header.text("Station Code / Name")], ""),
         ..Found::new(name, *unit, step, block)
     }
     .component(options)?;

@@ -1,11 +1,11 @@
 //! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
 //! in cm/s².
 
-use crate::motion_file::{Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::refuse_more_values;
-use crate::text::lines::{Line, lines};
+use crate::text::lines::{Line, joined, lines};
 use crate::text::sampling::step_of_rate;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
@@ -114,7 +114,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 fn station_and_component(text: &[String], path: &Path) -> (Option<String>, String) {
     let line = text.iter().find(|line| line.contains("component"));
     let Some((station, component)) = line.and_then(|line| line.split_once("component")) else {
-        return (None, crate::motion_file::file_stem(path));
+        return (None, file_stem(path));
     };
     let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
     let station = value(
@@ -123,13 +123,11 @@ fn station_and_component(text: &[String], path: &Path) -> (Option<String>, Strin
             .strip_prefix("station")
             .unwrap_or(station),
     );
-    let component = value(component);
-    let name = if component.is_empty() {
-        crate::motion_file::file_stem(path)
-    } else {
-        component
-    };
-    ((!station.is_empty()).then_some(station), name)
+    let name = joined(&[&value(component)], "");
+    (
+        joined(&[&station], ""),
+        name.unwrap_or_else(|| file_stem(path)),
+    )
 }
 
 #[cfg(test)]

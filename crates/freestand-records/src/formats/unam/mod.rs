@@ -4,11 +4,11 @@
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
-use crate::text::fortran::{fields, scan};
+use crate::text::fortran::{fields, leading_value, scan};
 use crate::text::head::Head;
-use crate::text::lines::{Line, Lines, lines};
+use crate::text::lines::{Line, Lines, joined, lines};
 use crate::text::rows;
-use crate::text::units::{Stated, decide, record_unit, requested};
+use crate::text::units::{Stated, decide, record_unit};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -70,7 +70,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             unit,
             line: unit_line,
         });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, options.unit()?, "the record")?;
     let names = header.names(columns)?;
 
     let mut notes = Vec::new();
@@ -88,8 +88,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let station = station
         .into_iter()
         .flatten()
-        .map(|(_, name)| name.to_owned())
-        .find(|name| !name.is_empty());
+        .find_map(|(_, name)| joined(&[name], ""));
     let mut components = Vec::new();
     for (i, (name, values)) in names.into_iter().zip(rows.columns).enumerate() {
         let block = Block {
@@ -200,7 +199,7 @@ impl Header {
         let numbers: Option<Vec<f64>> = entries
             .iter()
             .take(columns)
-            .map(|entry| scan(entry.as_bytes()).map(|number| number.value))
+            .map(|entry| leading_value(entry))
             .collect();
         match numbers {
             Some(numbers) if numbers.len() == columns => Ok((line, numbers)),

@@ -2,7 +2,7 @@
 
 use super::{MAX_REALS, is_numbers, not_acceleration, unannounced};
 use crate::notes::{Note, NoteKind};
-use crate::text::fortran::{number, scan};
+use crate::text::fortran::{leading_value, number};
 use crate::text::lines::{Line, Lines};
 use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
 use freestand_input::problem::Problem;
@@ -161,7 +161,7 @@ pub(in crate::formats) fn step_in(upper: &str) -> Option<f64> {
 pub(super) fn number_after(text: &str, words: &str) -> Option<f64> {
     let (_, tail) = text.split_once(words)?;
     let tail = tail.trim_start_matches(|c: char| c.is_whitespace() || "=:".contains(c));
-    scan(tail.as_bytes()).map(|number| number.value)
+    leading_value(tail)
 }
 
 /// The unit that a line states: `IN UNITS CM/SEC/SEC`, `units of g.`, `SEC AND G/10`.

@@ -18,7 +18,7 @@ use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::pairs;
-use crate::text::units::{decide, requested};
+use crate::text::units::decide;
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::Problem;
@@ -307,7 +307,7 @@ fn found(
 ) -> Result<Component, Problem> {
     let unit = match unit {
         Some(unit) => unit,
-        None => *decide(None, requested(options.unit.as_deref())?, "the record")
+        None => *decide(None, options.unit()?, "the record")
             .map_err(|problem| problem.at_line(block.first_line))?,
     };
     Found {

@@ -235,15 +235,5 @@ fn below_values(line: &Line<'_>) -> Note {
     Note::new(NoteKind::TextIgnored, words)
 }
 
-/// The parts that are not empty; `None` if all are.
-pub(crate) fn joined(parts: &[&str], between: &str) -> Option<String> {
-    let filled: Vec<&str> = parts
-        .iter()
-        .copied()
-        .filter(|part| !part.is_empty())
-        .collect();
-    (!filled.is_empty()).then(|| filled.join(between))
-}
-
 #[cfg(test)]
 mod tests;
