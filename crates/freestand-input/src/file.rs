@@ -149,9 +149,7 @@ pub fn load_up_to(
         .read_to_end(&mut bytes)
         .map_err(|error| io("cannot read the file", &error))?;
     if bytes.len() as u64 > most {
-        return Err(Problem::new(ProblemKind::Format, too_long)
-            .in_file(path)
-            .hint(remedy));
+        return Err(Problem::format(too_long, remedy).in_file(path));
     }
     Ok(bytes)
 }

@@ -59,6 +59,11 @@ impl Problem {
         Self::new(ProblemKind::Value, message).hint(hint)
     }
 
+    /// A problem with the format of a file, and its remedy.
+    pub fn format(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::new(ProblemKind::Format, message).hint(hint)
+    }
+
     /// The caller stopped the calculation.
     pub fn stopped() -> Self {
         Self::new(

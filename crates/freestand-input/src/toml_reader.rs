@@ -117,7 +117,7 @@ impl<'s> Reader<'s> {
         if let Some(more) = lines.len().checked_sub(MAX_TOLD).filter(|more| *more > 0) {
             let message = format!("not TOML: {} like these", counted(more, "more line"));
             let hint = "check that this is a study, and not a list of objects or a record";
-            self.note(None, Problem::new(ProblemKind::Format, message).hint(hint));
+            self.note(None, Problem::format(message, hint));
         }
         // In a text that is not TOML, other problems would only be consequences.
         self.problems.is_empty().then_some(document)

@@ -15,14 +15,30 @@ use freestand_input::words::push_shortest;
 /// # Ok::<(), freestand::motion::MotionError>(())
 /// ```
 pub fn write_csv(motion: &Motion) -> String {
-    let mut out = String::with_capacity(32 * (motion.accel_m_s2().len() + 1));
-    out.push_str("time_s,accel_m_s2\n");
-    for (i, &accel_m_s2) in motion.accel_m_s2().iter().enumerate() {
-        push_shortest(&mut out, i as f64 * motion.dt_s());
-        out.push(',');
-        push_shortest(&mut out, accel_m_s2);
+    csv(
+        "time_s,accel_m_s2",
+        motion.dt_s(),
+        motion.accel_m_s2().iter().map(|a| [*a]),
+    )
+}
+
+/// Rows of times and samples.
+fn csv<const N: usize>(
+    heading: &str,
+    dt_s: f64,
+    rows: impl ExactSizeIterator<Item = [f64; N]>,
+) -> String {
+    let mut out = String::with_capacity(16 * (N + 1) * (rows.len() + 1));
+    out.push_str(heading);
+    for (i, samples) in rows.enumerate() {
         out.push('\n');
+        push_shortest(&mut out, i as f64 * dt_s);
+        for sample in samples {
+            out.push(',');
+            push_shortest(&mut out, sample);
+        }
     }
+    out.push('\n');
     out
 }
 
@@ -38,22 +54,12 @@ pub fn write_csv(motion: &Motion) -> String {
 /// # Ok::<(), freestand::motion::MotionError>(())
 /// ```
 pub fn write_pair_csv(along: &Motion, across: &Motion) -> String {
-    let mut out = String::with_capacity(48 * (along.accel_m_s2().len() + 1));
-    out.push_str("time_s,along_m_s2,across_m_s2\n");
-    for (i, (first, second)) in along
-        .accel_m_s2()
-        .iter()
-        .zip(across.accel_m_s2())
-        .enumerate()
-    {
-        push_shortest(&mut out, i as f64 * along.dt_s());
-        out.push(',');
-        push_shortest(&mut out, *first);
-        out.push(',');
-        push_shortest(&mut out, *second);
-        out.push('\n');
-    }
-    out
+    let rows = along.accel_m_s2().iter().zip(across.accel_m_s2());
+    csv(
+        "time_s,along_m_s2,across_m_s2",
+        along.dt_s(),
+        rows.map(|(a, b)| [*a, *b]),
+    )
 }
 
 /// PEER AT2 in g: four header lines, five values a line.
@@ -65,13 +71,7 @@ pub fn write_at2(motion: &Motion, title: &str) -> String {
     // The title is one line of ASCII: Fortran readers count lines and bytes.
     let title: String = title
         .chars()
-        .map(|c| {
-            if c.is_ascii() && !c.is_ascii_control() {
-                c
-            } else {
-                ' '
-            }
-        })
+        .map(|c| if matches!(c, ' '..='~') { c } else { ' ' })
         .take(200)
         .collect();
     let accel_m_s2 = motion.accel_m_s2();

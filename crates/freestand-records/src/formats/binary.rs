@@ -7,30 +7,22 @@ pub(super) enum Order {
     Big,
 }
 
-/// `N` bytes from `at`, if the file has them.
-fn bytes<const N: usize>(data: &[u8], at: usize) -> Option<[u8; N]> {
-    data.get(at..at.checked_add(N)?)?.try_into().ok()
-}
-
 impl Order {
+    /// `N` bytes from `at`, if the file has them; the most significant one first.
+    fn bytes<const N: usize>(self, data: &[u8], at: usize) -> Option<[u8; N]> {
+        let mut bytes: [u8; N] = data.get(at..at.checked_add(N)?)?.try_into().ok()?;
+        if self == Self::Little {
+            bytes.reverse();
+        }
+        Some(bytes)
+    }
+
     pub(super) fn u16(self, data: &[u8], at: usize) -> Option<u16> {
-        bytes(data, at).map(|b| {
-            if self == Self::Little {
-                u16::from_le_bytes(b)
-            } else {
-                u16::from_be_bytes(b)
-            }
-        })
+        self.bytes(data, at).map(u16::from_be_bytes)
     }
 
     pub(super) fn u32(self, data: &[u8], at: usize) -> Option<u32> {
-        bytes(data, at).map(|b| {
-            if self == Self::Little {
-                u32::from_le_bytes(b)
-            } else {
-                u32::from_be_bytes(b)
-            }
-        })
+        self.bytes(data, at).map(u32::from_be_bytes)
     }
 
     pub(super) fn i16(self, data: &[u8], at: usize) -> Option<i16> {
@@ -46,13 +38,7 @@ impl Order {
     }
 
     pub(super) fn f64(self, data: &[u8], at: usize) -> Option<f64> {
-        bytes(data, at).map(|b| {
-            if self == Self::Little {
-                f64::from_le_bytes(b)
-            } else {
-                f64::from_be_bytes(b)
-            }
-        })
+        self.bytes(data, at).map(f64::from_be_bytes)
     }
 }
 

@@ -17,8 +17,15 @@ impl Instant {
         Self(i128::from(time.timestamp()) * SECOND_NS + i128::from(time.timestamp_subsec_nanos()))
     }
 
-    /// From a year, its day from 1, a second of that day and nanoseconds.
-    pub(super) fn from_day(year: u16, day: u16, second: u32, nanosecond: u32) -> Self {
+    /// From a year, its day from 1, a time of that day as hour, minute and second, and nanoseconds.
+    pub(super) fn from_day<T: Into<u32>>(
+        year: u16,
+        day: u16,
+        time: [T; 3],
+        nanosecond: u32,
+    ) -> Self {
+        let [hour, minute, second] = time.map(Into::into);
+        let second = 3600 * hour + 60 * minute + second;
         let first = NaiveDate::from_ymd_opt(i32::from(year.max(1)), 1, 1).unwrap_or_default();
         let seconds = (i128::from(day) - 1) * 86_400 + i128::from(second);
         Self::of(first.into()).later_by_ns(seconds * SECOND_NS + i128::from(nanosecond))
@@ -100,7 +107,7 @@ mod tests {
             assert_eq!(Instant::parse(text), Some(instant), "{text}");
             assert_eq!(instant.to_string(), format!("{text}T00:00:00.000"));
         }
-        let start = Instant::from_day(2019, 187, 3 * 3600 + 19 * 60 + 23, 38_300_000);
+        let start = Instant::from_day(2019, 187, [3u8, 19, 23], 38_300_000);
         assert_eq!(start.to_string(), "2019-07-06T03:19:23.038");
         assert_eq!(Instant::parse("2019-07-06T03:19:23.0383Z"), Some(start));
         for text in [
@@ -120,8 +127,8 @@ mod tests {
         );
         // A day that the year does not have, and times beyond the calendar.
         assert_eq!(
-            Instant::from_day(2019, 366, 0, 0),
-            Instant::from_day(2020, 1, 0, 0)
+            Instant::from_day(2019, 366, [0u8; 3], 0),
+            Instant::from_day(2020, 1, [0u8; 3], 0)
         );
         assert_eq!(
             start.later_by_s(f64::MAX).to_string(),

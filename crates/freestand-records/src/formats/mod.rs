@@ -93,89 +93,32 @@ pub fn parse_motions(
     Ok(file.with_unused(options))
 }
 
-/// A family of formats that share a layout.
-struct Family {
-    /// Looks at the first lines. The first family that recognises the file reads it.
-    recognises: fn(&[u8]) -> bool,
-    read: Reader,
-}
+/// A family of formats that share a layout: whether a file is one of them, by its first lines, and what reads it. The
+/// first family that recognises a file reads it.
+type Family = (fn(&[u8]) -> bool, Reader);
 
 type Reader = fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>;
 
 /// Binary formats. They come first: what they do not recognise must be text.
-const BINARY: &[Family] = &[
-    Family {
-        recognises: mseed::is_mseed,
-        read: mseed::read,
-    },
-    Family {
-        recognises: sac::is_sac,
-        read: sac::read,
-    },
-];
+const BINARY: &[Family] = &[(mseed::is_mseed, mseed::read), (sac::is_sac, sac::read)];
 
 /// From the most specific signature to the least. What no family recognises is read as columns.
 const FAMILIES: &[Family] = &[
-    Family {
-        recognises: smc::is_smc,
-        read: smc::read,
-    },
-    Family {
-        recognises: cosmos::is_cosmos,
-        read: cosmos::read,
-    },
-    Family {
-        recognises: geonet::is_geonet,
-        read: geonet::read,
-    },
-    Family {
-        recognises: usc::is_usc,
-        read: usc::read,
-    },
-    Family {
-        recognises: csmip::is_csmip,
-        read: csmip::read,
-    },
-    Family {
-        recognises: knet::is_knet,
-        read: knet::read,
-    },
-    Family {
-        recognises: cwa::is_cwa,
-        read: cwa::read,
-    },
-    Family {
-        recognises: unam::is_unam,
-        read: unam::read,
-    },
-    Family {
-        recognises: bhrc::is_bhrc,
-        read: bhrc::read,
-    },
-    Family {
-        recognises: dyna::is_dyna,
-        read: dyna::read,
-    },
-    Family {
-        recognises: nsmn::is_nsmn,
-        read: nsmn::read,
-    },
-    Family {
-        recognises: sigma::is_sigma,
-        read: sigma::read,
-    },
-    Family {
-        recognises: sac::is_text_sac,
-        read: sac::read_text,
-    },
-    Family {
-        recognises: at2::is_at2,
-        read: at2::read,
-    },
-    Family {
-        recognises: long_table::is_long_table,
-        read: long_table::read,
-    },
+    (smc::is_smc, smc::read),
+    (cosmos::is_cosmos, cosmos::read),
+    (geonet::is_geonet, geonet::read),
+    (usc::is_usc, usc::read),
+    (csmip::is_csmip, csmip::read),
+    (knet::is_knet, knet::read),
+    (cwa::is_cwa, cwa::read),
+    (unam::is_unam, unam::read),
+    (bhrc::is_bhrc, bhrc::read),
+    (dyna::is_dyna, dyna::read),
+    (nsmn::is_nsmn, nsmn::read),
+    (sigma::is_sigma, sigma::read),
+    (sac::is_text_sac, sac::read_text),
+    (at2::is_at2, at2::read),
+    (long_table::is_long_table, long_table::read),
 ];
 
 /// How much of a text is searched for signatures: more than the longest header, which has 300 lines
@@ -187,15 +130,15 @@ const SNIFFED_BYTES: usize = 64 << 10;
 /// # Errors
 /// Something else. A sensitivity for a format that has no columns in volts.
 fn reader(bytes: &mut Vec<u8>, options: &ReadOptions) -> Result<Reader, Problem> {
-    let mut family = BINARY.iter().find(|family| (family.recognises)(bytes));
+    let mut family = BINARY.iter().find(|(recognises, _)| recognises(bytes));
     if family.is_none() {
         check_text(bytes)?;
         let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
-        family = FAMILIES.iter().find(|family| (family.recognises)(head));
+        family = FAMILIES.iter().find(|(recognises, _)| recognises(head));
     }
     match (family, options.sensitivity) {
         (None, _) => Ok(columns::read),
-        (Some(family), None) => Ok(family.read),
+        (Some((_, read)), None) => Ok(*read),
         (Some(_), Some(_)) => Err(not_in_volts("the record")),
     }
 }

@@ -3,8 +3,9 @@
 
 use super::{Component, Direction, ReadOptions};
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::lines::Line;
-use crate::text::units;
+use crate::text::units::GAP;
 use freestand::motion::Motion;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
@@ -49,23 +50,38 @@ pub(crate) struct Found {
     pub(crate) direction: Option<Direction>,
     /// The unit of the values.
     pub(crate) unit: Unit,
-    pub(crate) dt_s: f64,
-    /// Line that states the step, counted from 1.
-    pub(crate) line_of_step: usize,
-    pub(crate) values: Vec<f64>,
-    /// Line of the first value, counted from 1.
-    pub(crate) line: usize,
+    /// The time step \[s\], and the line that states it, counted from 1.
+    pub(crate) step: (f64, usize),
+    pub(crate) block: Block,
     pub(crate) is_raw: bool,
 }
 
 impl Found {
+    /// Values without the offset of an instrument, which point where their name says.
+    pub(crate) fn new(name: String, unit: Unit, step: (f64, usize), block: Block) -> Self {
+        Self {
+            direction: Direction::parse(&name),
+            name,
+            station: None,
+            unit,
+            step,
+            block,
+            is_raw: false,
+        }
+    }
+
     /// The component in SI.
     ///
     /// # Errors
     /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s,
     /// fewer than two values.
-    pub(crate) fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
-        if let Some(unit) = units::requested(options.unit.as_deref())?
+    pub(crate) fn component(self, options: &ReadOptions) -> Result<Component, Problem> {
+        let (dt_s, line_of_step) = self.step;
+        let Block {
+            mut values,
+            first_line: line,
+        } = self.block;
+        if let Some(unit) = options.unit()?
             // The last bit may differ where a factor is a product, such as counts times a scale.
             && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
             && unit.symbol != self.unit.symbol
@@ -74,24 +90,24 @@ impl Found {
                 "the record is in {} according to the file, not in {}",
                 self.unit.symbol, unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message)
-                .at_line(self.line)
-                .hint("leave out `unit`, or correct the file if it is wrong"));
+            return Err(Problem::value(
+                message,
+                "leave out `unit`, or correct the file if it is wrong",
+            )
+            .at_line(line));
         }
-        let at_step = |problem: Problem| problem.at_line(self.line_of_step);
-        check_step(self.dt_s, ProblemKind::Format).map_err(at_step)?;
-        if let Some(dt_s) = options.dt_s
+        let at_step = |problem: Problem| problem.at_line(line_of_step);
+        check_step(dt_s, ProblemKind::Format).map_err(at_step)?;
+        if let Some(asked_s) = options.dt_s
             // One part in a million is a difference in printing, not in meaning.
-            && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
+            && (asked_s - dt_s).abs() > 1e-6 * dt_s
         {
-            let message = format!(
-                "the time step is {} s according to the header, not {dt_s} s",
-                self.dt_s
-            );
-            return Err(at_step(Problem::new(ProblemKind::Value, message))
-                .hint("leave out `dt`, or correct the file if it is wrong"));
+            let message =
+                format!("the time step is {dt_s} s according to the header, not {asked_s} s");
+            let hint = "leave out `dt`, or correct the file if it is wrong";
+            return Err(at_step(Problem::value(message, hint)));
         }
-        for value in &mut self.values {
+        for value in &mut values {
             *value = self.unit.to_si(*value);
         }
         Ok(Component {
@@ -102,8 +118,8 @@ impl Found {
             is_raw: self.is_raw,
             start: None,
             station_xml: None,
-            motion: motion(self.dt_s, self.values, self.line)?,
-            line_of_first_value: self.line,
+            motion: motion(dt_s, values, line)?,
+            line_of_first_value: line,
         })
     }
 }
@@ -188,6 +204,27 @@ pub(crate) fn channels_note(header: &[String], found: usize) -> Option<Note> {
     (found < stated).then(|| Note::new(NoteKind::CutOff, words()))
 }
 
+/// A note if a file whose layout has three components has fewer.
+pub(crate) fn three_note(found: usize) -> Option<Note> {
+    let words = || format!("the file has only {found} of three components: it may be cut off");
+    (found < 3).then(|| Note::new(NoteKind::CutOff, words()))
+}
+
+/// Refuses a sample that is not a number, as binary files may have; `of` stands before the message.
+pub(crate) fn refuse_not_finite(values: &[f64], of: &str) -> Result<(), Problem> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(at) => Err(Problem::format(
+            format!(
+                "{of}sample {} is {}, which marks a missing value",
+                at + 1,
+                values[at]
+            ),
+            GAP,
+        )),
+    }
+}
+
 /// A note if no line with `mark` (in lower case) ends the last channel.
 pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
     // Text after the last channel has other lines.
@@ -209,8 +246,6 @@ pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
 pub(crate) fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
     check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
     Motion::new(dt_s, accel_m_s2).map_err(|error| {
-        Problem::new(ProblemKind::Format, error.to_string())
-            .at_line(line)
-            .hint("check that the record is complete")
+        Problem::format(error.to_string(), "check that the record is complete").at_line(line)
     })
 }

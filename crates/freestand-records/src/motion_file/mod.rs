@@ -5,9 +5,10 @@ mod found;
 
 pub use crate::text::direction::Direction;
 pub(crate) use doubts::doubts;
-pub(crate) use found::check_step;
+
 pub(crate) use found::{
-    Found, channels_note, end_note, length_note, motion, peak_note, peak_note_of, tell_apart,
+    Found, channels_note, check_step, end_note, length_note, motion, peak_note, peak_note_of,
+    refuse_not_finite, tell_apart, three_note,
 };
 
 use crate::notes::{Note, NoteKind};
@@ -16,7 +17,7 @@ use crate::text::units;
 use freestand::motion::Motion;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{Unit, shorten};
 use std::path::{Path, PathBuf};
 
 /// What the user states about a file that may not state it itself.
@@ -42,9 +43,14 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
+    /// The unit that the user states.
+    pub(crate) fn unit(&self) -> Result<Option<&'static Unit>, Problem> {
+        units::requested(self.unit.as_deref())
+    }
+
     /// Checks what can be checked without a file.
     pub(crate) fn check(&self) -> Result<(), Problem> {
-        units::requested(self.unit.as_deref())?;
+        self.unit()?;
         let steps = [self.dt_s, self.uneven_dt_s];
         steps
             .into_iter()
@@ -128,8 +134,10 @@ impl Reading {
     /// No component: every file must have at least one.
     pub(crate) fn with_components(self) -> Result<Self, Problem> {
         if self.components.is_empty() {
-            return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
-                "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
+            return Err(Problem::format(
+                "holds no acceleration record",
+                "the file may be cut off or damaged: fetch it again, or use the acceleration \
+                 file of the same record",
             ));
         }
         Ok(self)
@@ -143,7 +151,7 @@ impl MotionFile {
         for file in self
             .components
             .iter()
-            .filter_map(|component| component.station_xml.as_ref())
+            .filter_map(|one| one.station_xml.as_ref())
         {
             if !files.contains(file) {
                 files.push(file.clone());
@@ -154,19 +162,15 @@ impl MotionFile {
 
     /// Adds a note if a StationXML was named but not used.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
-        if let Some(xml) = options
-            .station_xml
-            .as_ref()
-            .filter(|_| self.station_xml().is_empty())
+        if let Some(xml) = &options.station_xml
+            && self.station_xml().is_empty()
         {
-            let why = format!(
-                "was not used: a {} record does not need a StationXML file",
+            let words = format!(
+                "{} was not used: a {} record does not need a StationXML file",
+                xml.display(),
                 self.format
             );
-            self.notes.push(Note::new(
-                NoteKind::XmlUnused,
-                format!("{} {why}", xml.display()),
-            ));
+            self.notes.push(Note::new(NoteKind::XmlUnused, words));
         }
         self
     }
@@ -212,9 +216,10 @@ impl MotionFile {
                 }
             }
         };
-        Err(Problem::new(ProblemKind::Value, problem)
-            .in_file(&self.path)
-            .hint("choose one by name or number with `component`"))
+        Err(
+            Problem::value(problem, "choose one by name or number with `component`")
+                .in_file(&self.path),
+        )
     }
 
     fn listing(&self) -> String {

@@ -18,7 +18,7 @@ use freestand::signal::taper::tapered;
 
 use crate::formats::{Component, MotionFile};
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
 use factor::{factor, factor_words, target_notes};
@@ -138,8 +138,10 @@ pub struct Processed {
 pub fn process(component: &Component, processing: &Processing) -> Result<Processed, Problem> {
     if let Some(azimuth_deg) = processing.azimuth_deg {
         let message = format!("an azimuth of {azimuth_deg} degrees needs two components, not one");
-        return Err(Problem::new(ProblemKind::Value, message)
-            .hint("leave out `azimuth`, or rotate the record first with freestand motion rotate"));
+        return Err(Problem::value(
+            message,
+            "leave out `azimuth`, or rotate the record first with freestand motion rotate",
+        ));
     }
     let mut unasked = Vec::new();
     let motion = without_mean(component, processing, &mut unasked)?;
@@ -298,15 +300,15 @@ fn without_baseline(motion: &Motion, baseline: Baseline) -> Result<(Motion, Stri
 }
 
 fn pass(processing: &Processing) -> Option<Pass> {
-    match (processing.low_cut_hz, processing.high_cut_hz) {
-        (None, None) => None,
-        (Some(low_cut_hz), None) => Some(Pass::High { low_cut_hz }),
-        (None, Some(high_cut_hz)) => Some(Pass::Low { high_cut_hz }),
-        (Some(low_cut_hz), Some(high_cut_hz)) => Some(Pass::Band {
+    Some(match (processing.low_cut_hz, processing.high_cut_hz) {
+        (None, None) => return None,
+        (Some(low_cut_hz), None) => Pass::High { low_cut_hz },
+        (None, Some(high_cut_hz)) => Pass::Low { high_cut_hz },
+        (Some(low_cut_hz), Some(high_cut_hz)) => Pass::Band {
             low_cut_hz,
             high_cut_hz,
-        }),
-    }
+        },
+    })
 }
 
 fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, String), Problem> {

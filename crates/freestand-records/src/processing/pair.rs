@@ -6,7 +6,7 @@ use super::align::{Aligned, aligned};
 use super::{Processed, Processing, Scale, finish, refused};
 use crate::formats::{Component, Direction, MotionFile};
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 
@@ -26,29 +26,23 @@ pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), 
     if let [first, second] = horizontal[..] {
         return Ok((first, second));
     }
-    let silent: Vec<&Component> = file
-        .components
-        .iter()
-        .filter(|one| one.direction.is_none())
-        .collect();
+    let silent = file.components.iter().filter(|one| one.direction.is_none());
     let message = match horizontal.len() {
-        count if count > 2 => {
-            let all: Vec<&Component> = horizontal.iter().map(|one| one.0).collect();
-            format!(
-                "has {count} horizontal components, but two are needed: {}",
-                names(&all)
-            )
-        }
-        _ if !silent.is_empty() => format!(
-            "the file does not state the direction of {}",
-            names(&silent)
+        count if count > 2 => format!(
+            "has {count} horizontal components, but two are needed: {}",
+            names(horizontal.iter().map(|one| one.0))
         ),
+        _ if silent.clone().next().is_some() => {
+            format!("the file does not state the direction of {}", names(silent))
+        }
         1 => "has 1 horizontal component, but two are needed".to_owned(),
         count => format!("has {count} horizontal components, but two are needed"),
     };
-    Err(Problem::new(ProblemKind::Value, message)
-        .in_file(&file.path)
-        .hint("use freestand motion rotate with two files, or two components of one, and their azimuths"))
+    Err(Problem::value(
+        message,
+        "use freestand motion rotate with two files, or two components of one, and their azimuths",
+    )
+    .in_file(&file.path))
 }
 
 /// The azimuth that the file states \[degrees clockwise from north\].
@@ -59,14 +53,16 @@ pub fn azimuth_of(component: &Component) -> Option<f64> {
     }
 }
 
-fn names(components: &[&Component]) -> String {
+fn names<'f>(components: impl Iterator<Item = &'f Component>) -> String {
     const MAX: usize = 8;
-    let listed: Vec<String> = components
-        .iter()
-        .take(MAX)
+    let mut listed: Vec<String> = components
+        .take(MAX + 1)
         .map(|one| shorten(&one.name))
         .collect();
-    listed.join(", ") + if components.len() > MAX { ", …" } else { "" }
+    if let Some(more) = listed.get_mut(MAX) {
+        "…".clone_into(more);
+    }
+    listed.join(", ")
 }
 
 /// Two components of one file: those requested by name or number, else the only two that have an
@@ -81,43 +77,35 @@ pub fn pair_of_one<'f>(
     if let Some((first, second)) = called {
         let (first, second) = (file.select(Some(first))?, file.select(Some(second))?);
         if std::ptr::eq(first, second) {
-            return Err(Problem::new(
-                ProblemKind::Value,
+            return Err(Problem::value(
                 format!("\"{}\" is named twice", shorten(&first.name)),
+                "name two different components",
             )
-            .in_file(&file.path)
-            .hint("name two different components"));
+            .in_file(&file.path));
         }
         return Ok((first, second));
     }
-    let with_azimuth: Vec<&Component> = file
-        .components
-        .iter()
-        .filter(|one| azimuth_of(one).is_some())
-        .collect();
-    let level: Vec<&Component> = file
-        .components
-        .iter()
-        .filter(|one| one.direction != Some(Direction::Up))
-        .collect();
+    let of = |is_it: fn(&&Component) -> bool| -> Vec<&'f Component> {
+        file.components.iter().filter(is_it).collect()
+    };
+    let with_azimuth = of(|one| azimuth_of(one).is_some());
+    let level = of(|one| one.direction != Some(Direction::Up));
     match (with_azimuth.as_slice(), level.as_slice()) {
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         (_, [only]) => {
             let message = format!("the file has only one horizontal component, {}", only.name);
             let hint = "give the file with the second component too, or use a file with both";
-            Err(Problem::new(ProblemKind::Value, message)
-                .in_file(&file.path)
-                .hint(hint))
+            Err(Problem::value(message, hint).in_file(&file.path))
         }
         _ => {
-            let all: Vec<&Component> = file.components.iter().collect();
             let message = format!(
                 "cannot tell which two components are meant: {}",
-                names(&all)
+                names(file.components.iter())
             );
-            Err(Problem::new(ProblemKind::Value, message)
-                .in_file(&file.path)
-                .hint("name two with `components`, or give two files"))
+            Err(
+                Problem::value(message, "name two with `components`, or give two files")
+                    .in_file(&file.path),
+            )
         }
     }
 }
@@ -139,11 +127,10 @@ pub fn with_azimuths<'f>(
             .map(|azimuth_deg| (component, azimuth_deg))
             .ok_or_else(|| {
                 let name = shorten(&component.name);
-                Problem::new(
-                    ProblemKind::Value,
+                Problem::value(
                     format!("the file does not state the direction of {name}"),
+                    "give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`",
                 )
-                .hint("give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`")
             })
     };
     Ok((bearing(first)?, bearing(second)?))

@@ -9,7 +9,7 @@ use freestand::signal::filter::MAX_ORDER;
 use super::{FILTER_ORDER, Processing, Scale, TargetSource, read_target};
 use crate::formats::check_step;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
+use freestand_input::quantity::{Dimension, parse, parse_non_negative, parse_positive, shorten};
 use freestand_input::word_reader::WordReader;
 
 /// The keys of the last step, of which only one is possible.
@@ -159,43 +159,34 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
         .first()
         .map(|word| word.to_lowercase())
         .unwrap_or_default();
-    let time = |text: &str| parse(text, Dimension::Time);
-    let from_zero = |text: &str| {
-        freestand_input::quantity::parse_non_negative(text, Dimension::Time, "the time")
-    };
+    let from_zero = |text: &str| parse_non_negative(text, Dimension::Time, "the time");
+    let polynomial = |degree: usize| Ok(Baseline::Polynomial { degree });
+    let graizer = |degree: usize, from_s: f64| Ok(Baseline::Graizer { degree, from_s });
     match (word.as_str(), parts.get(1..).unwrap_or_default()) {
         ("mean", []) => Ok(Baseline::Mean),
         ("pre-event", [until]) => Ok(Baseline::PreEvent {
             until_s: parse_positive(until, Dimension::Time, "the time")?,
         }),
-        ("linear", []) => Ok(Baseline::Polynomial { degree: 1 }),
-        ("quadratic", []) => Ok(Baseline::Polynomial { degree: 2 }),
-        ("cubic", []) => Ok(Baseline::Polynomial { degree: 3 }),
-        ("poly", [degree]) => Ok(Baseline::Polynomial {
-            degree: parse_degree(degree, 0)?,
-        }),
-        ("graizer", []) => Ok(Baseline::Graizer {
-            degree: 2,
-            from_s: 0.0,
-        }),
-        ("graizer", [degree]) => Ok(Baseline::Graizer {
-            degree: parse_degree(degree, 1)?,
-            from_s: 0.0,
-        }),
-        ("graizer", [degree, from]) => Ok(Baseline::Graizer {
-            degree: parse_degree(degree, 1)?,
-            from_s: from_zero(from)?,
-        }),
+        ("linear", []) => polynomial(1),
+        ("quadratic", []) => polynomial(2),
+        ("cubic", []) => polynomial(3),
+        ("poly", [degree]) => polynomial(parse_degree(degree, 0)?),
+        ("graizer", []) => graizer(2, 0.0),
+        ("graizer", [degree]) => graizer(parse_degree(degree, 1)?, 0.0),
+        ("graizer", [degree, from]) => graizer(parse_degree(degree, 1)?, from_zero(from)?),
         ("boore", [t1, t2]) => {
-            let (t1_s, t2_s) = (from_zero(t1)?, time(t2)?);
+            let (t1_s, t2_s) = (from_zero(t1)?, parse(t2, Dimension::Time)?);
             if t1_s < t2_s {
                 return Ok(Baseline::Boore2001 { t1_s, t2_s });
             }
-            Err(wrong(text, "does not end after it begins")
-                .hint("the shaking lasts from the first time to the second"))
+            Err(wrong(
+                text,
+                "does not end after it begins",
+                "the shaking lasts from the first time to the second",
+            ))
         }
-        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete").hint(KNOWN)),
-        _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
+        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete", KNOWN)),
+        _ => Err(wrong(text, "is not a baseline", KNOWN)),
     }
 }
 
@@ -205,9 +196,11 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
         .ok()
         .filter(|degree| (least..=MAX_DEGREE).contains(degree));
     degree.ok_or_else(|| {
-        wrong(text, "is not a degree").hint(format!(
-            "write a whole number from {least} to {MAX_DEGREE}, such as poly:4"
-        ))
+        wrong(
+            text,
+            "is not a degree",
+            format!("write a whole number from {least} to {MAX_DEGREE}, such as poly:4"),
+        )
     })
 }
 
@@ -228,7 +221,7 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     const HINT: &str =
         "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for a damping other than 5 %";
     let Some((target, rest)) = text.split_once(" at ") else {
-        return Err(wrong(text, "is not an acceleration at a period").hint(HINT));
+        return Err(wrong(text, "is not an acceleration at a period", HINT));
     };
     let (period, damping) = rest
         .split_once(',')
@@ -238,15 +231,15 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
         None => DAMPING_RATIO,
     };
     if !(0.0..1.0).contains(&damping_ratio) {
-        return Err(wrong(text, "does not have a damping from 0 to below 100 %").hint(HINT));
+        return Err(wrong(
+            text,
+            "does not have a damping from 0 to below 100 %",
+            HINT,
+        ));
     }
     Ok(Scale::Sa {
         target_m_s2: parse_positive(target, Dimension::Acceleration, "the acceleration")?,
-        period_s: freestand_input::quantity::parse_non_negative(
-            period,
-            Dimension::Time,
-            "the period",
-        )?,
+        period_s: parse_non_negative(period, Dimension::Time, "the period")?,
         damping_ratio,
     })
 }
@@ -271,7 +264,7 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     let path = parts
         .next()
         .filter(|path| !path.is_empty())
-        .ok_or_else(|| wrong(text, "does not name a file").hint(HINT))?;
+        .ok_or_else(|| wrong(text, "does not name a file", HINT))?;
     let mut source = TargetSource {
         path: path.into(),
         range_s: None,
@@ -279,24 +272,22 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     };
     for part in parts {
         let given = if let Some((from, to)) = part.split_once(" to ") {
-            let from_s =
-                freestand_input::quantity::parse_non_negative(from, Dimension::Time, "the period")?;
+            let from_s = parse_non_negative(from, Dimension::Time, "the period")?;
             let to_s = parse(to, Dimension::Time)?;
             if from_s > to_s {
-                return Err(wrong(part, "ends before it begins").hint(HINT));
+                return Err(wrong(part, "ends before it begins", HINT));
             }
             source.range_s.replace((from_s, to_s)).is_some()
         } else {
-            let ratio = parse(part, Dimension::Ratio).map_err(|_| {
-                wrong(part, "is neither a range of periods nor a damping").hint(HINT)
-            })?;
+            let ratio = parse(part, Dimension::Ratio)
+                .map_err(|_| wrong(part, "is neither a range of periods nor a damping", HINT))?;
             if !(0.0..1.0).contains(&ratio) {
-                return Err(wrong(part, "is not a damping from 0 to below 100 %").hint(HINT));
+                return Err(wrong(part, "is not a damping from 0 to below 100 %", HINT));
             }
             source.damping_ratio.replace(ratio).is_some()
         };
         if given {
-            return Err(wrong(part, "is one part too many").hint(HINT));
+            return Err(wrong(part, "is one part too many", HINT));
         }
     }
     Ok(source)
@@ -307,11 +298,8 @@ pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
     (azimuth_rad.to_degrees() * 1e9).round() / 1e9
 }
 
-fn wrong(text: &str, why: &str) -> Problem {
-    Problem::new(
-        ProblemKind::Value,
-        format!("\"{}\" {why}", shorten(text.trim())),
-    )
+fn wrong(text: &str, why: &str, hint: impl Into<String>) -> Problem {
+    Problem::value(format!("\"{}\" {why}", shorten(text.trim())), hint)
 }
 
 #[cfg(test)]

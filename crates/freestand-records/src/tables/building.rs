@@ -8,7 +8,7 @@ use crate::text::cells::{Cells, wrong};
 use crate::text::headings::Heading;
 use crate::text::lines::check_text;
 use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{self, Dimension, shorten};
 
 const STOREYS: &str =
@@ -213,9 +213,7 @@ fn check_heights(floors: &[(usize, f64)], line: usize) -> Result<(), Problem> {
                 format!("the floor at {height_m} m is not above the one before it, at {below_m} m");
             let hint =
                 "write the floors from the lowest above the ground to the roof, without the ground";
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint(hint));
+            return Err(Problem::format(message, hint).at_line(line));
         }
         below_m = height_m;
     }

@@ -3,11 +3,12 @@
 
 use std::path::Path;
 
-use crate::text::headings::{Heading, headings_of, in_si, only};
-use crate::text::lines::check_text;
+use super::building::load_table;
+use crate::text::headings::{Heading, in_si, names_of, no_column, only};
+
 use crate::text::table;
-use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 
 const HINT: &str = "name the columns and their units, such as \
@@ -33,17 +34,12 @@ pub struct CurveRow {
 /// # Errors
 /// No table, or no column of stress or acceleration with its unit.
 pub fn load_curve(path: &Path) -> Result<Vec<CurveRow>, Problem> {
-    let mut bytes = load(path)?;
-    check_text(&mut bytes)
-        .and_then(|()| read_curve(&bytes))
-        .map_err(|problem| problem.in_file(path))
+    read_curve(&load_table(path)?).map_err(|problem| problem.in_file(path))
 }
 
 fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let table = table::read(bytes).map_err(|problem| problem.hint(HINT))?;
-    let Some((headings, line)) = headings_of(&table) else {
-        return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(HINT));
-    };
+    let (headings, line) = names_of(&table, HINT)?;
     let column = |dimension: Dimension, words: &[&str]| -> Result<Option<Vec<f64>>, Problem> {
         let is_it = |heading: &Heading| {
             let name = heading.name.to_lowercase();
@@ -53,14 +49,7 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
         let found = only(&headings, line, is_it, dimension.with_article())?;
         Ok(found.map(|index| in_si(&table, &headings, index)))
     };
-    let missing = |what: &str| {
-        Problem::new(
-            ProblemKind::Format,
-            format!("no column holds a {what} with its unit"),
-        )
-        .at_line(line)
-        .hint(HINT)
-    };
+    let missing = |what: &str| no_column(what, HINT).at_line(line);
     let stress = column(Dimension::Pressure, &[])?.ok_or_else(|| missing("static stress"))?;
     let peak = column(Dimension::Acceleration, &[])?.ok_or_else(|| missing("peak acceleration"))?;
     let heights = column(Dimension::Length, &["height", "drop", "fall"])?;

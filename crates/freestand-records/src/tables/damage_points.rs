@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
+use super::building::load_table;
 use crate::text::cells::Cells;
 use crate::text::headings::Heading;
-use crate::text::lines::check_text;
-use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 
 const HINT: &str = "name the columns and their units, such as \
@@ -53,10 +53,7 @@ pub struct DamageRow {
 /// # Errors
 /// A missing column, or a cell that cannot be read.
 pub fn load_damage_points(path: &Path) -> Result<Vec<DamageRow>, Problem> {
-    let mut bytes = load(path)?;
-    check_text(&mut bytes)
-        .and_then(|()| read_damage_points(&bytes))
-        .map_err(|problem| problem.in_file(path))
+    read_damage_points(&load_table(path)?).map_err(|problem| problem.in_file(path))
 }
 
 fn read_damage_points(bytes: &[u8]) -> Result<Vec<DamageRow>, Problem> {
@@ -95,8 +92,10 @@ fn is_damaged(text: &str) -> Result<bool, Problem> {
                 "\"{}\" does not say whether there was damage",
                 shorten(other)
             );
-            Err(Problem::new(ProblemKind::Format, message)
-                .hint("write 0 or 1, yes or no, true or false"))
+            Err(Problem::format(
+                message,
+                "write 0 or 1, yes or no, true or false",
+            ))
         }
     }
 }
@@ -110,7 +109,7 @@ fn method_of(text: &str) -> Result<Option<TestMethod>, Problem> {
             let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
             let hint =
                 "write A (short pulses, critical velocity change) or B (critical acceleration)";
-            Err(Problem::new(ProblemKind::Format, message).hint(hint))
+            Err(Problem::format(message, hint))
         }
     }
 }

@@ -43,7 +43,7 @@ impl Cells {
         let mut rest = lines(bytes).filter(|line| !line.is_blank() && !line.is_comment());
         let header = rest
             .next()
-            .ok_or_else(|| Problem::new(ProblemKind::Format, "the file is empty").hint(hint))?;
+            .ok_or_else(|| Problem::format("the file is empty", hint))?;
         let text = header.text();
         let separator = [b';', b'\t']
             .into_iter()

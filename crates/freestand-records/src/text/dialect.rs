@@ -1,7 +1,7 @@
 //! How a row of numbers is written: its separators and its decimal sign, detected from the row
 //! itself.
 
-use super::fortran::{BadField, Number, fields, number};
+use super::fortran::{BadField, Number, fields, number, words};
 
 /// What separates the columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,46 +60,27 @@ fn looks_like_a_row(dialect: &Dialect, line: &[u8]) -> bool {
 
 /// The cells of a line, each a number or the reason why it is not one.
 pub(crate) fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadField>> {
-    let mut out = Vec::new();
+    let of = |text: &[u8]| cell(dialect, text);
     match dialect.separator {
-        Separator::Blank if !dialect.decimal_comma => {
-            // After a bad field nothing is known about the rest, so it is taken word by word.
-            let mut good = 0;
-            if fields(line, |_| good += 1).is_ok() {
-                let _ = fields(line, |number| out.push(Ok(number)));
-            } else {
-                out.extend(
-                    line.split(u8::is_ascii_whitespace)
-                        .filter(|word| !word.is_empty())
-                        .map(|word| cell(dialect, word)),
-                );
-            }
-        }
         Separator::Blank => {
-            out.extend(
-                line.split(u8::is_ascii_whitespace)
-                    .filter(|word| !word.is_empty())
-                    .map(|word| cell(dialect, word)),
-            );
+            // After a bad field nothing is known about the rest, so it is taken word by word.
+            let mut numbers = Vec::new();
+            if !dialect.decimal_comma && fields(line, |number| numbers.push(Ok(number))).is_ok() {
+                return numbers;
+            }
+            words(line).map(of).collect()
         }
         // Tabs before the first column and after the last one only align the columns.
-        Separator::Byte(b'\t') => {
-            out.extend(
-                line.trim_ascii()
-                    .split(|&b| b == b'\t')
-                    .map(|text| cell(dialect, text)),
-            );
-        }
+        Separator::Byte(b'\t') => line.trim_ascii().split(|&b| b == b'\t').map(of).collect(),
         Separator::Byte(byte) => {
             let mut quoted = false;
             let parts = line.split(|&b| {
                 quoted ^= b == b'"';
                 b == byte && !quoted
             });
-            out.extend(parts.map(|text| cell(dialect, text)));
+            parts.map(of).collect()
         }
     }
-    out
 }
 
 fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
@@ -117,11 +98,8 @@ fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
         }
         _ => number(text),
     };
-    found.ok_or_else(|| {
-        if text.is_empty() {
-            BadField::Missing(String::new())
-        } else {
-            BadField::new(text)
-        }
+    found.ok_or_else(|| match text {
+        [] => BadField::Missing(String::new()),
+        _ => BadField::new(text),
     })
 }

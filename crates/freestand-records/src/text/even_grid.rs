@@ -1,5 +1,7 @@
 //! Interpolates unevenly spaced points on straight lines to equally spaced samples.
 
+pub(crate) const TOO_SHORT: &str = "a motion needs 2 samples or more";
+
 /// Why times are not equally spaced.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Uneven {
@@ -9,6 +11,37 @@ pub(crate) struct Uneven {
     pub(crate) hint: &'static str,
     /// Whether interpolation mends it: the steps differ throughout, and nothing is missing.
     pub(crate) is_mended_by_lines: bool,
+}
+
+impl Uneven {
+    /// Times that interpolation does not mend.
+    pub(crate) fn at(row: usize, message: impl Into<String>, hint: &'static str) -> Self {
+        Self {
+            row,
+            message: message.into(),
+            hint,
+            is_mended_by_lines: false,
+        }
+    }
+
+    /// The first and the last time.
+    ///
+    /// # Errors
+    /// No times.
+    pub(crate) fn ends(times: &[f64]) -> Result<(f64, f64), Self> {
+        let ends = times.first().copied().zip(times.last().copied());
+        ends.ok_or_else(|| Self::at(0, "there are no times", TOO_SHORT))
+    }
+
+    /// A time that is not above the one before it.
+    pub(crate) fn falling(times: &[f64], row: usize, hint: &'static str) -> Self {
+        let message = format!(
+            "the time does not increase: {} after {}",
+            times[row],
+            times[row - 1]
+        );
+        Self::at(row, message, hint)
+    }
 }
 
 /// Samples at `times_s[0] + i·dt_s`, up to the last time, on the straight lines between the points.
@@ -25,41 +58,25 @@ pub(crate) fn on_even_grid(
     dt_s: f64,
     most: usize,
 ) -> Result<Vec<f64>, Uneven> {
-    let uneven = |row: usize, message: String, hint: &'static str| Uneven {
-        row,
-        message,
-        hint,
-        is_mended_by_lines: false,
-    };
-    let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
-        return Err(uneven(
-            0,
-            "there are no times".to_owned(),
-            "a motion needs 2 samples or more",
-        ));
-    };
+    let (first, last) = Uneven::ends(times_s)?;
     let rises = |i: usize| {
         times_s[i] > times_s[i - 1] || times_s[i] == times_s[i - 1] && values[i] == values[i - 1]
     };
     let points = times_s.len().min(values.len());
     if let Some(row) = (1..points).find(|&i| !rises(i)) {
-        let message = format!(
-            "the time does not increase: {} after {}",
-            times_s[row],
-            times_s[row - 1]
-        );
-        return Err(uneven(
-            row,
-            message,
-            "a record has one value at each time: repair the record",
-        ));
+        let hint = "a record has one value at each time: repair the record";
+        return Err(Uneven::falling(times_s, row, hint));
     }
     // The last point is on the grid if only rounding separates them.
     let steps = ((last - first) / dt_s + ON_GRID).floor();
     if !(dt_s > 0.0 && steps < most as f64) {
         let message =
             format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
-        return Err(uneven(0, message, "choose a longer step with `resample`"));
+        return Err(Uneven::at(
+            0,
+            message,
+            "choose a longer step with `resample`",
+        ));
     }
     let mut samples = Vec::with_capacity(steps as usize + 1);
     // The point at or before the sample.
@@ -101,9 +118,8 @@ pub(crate) fn common_step(times_s: &[f64], last_digit_exponent: i32) -> Option<f
         divisor = greatest_common_divisor(divisor, units as u64);
     }
     // Parsed, so that it is the f64 nearest to the decimal: 5e-3, not 5 times 0.001.
-    (divisor > 0)
-        .then(|| format!("{divisor}e{last_digit_exponent}").parse().ok())
-        .flatten()
+    let step = format!("{divisor}e{last_digit_exponent}").parse().ok();
+    step.filter(|_| divisor > 0)
 }
 
 fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {

@@ -7,7 +7,7 @@ use super::line_width::LineWidth;
 use super::lines::{Line, Lines};
 use super::units::missing;
 use crate::notes::Note;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// One repeated field: how many a line has, and how wide each is.
@@ -105,15 +105,14 @@ impl Format {
         let (mut first_line, mut line_width) = (0, LineWidth::default());
         while values.len() < count {
             let Some(line) = lines.next() else {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     format!(
                         "the file ends after {} of {count} values of {what}",
                         values.len()
                     ),
+                    "the file may be cut off: fetch it again",
                 )
-                .at_line(lines.line_number())
-                .hint("the file may be cut off: fetch it again"));
+                .at_line(lines.line_number()));
             };
             if line.is_blank() {
                 continue;
@@ -127,14 +126,11 @@ impl Format {
             line_width.see(&line, wanted * self.width, by_column);
             let found = values.len() - before;
             if found > wanted {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     format!("the line has {found} values of {what}, but should have {wanted}"),
-                )
-                .at_line(line.number)
-                .hint(
                     "the number of values in the header does not match the file: fetch it again",
-                ));
+                )
+                .at_line(line.number));
             }
         }
         line_width.check()?;
@@ -208,9 +204,10 @@ impl Block {
         }
         let message =
             format!("the number of {what} is {value}; a whole number below 1e9 is expected");
-        Err(Problem::new(ProblemKind::Format, message)
-            .at_line(self.first_line + at / format.per_line)
-            .hint("the file is damaged: fetch it again"))
+        Err(
+            Problem::format(message, "the file is damaged: fetch it again")
+                .at_line(self.first_line + at / format.per_line),
+        )
     }
 }
 

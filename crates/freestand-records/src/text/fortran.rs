@@ -2,7 +2,7 @@
 //! fifty years.
 
 use super::units::missing;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// A number found at the start of a field.
@@ -137,6 +137,11 @@ pub(crate) fn number(text: &[u8]) -> Option<Number> {
     scan(text).filter(|number| number.length == text.len())
 }
 
+/// The number that a text begins with.
+pub(crate) fn leading_value(text: &str) -> Option<f64> {
+    scan(text.as_bytes()).map(|number| number.value)
+}
+
 /// Why a field is not a number.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum BadField {
@@ -161,12 +166,11 @@ impl BadField {
 pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
     match bad {
         BadField::Missing(text) => missing(text, line),
-        BadField::NotANumber(text) => Problem::new(
-            ProblemKind::Format,
+        BadField::NotANumber(text) => Problem::format(
             format!("\"{}\" is not a number", shorten(text)),
+            "the file may be damaged; comment lines must begin with #",
         )
-        .at_line(line)
-        .hint("the file may be damaged; comment lines must begin with #"),
+        .at_line(line),
     }
 }
 
@@ -218,25 +222,25 @@ pub(crate) fn is_gap_mark(value: f64) -> bool {
 pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
     let mut rest = line.trim_ascii();
     while !rest.is_empty() {
-        let Some(number) = scan(rest) else {
-            return Err(BadField::new(first_word(rest)));
+        let ends = |number: &Number| {
+            matches!(
+                rest.get(number.length),
+                None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C)
+            )
         };
-        let tail = &rest[number.length..];
-        match tail.first() {
-            None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C) => {}
-            Some(_) => return Err(BadField::new(first_word(rest))),
-        }
+        let Some(number) = scan(rest).filter(ends) else {
+            return Err(BadField::new(words(rest).next().unwrap_or(rest)));
+        };
         each(number);
-        rest = tail.trim_ascii_start();
+        rest = rest[number.length..].trim_ascii_start();
     }
     Ok(())
 }
 
-fn first_word(text: &[u8]) -> &[u8] {
-    &text[..text
-        .iter()
-        .position(u8::is_ascii_whitespace)
-        .unwrap_or(text.len())]
+/// What stands between blanks.
+pub(crate) fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(u8::is_ascii_whitespace)
+        .filter(|word| !word.is_empty())
 }
 
 #[cfg(test)]

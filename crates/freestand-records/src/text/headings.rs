@@ -2,7 +2,7 @@
 
 use super::table::Table;
 use super::units::{record_unit, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, lookup, shorten};
 
 /// Name and unit of a column.
@@ -44,11 +44,11 @@ pub(crate) fn only(
             shorten(&one.name),
             shorten(&other.name)
         );
-        return Err(
-            Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
-                .at_line(line)
-                .hint("keep only one of them in the file"),
-        );
+        return Err(Problem::format(
+            format!("{names} are both {what}"),
+            "keep only one of them in the file",
+        )
+        .at_line(line));
     }
     Ok(first.map(|(index, _)| index))
 }
@@ -264,6 +264,19 @@ pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
         .iter()
         .all(|heading| heading.unit.is_some() && !heading.name.is_empty());
     all_named.then_some((headings, *line))
+}
+
+/// As [`headings_of`], for a table that must have them.
+///
+/// # Errors
+/// No headings.
+pub(crate) fn names_of(table: &Table, hint: &str) -> Result<(Vec<Heading>, usize), Problem> {
+    headings_of(table).ok_or_else(|| Problem::format("the columns have no names", hint))
+}
+
+/// The problem of a table without a column that it needs.
+pub(crate) fn no_column(what: &str, hint: &str) -> Problem {
+    Problem::format(format!("no column holds a {what} with its unit"), hint)
 }
 
 /// The values of a column, in SI if its heading has a unit.

@@ -2,7 +2,7 @@
 //! short.
 
 use super::lines::Line;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 /// What is known about the lines of a block.
 #[derive(Debug, Default)]
@@ -48,10 +48,11 @@ impl LineWidth {
             Some((line, length, full)) => {
                 let message =
                     format!("the line has {length} characters, but its numbers need {full}");
-                Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(
-                    "a character is missing or the file is cut off: fetch it again, or align the numbers with \
+                Err(Problem::format(
+message,
+"a character is missing or the file is cut off: fetch it again, or align the numbers with \
                      those of the other lines",
-                ))
+).at_line(line))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The lines of a text file, whichever system wrote it.
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 const UNPACK: &str = "unpack it first";
 const CONVERT: &str =
@@ -69,20 +69,22 @@ pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
         bytes.truncate(bytes.trim_ascii_end().len() - 1);
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(Problem::new(ProblemKind::Format, "the file is empty")
-            .hint("check that the record was saved"));
+        return Err(Problem::format(
+            "the file is empty",
+            "check that the record was saved",
+        ));
     }
     if let Some((_, _, kind, remedy)) = OTHERS
         .iter()
         .find(|(at, start, ..)| bytes.get(*at..).is_some_and(|rest| rest.starts_with(start)))
     {
-        return Err(Problem::new(ProblemKind::Format, format!("is {kind}")).hint(*remedy));
+        return Err(Problem::format(format!("is {kind}"), *remedy));
     }
     if bytes.contains(&0) {
-        return Err(
-            Problem::new(ProblemKind::Format, "is a binary file of an unknown format")
-                .hint("convert the record to AT2, or to CSV with time and acceleration columns"),
-        );
+        return Err(Problem::format(
+            "is a binary file of an unknown format",
+            "convert the record to AT2, or to CSV with time and acceleration columns",
+        ));
     }
     Ok(())
 }
@@ -102,8 +104,10 @@ fn from_utf16(bytes: &[u8]) -> Result<Option<String>, Problem> {
         char::decode_utf16(pairs.iter().map(|pair| unit(*pair))).collect();
     match text {
         Ok(text) if rest.is_empty() => Ok(Some(text)),
-        _ => Err(Problem::new(ProblemKind::Format, "is damaged UTF-16 text")
-            .hint("save it as UTF-8 or plain text")),
+        _ => Err(Problem::format(
+            "is damaged UTF-16 text",
+            "save it as UTF-8 or plain text",
+        )),
     }
 }
 
@@ -133,6 +137,27 @@ impl<'a> Lines<'a> {
     /// The next line that is not blank, which stays unread.
     pub(crate) fn ahead(&self) -> Option<Line<'a>> {
         self.clone().find(|line| !line.is_blank())
+    }
+
+    /// The next line if `holds`; another one stays unread.
+    pub(crate) fn next_if(&mut self, holds: impl FnOnce(&Line<'a>) -> bool) -> Option<Line<'a>> {
+        let mut ahead = self.clone();
+        let line = ahead.next().filter(holds)?;
+        *self = ahead;
+        Some(line)
+    }
+
+    /// The next lines, as long as `holds`; the first other one stays unread.
+    pub(crate) fn leading(
+        &mut self,
+        mut holds: impl FnMut(&Line<'a>) -> bool,
+    ) -> impl Iterator<Item = Line<'a>> {
+        std::iter::from_fn(move || self.next_if(&mut holds))
+    }
+
+    /// The next lines without those that are blank.
+    pub(crate) fn filled(&mut self) -> impl Iterator<Item = Line<'a>> {
+        self.filter(|line| !line.is_blank())
     }
 
     /// Bytes that are not read yet.
@@ -194,6 +219,16 @@ impl Line<'_> {
         // Only headers are read as text; a "line" of megabytes is not a header.
         text_of(&self.bytes[..self.bytes.len().min(4096)])
     }
+}
+
+/// The parts that are not empty; `None` if all are.
+pub(crate) fn joined(parts: &[&str], between: &str) -> Option<String> {
+    let filled: Vec<&str> = parts
+        .iter()
+        .copied()
+        .filter(|part| !part.is_empty())
+        .collect();
+    (!filled.is_empty()).then(|| filled.join(between))
 }
 
 pub(crate) fn text_of(bytes: &[u8]) -> String {

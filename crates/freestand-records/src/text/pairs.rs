@@ -8,7 +8,7 @@ use super::lines::{Line, Lines};
 use super::sampling::time_step;
 use super::units::missing;
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 /// The most samples that interpolation may make without a step from the user: hours at 1 ms, or 10
 /// s between two points. A damaged time must not fill the memory.
@@ -16,6 +16,7 @@ const MAX_SAMPLES_UNASKED: f64 = 1e7;
 const MAX_SAMPLES_PER_POINT: f64 = 1e4;
 
 /// A series of pairs.
+#[derive(Default)]
 pub(crate) struct Pairs {
     pub(crate) times_s: Vec<f64>,
     pub(crate) values: Vec<f64>,
@@ -34,24 +35,14 @@ pub(crate) struct Pairs {
 /// A field that is not a number, a value that marks a missing value, half a pair.
 pub(crate) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
     let mut found = Pairs {
-        times_s: Vec::new(),
-        values: Vec::new(),
-        last_digit_exponent: 0,
-        first_line: 0,
         pairs_per_line: 1,
-        notes: Vec::new(),
+        ..Pairs::default()
     };
     let mut markers = Markers::default();
-    loop {
-        let before = rest.clone();
-        let Some(line) = rest.next() else { break };
-        if line.is_blank() {
-            continue;
-        }
-        if line.is_text() {
-            *rest = before;
-            break;
-        }
+    for line in rest
+        .leading(|line| !line.is_text())
+        .filter(|line| !line.is_blank())
+    {
         let numbers = numbers_of(&line)?;
         if found.first_line == 0 {
             found.first_line = line.number;
@@ -59,12 +50,11 @@ pub(crate) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
         }
         for pair in numbers.chunks(2) {
             let [time, value] = pair else {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     "a time without a value ends the line",
+                    "the file may be damaged: fetch it again",
                 )
-                .at_line(line.number)
-                .hint("the file may be damaged: fetch it again"));
+                .at_line(line.number));
             };
             if is_missing_value(time.value) {
                 return Err(missing(&time.value.to_string(), line.number));
@@ -138,9 +128,11 @@ impl Pairs {
             let message = format!(
                 "the record is unevenly sampled, and its {span_s} s are too long to interpolate without a step"
             );
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(self.first_line)
-                .hint("give a step for interpolation, such as `resample = \"0.005 s\"`"));
+            return Err(Problem::format(
+                message,
+                "give a step for interpolation, such as `resample = \"0.005 s\"`",
+            )
+            .at_line(self.first_line));
         };
         let values = on_even_grid(&self.times_s, &self.values, dt_s, room)
             .map_err(|uneven| self.problem(uneven))?;
@@ -156,9 +148,8 @@ impl Pairs {
     }
 
     fn problem(&self, uneven: Uneven) -> Problem {
-        Problem::new(ProblemKind::Format, uneven.message)
+        Problem::format(uneven.message, uneven.hint)
             .at_line(self.first_line + uneven.row / self.pairs_per_line)
-            .hint(uneven.hint)
     }
 }
 

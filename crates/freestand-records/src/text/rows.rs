@@ -5,7 +5,7 @@ use super::gaps::Markers;
 use super::line_width::LineWidth;
 use super::lines::Lines;
 use crate::notes::Note;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 
 /// Columns of equal length.
@@ -40,9 +40,11 @@ impl Rows {
         if row.len() != self.columns.len() {
             let values = counted(self.columns.len(), "value");
             let message = format!("a row must have {values}, but this one has {}", row.len());
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint("the file may be cut off or damaged: fetch it again"));
+            return Err(Problem::format(
+                message,
+                "the file may be cut off or damaged: fetch it again",
+            )
+            .at_line(line));
         }
         for (markers, value) in self.markers.iter_mut().zip(row) {
             markers.see(*value, line)?;
@@ -84,9 +86,11 @@ impl Rows {
 
 /// The problem of a header without rows.
 pub(crate) fn no_row(lines: &Lines<'_>) -> Problem {
-    Problem::new(ProblemKind::Format, "no row of numbers follows the header")
-        .at_line(lines.line_number().max(1))
-        .hint("the file may be cut off: fetch it again")
+    Problem::format(
+        "no row of numbers follows the header",
+        "the file may be cut off: fetch it again",
+    )
+    .at_line(lines.line_number().max(1))
 }
 
 /// Reads each remaining line that is not blank as one row of `format`.
@@ -104,7 +108,7 @@ pub(crate) fn read(
         Vec::new(),
         LineWidth::default(),
     );
-    for line in lines.by_ref().filter(|line| !line.is_blank()) {
+    for line in lines.filled() {
         row.clear();
         let by_column = format.read_line(&line, format.per_line, &mut row)?;
         line_width.see(&line, format.per_line * format.width, by_column);

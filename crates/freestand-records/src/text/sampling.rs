@@ -1,8 +1,10 @@
 //! The time step of a column of printed times.
 
-use super::even_grid::{Uneven, common_step};
-use freestand_input::problem::{Problem, ProblemKind};
+use super::even_grid::{TOO_SHORT, Uneven, common_step};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
+
+const FIRST_IS_TIME: &str = "the first column must be the time; without a time column, give `dt`";
 
 /// The time step \[s\] of a sampling rate \[Hz\] on `line`.
 ///
@@ -13,12 +15,11 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
     if rate_hz > 0.0 && rate_hz <= 1e5 {
         return Ok(1.0 / rate_hz);
     }
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         format!("the sampling rate is {rate_hz} Hz"),
+        "this header line must give samples per second, such as 100 or 200: correct it",
     )
-    .at_line(line)
-    .hint("this header line must give samples per second, such as 100 or 200: correct it"))
+    .at_line(line))
 }
 
 /// The step of equally spaced `times`, in their own unit. Their last printed digit counts
@@ -29,30 +30,17 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
 /// rounding holds only while a unit is below half the step: beyond that, a lost sample could hide
 /// in it.
 pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, Uneven> {
-    let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
-        let message = "there are no times".to_owned();
-        return Err(Uneven {
-            row: 0,
-            message,
-            hint: "a motion needs 2 samples or more",
-            is_mended_by_lines: false,
-        });
-    };
+    let (first, last) = Uneven::ends(times)?;
     let intervals = times.len().saturating_sub(1) as f64;
     if intervals == 0.0 {
-        return Err(Uneven {
-            row: 0,
-            message: "one sample spans no time".to_owned(),
-            hint: "a motion needs 2 samples or more",
-            is_mended_by_lines: false,
-        });
+        return Err(Uneven::at(0, "one sample spans no time", TOO_SHORT));
     }
     let mean = (last - first) / intervals;
     if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
-        return Err(falling(times, i + 1));
+        return Err(Uneven::falling(times, i + 1, FIRST_IS_TIME));
     }
     if !(mean > 0.0 && mean.is_finite()) {
-        return Err(falling(times, 1));
+        return Err(Uneven::falling(times, 1, FIRST_IS_TIME));
     }
     let digit = 10f64.powi(last_digit_exponent.clamp(-300, 300));
     let rounding = if digit < 0.5 * mean { digit } else { 0.0 };
@@ -90,37 +78,19 @@ fn plain_step(times: &[f64], first: f64, last: f64, mean: f64) -> f64 {
     mean
 }
 
-fn falling(times: &[f64], row: usize) -> Uneven {
-    Uneven {
-        row,
-        message: format!(
-            "the time does not increase: {} after {}",
-            times[row],
-            times[row - 1]
-        ),
-        hint: "the first column must be the time; without a time column, give `dt`",
-        is_mended_by_lines: false,
-    }
-}
-
 /// Finds the row where the step changes, which need not be the first that is off the straight line.
 fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = steps.len() / 2;
-    let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let mut steps = steps_of(times);
+    let usual = middle(&mut steps);
     let is_odd = |step: f64| (step - usual).abs() > digit.min(0.5 * usual) + 0.02 * usual;
     let odd_steps = steps.iter().filter(|&&step| is_odd(step)).count();
     // A single odd step is a gap; if one step in ten is odd, or most are zero, the times have too few digits.
     if digit >= 0.5 * mean && (odd_steps * 10 > steps.len() || usual == 0.0) && steps.len() > 10 {
-        return Uneven {
-            row: found,
-            message: format!(
-                "the times are printed too coarsely for a step of about {}",
-                number(mean)
-            ),
-            hint: "remove the time column and give `dt`",
-            is_mended_by_lines: false,
-        };
+        let message = format!(
+            "the times are printed too coarsely for a step of about {}",
+            number(mean)
+        );
+        return Uneven::at(found, message, "remove the time column and give `dt`");
     }
     let row = times
         .windows(2)
@@ -151,14 +121,24 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
 /// unless that is far below the usual step; then the usual step. `None` if the times do not
 /// increase.
 pub(crate) fn even_step(times: &[f64], last_digit_exponent: i32) -> Option<f64> {
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut steps = steps_of(times);
     if steps.is_empty() || !steps.iter().all(|step| *step > 0.0 && step.is_finite()) {
         return None;
     }
-    let middle = steps.len() / 2;
-    let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let usual = middle(&mut steps);
     let common = common_step(times, last_digit_exponent).filter(|step| *step >= 0.1 * usual);
     common.or_else(|| format!("{usual:.2e}").parse().ok())
+}
+
+fn steps_of(times: &[f64]) -> Vec<f64> {
+    times.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
+/// The middle one by size.
+fn middle(steps: &mut [f64]) -> f64 {
+    *steps
+        .select_nth_unstable_by(steps.len() / 2, f64::total_cmp)
+        .1
 }
 
 fn number(value: f64) -> String {

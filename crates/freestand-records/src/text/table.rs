@@ -5,7 +5,8 @@ use super::digit_style::DigitStyle;
 use super::fortran::{BadField, Number, bad_field, fields};
 use super::gaps::Markers;
 use super::lines::{Line, lines};
-use freestand_input::problem::{Problem, ProblemKind};
+use super::units::GAP;
+use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 
 /// The last line on which the first row of numbers may be; some files have thousands of lines above
@@ -83,19 +84,22 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
             "a line of {} MB is not a row of a table",
             line.bytes.len() >> 20
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(line.number)
-            .hint("write one row per line, or the values of one series under an AT2 header (NPTS, DT)"));
+        return Err(Problem::format(
+            message,
+            "write one row per line, or the values of one series under an AT2 header (NPTS, DT)",
+        )
+        .at_line(line.number));
     }
     let (mut header, mut comments) = (Vec::new(), Vec::new());
     let mut rest = lines(bytes);
     let (dialect, first) = loop {
         let before = rest.clone();
         let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
-            return Err(Problem::new(ProblemKind::Format, "no row of numbers was found; the format is not recognised")
-                .hint(
-                    "known formats: PEER AT2, those of the agencies, and text with columns of time and acceleration",
-                ));
+            return Err(Problem::format(
+                "no row of numbers was found; the format is not recognised",
+                "known formats: PEER AT2, those of the agencies, and text with columns of \
+                 time and acceleration",
+            ));
         };
         if line.is_comment() {
             let text = line.text();
@@ -349,23 +353,19 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
 fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
     match bad {
         BadField::Missing(text) if text.is_empty() => {
-            Problem::new(ProblemKind::Format, "a value is missing")
-                .at_line(line)
-                .hint(
-                    "a motion with gaps cannot be used: repair the record or cut it before the gap",
-                )
+            Problem::format("a value is missing", GAP).at_line(line)
         }
         _ => bad_field(bad, line),
     }
 }
 
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the first row has {}, this one has {found}", counted(expected, "value")))
-        .at_line(line)
-        .hint(
-            "every row must have the same columns; one series with several values per line needs an AT2 header \
+    Problem::format(
+format!("the first row has {}, this one has {found}", counted(expected, "value")),
+"every row must have the same columns; one series with several values per line needs an AT2 header \
                (NPTS, DT)",
-        )
+)
+        .at_line(line)
 }
 
 /// Refuses a whole number above a column of decimals that is larger than all of them: it is a
@@ -389,9 +389,12 @@ fn check_first_row(table: &Table) -> Result<(), Problem> {
         "the first row, {first}, seems to be the number of values, but {} values follow",
         others.len()
     );
-    Err(Problem::new(ProblemKind::Format, message)
-        .at_line(table.line_of_first_value)
-        .hint("the file may be cut off: fetch it again; if the row is a value, write it with a decimal point"))
+    Err(Problem::format(
+        message,
+        "the file may be cut off: fetch it again; if the row is a value, write it \
+                 with a decimal point",
+    )
+    .at_line(table.line_of_first_value))
 }
 
 /// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program
@@ -403,12 +406,11 @@ fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
         .all(|column| column.last_digit_exponent == 0);
     let padded = table.columns.iter().any(|column| column.zero_padded);
     if table.dialect.separator == Separator::Byte(b',') && whole && padded {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             "the comma may be a decimal sign or a separator",
+            "write decimal points, or a ; between the columns",
         )
-        .at_line(table.line_of_first_value)
-        .hint("write decimal points, or a ; between the columns"));
+        .at_line(table.line_of_first_value));
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 //! values.
 
 use freestand::G0_M_S2;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, find_unit, lookup, shorten};
 
 /// Tenths of g, used by records from film.
@@ -117,12 +117,11 @@ pub(crate) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Op
         .filter_map(|(line, text)| Some((line, unknown_unit(text)?)))
         .next()?;
     Some(
-        Problem::new(
-            ProblemKind::Value,
+        Problem::value(
             format!("the unit \"{}\" is not known", shorten(&text)),
+            "state a known one with `unit`: g, m/s2, cm/s2 or another",
         )
-        .at_line(line)
-        .hint("state a known one with `unit`: g, m/s2, cm/s2 or another"),
+        .at_line(line),
     )
 }
 
@@ -172,47 +171,43 @@ pub(crate) fn decide(
         }
         // gal and cm/s2 are the same unit, so the values are compared.
         (Some(stated), Some(requested)) if stated.unit.to_si(1.0) != requested.to_si(1.0) => {
-            Err(Problem::new(
-                ProblemKind::Value,
+            Err(Problem::value(
                 format!(
                     "{what} is in {} according to the file, not in {}",
                     stated.unit.symbol, requested.symbol
                 ),
+                "leave out `unit`, or correct the file if it is wrong",
             )
-            .at_line(stated.line)
-            .hint("leave out `unit`, or correct the file if it is wrong"))
+            .at_line(stated.line))
         }
         (Some(stated), _) => Ok(stated.unit),
         (None, Some(requested)) => Ok(requested),
-        (None, None) => Err(Problem::new(
-            ProblemKind::Value,
+        (None, None) => Err(Problem::value(
             format!("the unit of {what} is not stated in the file"),
-        )
-        .hint("state it with `unit`: g, m/s2, cm/s2 or another")),
+            "state it with `unit`: g, m/s2, cm/s2 or another",
+        )),
     }
 }
 
 fn not_acceleration(stated: Stated, what: &str) -> Problem {
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!(
             "{what} is {} ({}); an acceleration is expected",
             stated.unit.dimension.with_article(),
             stated.unit.symbol
         ),
+        "use the acceleration record of the same station",
     )
     .at_line(stated.line)
-    .hint("use the acceleration record of the same station")
 }
+
+/// What to do about a missing value.
+pub(crate) const GAP: &str =
+    "a motion with gaps cannot be used: repair the record or cut it before the gap";
 
 /// The problem of a value that marks a missing value.
 pub(crate) fn missing(text: &str, line: usize) -> Problem {
-    Problem::new(
-        ProblemKind::Format,
-        format!("\"{}\" marks a missing value", shorten(text)),
-    )
-    .at_line(line)
-    .hint("a motion with gaps cannot be used: repair the record or cut it before the gap")
+    Problem::format(format!("\"{}\" marks a missing value", shorten(text)), GAP).at_line(line)
 }
 
 #[cfg(test)]

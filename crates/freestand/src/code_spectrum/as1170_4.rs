@@ -1,6 +1,6 @@
 //! AS 1170.4, Australia.
 
-use super::CodeSpectrumError;
+use super::{CodeSpectrumError, class_named};
 
 /// Edition of AS 1170.4.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -75,13 +75,7 @@ impl SiteClass {
     /// # Errors
     /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        Self::ALL
-            .into_iter()
-            .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(|| CodeSpectrumError::SiteClass {
-                name: name.to_owned(),
-                known: "Ae, Be, Ce, De, Ee",
-            })
+        class_named(&Self::ALL, name, "Ae, Be, Ce, De, Ee")
     }
 
     /// Spectral shape factor Ch(T), 5 % damping, as a ratio to the rock (Be) acceleration at T = 0.

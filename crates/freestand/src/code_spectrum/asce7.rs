@@ -1,6 +1,6 @@
 //! ASCE 7: the two-parameter design spectrum.
 
-use super::{CodeSpectrumError, positive};
+use super::{CodeSpectrumError, class_named, positive, within};
 
 /// Edition of ASCE 7; the spectrum is the same, but the rules for parts and components differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -62,13 +62,7 @@ impl Asce7Site {
     /// # Errors
     /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        Self::ALL
-            .into_iter()
-            .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(|| CodeSpectrumError::SiteClass {
-                name: name.to_owned(),
-                known: "A, B, C, D, E",
-            })
+        class_named(&Self::ALL, name, "A, B, C, D, E")
     }
 
     /// Fa at the values of Ss in [`SS_G`]; of class E the table has three, and refers to 11.4.8 for
@@ -216,14 +210,8 @@ impl Asce7 {
     ) -> Result<Self, CodeSpectrumError> {
         let (sds_g, sd1_g) = (positive("SDS", sds_g)?, positive("SD1", sd1_g)?);
         let long_period_s = positive("TL", long_period_s)?;
-        if long_period_s < sd1_g / sds_g {
-            let requirement = "at least TS = SD1/SDS";
-            return Err(CodeSpectrumError::Parameter {
-                name: "TL",
-                requirement,
-                value: long_period_s,
-            });
-        }
+        let fine = long_period_s >= sd1_g / sds_g;
+        within(fine, "TL", "at least TS = SD1/SDS", long_period_s)?;
         Ok(Self {
             edition,
             sds_g,

@@ -1,6 +1,6 @@
 //! Eurocode 8, EN 1998-1:2004, with its recommended values or those of a national annex.
 
-use super::{CodeSpectrumError, NationalAnnex, positive};
+use super::{CodeSpectrumError, NationalAnnex, class_named, positive, within};
 
 /// Type of spectrum, EN 1998-1, 3.2.2.2(2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -61,14 +61,7 @@ impl GroundType {
     /// # Errors
     /// A name that is not one of the five; the code requires special studies for S1 and S2.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        let unknown = || CodeSpectrumError::SiteClass {
-            name: name.to_owned(),
-            known: "A, B, C, D, E",
-        };
-        Self::ALL
-            .into_iter()
-            .find(|ground| ground.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(unknown)
+        class_named(&Self::ALL, name, "A, B, C, D, E")
     }
 }
 
@@ -240,14 +233,13 @@ impl Eurocode8 {
             ("TC", shape.tc_s, shape.tb_s),
             ("TD", shape.td_s, shape.tc_s),
         ] {
-            if !(value >= least && value.is_finite()) {
-                let requirement = "finite and at least the previous corner period";
-                return Err(CodeSpectrumError::Parameter {
-                    name,
-                    requirement,
-                    value,
-                });
-            }
+            let requirement = "finite and at least the previous corner period";
+            within(
+                value >= least && value.is_finite(),
+                name,
+                requirement,
+                value,
+            )?;
         }
         let is_recommended =
             ground.is_some_and(|ground| shape == SpectrumShape::recommended(spectrum_type, ground));

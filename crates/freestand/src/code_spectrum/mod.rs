@@ -286,16 +286,42 @@ pub enum CodeSpectrumError {
 
 /// Checks that a parameter is positive and finite.
 fn positive(name: &'static str, value: f64) -> Result<f64, CodeSpectrumError> {
-    let requirement = "positive and finite";
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(CodeSpectrumError::Parameter {
-            name,
-            requirement,
-            value,
+    let fine = value > 0.0 && value.is_finite();
+    within(fine, name, "positive and finite", value)
+}
+
+/// The value of a parameter.
+///
+/// # Errors
+/// A value that is not `fine`.
+fn within(
+    fine: bool,
+    name: &'static str,
+    requirement: &'static str,
+    value: f64,
+) -> Result<f64, CodeSpectrumError> {
+    fine.then_some(value).ok_or(CodeSpectrumError::Parameter {
+        name,
+        requirement,
+        value,
+    })
+}
+
+/// The class of a site with a given name, in upper or lower case; `known` lists them.
+///
+/// # Errors
+/// Another name.
+fn class_named<T: Copy + Into<&'static str>>(
+    all: &[T],
+    name: &str,
+    known: &'static str,
+) -> Result<T, CodeSpectrumError> {
+    let mut all = all.iter().copied();
+    all.find(|&class| class.into().eq_ignore_ascii_case(name.trim()))
+        .ok_or_else(|| CodeSpectrumError::SiteClass {
+            name: name.to_owned(),
+            known,
         })
-    }
 }
 
 #[cfg(test)]

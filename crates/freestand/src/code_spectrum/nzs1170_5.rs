@@ -1,6 +1,6 @@
 //! NZS 1170.5:2004, New Zealand.
 
-use super::{CodeSpectrumError, positive};
+use super::{CodeSpectrumError, class_named, positive, within};
 
 /// Site subsoil class of NZS 1170.5, clause 3.1.3.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
@@ -59,14 +59,7 @@ impl SubsoilClass {
     /// # Errors
     /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
-        let unknown = || CodeSpectrumError::SiteClass {
-            name: name.to_owned(),
-            known: "A, B, C, D, E",
-        };
-        Self::ALL
-            .into_iter()
-            .find(|class| class.name().eq_ignore_ascii_case(name.trim()))
-            .ok_or_else(unknown)
+        class_named(&Self::ALL, name, "A, B, C, D, E")
     }
 
     fn shape(self) -> Shape {
@@ -243,13 +236,9 @@ impl Nzs1170_5 {
     ) -> Result<Self, CodeSpectrumError> {
         positive("the hazard factor Z", hazard_factor)?;
         let return_factor_ratio = return_period_factor(return_period_years)?;
-        if let Some(value) = fault_distance_km.filter(|d| !(*d >= 0.0 && d.is_finite())) {
+        if let Some(km) = fault_distance_km {
             let (name, requirement) = ("the distance to the fault in km", "at least 0 and finite");
-            return Err(CodeSpectrumError::Parameter {
-                name,
-                requirement,
-                value,
-            });
+            within(km >= 0.0 && km.is_finite(), name, requirement, km)?;
         }
         Ok(Self {
             site,

@@ -426,26 +426,44 @@ pub enum CompliantError {
     },
 }
 
-pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(CompliantError::Value {
+/// # Errors
+/// A number that is not `fine`.
+pub(crate) fn within(
+    fine: bool,
+    name: &'static str,
+    requirement: &'static str,
+    value: f64,
+) -> Result<(), CompliantError> {
+    fine.then_some(()).ok_or(CompliantError::Value {
         name,
-        requirement: "positive and finite",
+        requirement,
         value,
     })
 }
 
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
+    let fine = value > 0.0 && value.is_finite();
+    within(fine, name, "positive and finite", value)
+}
+
 pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
-    if value >= 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(CompliantError::Value {
-        name,
-        requirement: "at least 0 and finite",
-        value,
-    })
+    let fine = value >= 0.0 && value.is_finite();
+    within(fine, name, "at least 0 and finite", value)
+}
+
+/// # Errors
+/// Errors of a step that are too large to trust, or smaller than rounding.
+pub(crate) fn check_accuracy(accuracy: CompliantAccuracy) -> Result<(), CompliantError> {
+    let tolerance = accuracy.tolerance();
+    let fine = (1e-13..=1e-2).contains(&tolerance);
+    within(fine, "accuracy", "between 1e-13 and 1e-2", tolerance)
+}
+
+/// # Errors
+/// A start beyond lying.
+pub(crate) fn check_tilt(name: &'static str, tilt_rad: f64) -> Result<(), CompliantError> {
+    let fine = tilt_rad.abs() < std::f64::consts::FRAC_PI_2;
+    within(fine, name, "within ±π/2", tilt_rad)
 }
 
 /// The stiffest cushion along its face, as a multiple of its stiffness across it. Real ones are from 2/3 to
@@ -455,14 +473,7 @@ pub const MAX_TANGENTIAL_RATIO: f64 = 1000.0;
 pub(crate) fn tangential_ratio(value: f64) -> Result<(), CompliantError> {
     let name = "ratio of the tangential stiffness";
     positive(name, value)?;
-    if value > MAX_TANGENTIAL_RATIO {
-        return Err(CompliantError::Value {
-            name,
-            requirement: "at most 1000",
-            value,
-        });
-    }
-    Ok(())
+    within(value <= MAX_TANGENTIAL_RATIO, name, "at most 1000", value)
 }
 
 /// Returns an error for input from which no history can be calculated.
@@ -483,28 +494,14 @@ fn check(
             contacts: base.contacts,
         });
     }
-    let tolerance = options.accuracy.tolerance();
-    if !(1e-13..=1e-2).contains(&tolerance) {
-        return Err(CompliantError::Value {
-            name: "accuracy",
-            requirement: "between 1e-13 and 1e-2",
-            value: tolerance,
-        });
-    }
+    check_accuracy(options.accuracy)?;
     match options.start {
         Start::Rest => {}
         Start::Tilted {
             rotation_rad,
             omega_rad_s,
         } => {
-            if rotation_rad.is_nan() || rotation_rad.abs() >= std::f64::consts::FRAC_PI_2 {
-                let requirement = "within ±π/2";
-                return Err(CompliantError::Value {
-                    name: "initial rotation",
-                    requirement,
-                    value: rotation_rad,
-                });
-            }
+            check_tilt("initial rotation", rotation_rad)?;
             not_negative("initial angular speed", omega_rad_s.abs())?;
         }
         Start::Dropped { height_m } => not_negative("height of the drop", height_m)?,

@@ -148,41 +148,34 @@ pub enum CushionError {
     NoParts,
 }
 
-fn positive(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(CushionError::Value {
+fn within(
+    fine: bool,
+    law: &'static str,
+    name: &'static str,
+    requirement: &'static str,
+    value: f64,
+) -> Result<(), CushionError> {
+    let error = CushionError::Value {
         law,
         name,
-        requirement: "positive",
+        requirement,
         value,
-    })
+    };
+    (fine && value.is_finite()).then_some(()).ok_or(error)
+}
+
+fn positive(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
+    within(value > 0.0, law, name, "positive", value)
 }
 
 fn not_negative(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
-    if value >= 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(CushionError::Value {
-        law,
-        name,
-        requirement: "zero or positive",
-        value,
-    })
+    within(value >= 0.0, law, name, "zero or positive", value)
 }
 
 /// Foams and rubbers have exponents between ½ and 5; beyond 20 the calculation loses its accuracy.
 fn exponent(law: &'static str, value: f64) -> Result<(), CushionError> {
-    if (0.1..=20.0).contains(&value) {
-        return Ok(());
-    }
-    Err(CushionError::Value {
-        law,
-        name: "exponent",
-        requirement: "between 0.1 and 20",
-        value,
-    })
+    let fine = (0.1..=20.0).contains(&value);
+    within(fine, law, "exponent", "between 0.1 and 20", value)
 }
 
 impl ContactLaw {

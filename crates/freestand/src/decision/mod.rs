@@ -87,15 +87,11 @@ fn within(
     requirement: &'static str,
     value: f64,
 ) -> Result<(), DecisionError> {
-    if fine {
-        Ok(())
-    } else {
-        Err(DecisionError::Range {
-            name,
-            requirement,
-            value,
-        })
-    }
+    fine.then_some(()).ok_or(DecisionError::Range {
+        name,
+        requirement,
+        value,
+    })
 }
 
 fn check_accepted(accepted: f64) -> Result<(), DecisionError> {

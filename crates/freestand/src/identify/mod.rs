@@ -16,6 +16,7 @@ mod direct;
 mod drop;
 mod filter;
 mod fit;
+mod laws;
 mod model;
 mod pool;
 mod static_curve;

@@ -6,6 +6,7 @@
 //! and [`best_plan`] chooses the measures that are worth most within a budget.
 
 mod capacity;
+mod deaggregation;
 mod hazard;
 mod loss;
 mod money;
@@ -14,6 +15,7 @@ mod plan;
 mod rate;
 
 pub use capacity::{AboveLast, Capacity, capacities, least_avoided, rate_bounds};
+pub use deaggregation::{Bin, annual_rate_below, deaggregation};
 pub use hazard::{Hazard, HazardError, HazardPoint, Tail};
 pub use loss::{
     LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance,
@@ -22,6 +24,4 @@ pub use loss::{
 pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, renewed_cost};
 pub use open::{Gap, OpenPart, RESOLVED, bounds_by_runs, open_parts, open_rate};
 pub use plan::{Choice, Plan, best_plan};
-pub use rate::{
-    AnnualRates, Bin, annual_rate, annual_rate_below, deaggregation, probability_in_years,
-};
+pub use rate::{AnnualRates, annual_rate, probability_in_years};

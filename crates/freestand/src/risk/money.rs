@@ -62,24 +62,25 @@ pub fn present_value_factor_years(
     })
 }
 
+fn within(
+    fine: bool,
+    name: &'static str,
+    requirement: &'static str,
+    value: f64,
+) -> Result<(), MoneyError> {
+    let error = MoneyError {
+        name,
+        requirement,
+        value,
+    };
+    (fine && value.is_finite()).then_some(()).ok_or(error)
+}
+
 fn check(discount_rate: f64, horizon_years: f64) -> Result<(), MoneyError> {
-    if !(horizon_years > 0.0 && horizon_years.is_finite()) {
-        let (name, requirement) = ("the horizon in years", "positive and finite");
-        return Err(MoneyError {
-            name,
-            requirement,
-            value: horizon_years,
-        });
-    }
-    if !(discount_rate >= 0.0 && discount_rate.is_finite()) {
-        let (name, requirement) = ("the discount rate", "0 or more and finite");
-        return Err(MoneyError {
-            name,
-            requirement,
-            value: discount_rate,
-        });
-    }
-    Ok(())
+    let (name, requirement) = ("the horizon in years", "positive and finite");
+    within(horizon_years > 0.0, name, requirement, horizon_years)?;
+    let (name, requirement) = ("the discount rate", "0 or more and finite");
+    within(discount_rate >= 0.0, name, requirement, discount_rate)
 }
 
 /// Present value of a measure that is paid now and again whenever its life ends within the horizon,
@@ -104,17 +105,9 @@ pub fn renewed_cost(
         return Ok(cost);
     };
     // A life of seconds would be paid a billion times.
-    if !(life_years >= 1e-3 * horizon_years && life_years.is_finite()) {
-        let (name, requirement) = (
-            "the life in years",
-            "positive and at least a thousandth of the horizon",
-        );
-        return Err(MoneyError {
-            name,
-            requirement,
-            value: life_years,
-        });
-    }
+    let requirement = "positive and at least a thousandth of the horizon";
+    let fine = life_years >= 1e-3 * horizon_years;
+    within(fine, "the life in years", requirement, life_years)?;
     let times = (0..)
         .map(|n| f64::from(n) * life_years)
         .take_while(|time| *time < horizon_years);

@@ -3,8 +3,9 @@
 use crate::fragility::CurveKind;
 
 use super::capacity::{AboveLast, Capacity, rate_bounds};
+use super::deaggregation::annual_rate_below;
 use super::hazard::Hazard;
-use super::rate::{AnnualRates, annual_rate_below};
+use super::rate::AnnualRates;
 
 /// If a larger share of a rate is between two intensities of the runs, or below or above all of them,
 /// the runs do not tell the rate.

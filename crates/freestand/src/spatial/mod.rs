@@ -42,7 +42,7 @@ mod vector;
 #[cfg(test)]
 mod tests;
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 use self::equation::{BODY, Element, PLACE, Rigid, Role, SPIN, State, TURN, VELOCITY, World};
 use self::feet::Feet;
@@ -51,7 +51,7 @@ use self::track::{Seen, tilts, yaw};
 use crate::compliant::pad::Pad;
 use crate::compliant::{
     ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide,
-    EnergyAudit, not_negative, positive, tangential_ratio,
+    EnergyAudit, check_accuracy, check_tilt, not_negative, positive, tangential_ratio, within,
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
@@ -298,29 +298,14 @@ impl Default for SpatialOptions {
 impl SpatialOptions {
     fn check(&self) -> Result<(), CompliantError> {
         positive("gravity", self.gravity_m_s2)?;
-        let tolerance = self.accuracy.tolerance();
-        if !(1e-13..=1e-2).contains(&tolerance) {
-            let requirement = "between 1e-13 and 1e-2";
-            return Err(CompliantError::Value {
-                name: "accuracy",
-                requirement,
-                value: tolerance,
-            });
-        }
+        check_accuracy(self.accuracy)?;
         if let SpatialStart::Released {
             tilt_rad,
             toward_rad,
             omega_rad_s,
         } = self.start
         {
-            if tilt_rad.is_nan() || tilt_rad.abs() >= FRAC_PI_2 {
-                let requirement = "within ±π/2";
-                return Err(CompliantError::Value {
-                    name: "initial tilt",
-                    requirement,
-                    value: tilt_rad,
-                });
-            }
+            check_tilt("initial tilt", tilt_rad)?;
             not_negative("direction of the initial tilt", toward_rad.abs())?;
             omega_rad_s
                 .iter()
@@ -571,21 +556,11 @@ impl SpatialObject {
         self.support.check()?;
         for wall in &self.walls {
             not_negative("gap to a wall", wall.gap_m)?;
-            if wall.height_m.is_nan() || wall.height_m <= 0.0 {
-                let requirement = "positive";
-                return Err(CompliantError::Value {
-                    name: "height of a wall",
-                    requirement,
-                    value: wall.height_m,
-                });
-            }
+            let is_high = wall.height_m > 0.0;
+            within(is_high, "height of a wall", "positive", wall.height_m)?;
             if let Shape::Cylinder { diameter_m, .. } = self.shape {
                 let requirement = "that of a prism: a cylinder at a wall is not modelled";
-                return Err(CompliantError::Value {
-                    name: "shape at a wall",
-                    requirement,
-                    value: diameter_m,
-                });
+                within(false, "shape at a wall", requirement, diameter_m)?;
             }
         }
         Ok(())

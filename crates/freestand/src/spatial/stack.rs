@@ -4,7 +4,7 @@ use super::equation::{Element, Rigid, Role, World};
 use super::solve::{Ended, follow};
 use super::track::{BodyMotion, Patterns};
 use super::{BaseLandings, Shape, SpatialOptions, SpatialPiece, SpatialStart, Support};
-use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, positive};
+use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, positive, within};
 use crate::rocking::{Base, Outcome};
 
 /// A corner may pass the end of the other face by this share of the narrower body: edges are
@@ -221,11 +221,7 @@ pub fn rock_stack_observed(
     options.check()?;
     if let SpatialStart::Released { tilt_rad, .. } = options.start {
         let requirement = "0 for a stack: it starts from rest";
-        return Err(CompliantError::Value {
-            name: "initial tilt",
-            requirement,
-            value: tilt_rad,
-        });
+        within(false, "initial tilt", requirement, tilt_rad)?;
     }
     let world = stack.world(options.gravity_m_s2);
     stack.stands(&world)?;

@@ -1,13 +1,14 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values, any number per line.
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem};
 use crate::notes::Note;
 use crate::text::digit_style::DigitStyle;
+use crate::text::fixed_width::Block;
 use crate::text::fortran::{bad_field, fields, scan};
 use crate::text::gaps::Markers;
 use crate::text::lines::{Line, lines};
-use crate::text::units::{Stated, decide, not_known, requested, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::units::{Stated, decide, not_known, unit_in_prose};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
@@ -16,13 +17,6 @@ use std::path::Path;
 const HEADER_LINES: usize = 20;
 
 const NO_COUNTS: &str = "the number of values or the time step is missing";
-
-/// The line that states the number of values and the time step.
-struct Counts {
-    line: usize,
-    npts: usize,
-    dt_s: f64,
-}
 
 /// Whether the text is an AT2 file, or a VT2 or DT2 file, which has the same layout.
 pub(super) fn is_at2(bytes: &[u8]) -> bool {
@@ -72,25 +66,24 @@ fn find_word(text: &str, word: &str) -> Option<usize> {
 /// Reads an AT2 file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let Some(header_line) = header_end(bytes) else {
-        return Err(
-            Problem::new(ProblemKind::Format, "no line names NPTS and DT")
-                .hint("an AT2 header has four lines; the fourth names NPTS and DT"),
-        );
+        return Err(Problem::format(
+            "no line names NPTS and DT",
+            "an AT2 header has four lines; the fourth names NPTS and DT",
+        ));
     };
     let header: Vec<String> = lines(bytes)
         .take(header_line)
         .map(|line| line.text())
         .collect();
     refuse_sisters(&header)?;
-    let counts = read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
-        Problem::new(ProblemKind::Format, message)
+    let (npts, dt_s) =
+        read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
+            Problem::format(
+                message,
+                "the header line should read like \"NPTS=  4000, DT= .01000 SEC\"",
+            )
             .at_line(header_line)
-            .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
-    })?;
-    let counts = Counts {
-        line: header_line,
-        ..counts
-    };
+        })?;
 
     // The last line that states a unit is the one nearest to the values; line 3 in every file of
     // PEER.
@@ -99,33 +92,25 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .rev()
         .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
-    let unit =
-        decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
-            let lines = header
-                .iter()
-                .enumerate()
-                .map(|(i, text)| (i + 1, text.as_str()));
-            let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
-            not_known(units)
-                .filter(|_| stated.is_none())
-                .unwrap_or(problem)
-        })?;
+    let unit = decide(stated, options.unit()?, "the record").map_err(|problem| {
+        let lines = header
+            .iter()
+            .enumerate()
+            .map(|(i, text)| (i + 1, text.as_str()));
+        let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+        not_known(units)
+            .filter(|_| stated.is_none())
+            .unwrap_or(problem)
+    })?;
 
     let mut notes = Vec::new();
-    let (values, line) = read_values(bytes, &counts, &mut notes)?;
+    let block = read_values(bytes, npts, header_line, &mut notes)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
     let direction = station.as_ref().and_then(|_| Direction::parse(&name));
-    let (unit, dt_s, line_of_step) = (*unit, counts.dt_s, counts.line);
     let component = Found {
-        name,
         station,
         direction,
-        unit,
-        dt_s,
-        line_of_step,
-        values,
-        line,
-        is_raw: false,
+        ..Found::new(name, *unit, (dt_s, header_line), block)
     }
     .component(options)?;
     Ok(Reading {
@@ -154,12 +139,11 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
                 && !upper.contains("ACCEL")
                 && (series && upper.trim_start().starts_with(word) || stated.is_some())
             {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     format!("is a {name}; an acceleration record is expected"),
+                    "use the AT2 file of the same record",
                 )
-                .at_line(i + 1)
-                .hint("use the AT2 file of the same record"));
+                .at_line(i + 1));
             }
         }
     }
@@ -168,7 +152,7 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
 
 /// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers
 /// first: `4000  .01  NPTS, DT`.
-fn read_counts(text: &str) -> Result<Counts, String> {
+fn read_counts(text: &str) -> Result<(usize, f64), String> {
     let upper = text.to_ascii_uppercase();
     let (npts_at, dt_at) = (
         find_word(&upper, "NPTS").ok_or(NO_COUNTS)?,
@@ -215,11 +199,7 @@ fn read_counts(text: &str) -> Result<Counts, String> {
     if !(dt_s > 0.0 && dt_s.is_finite()) {
         return Err(format!("the time step, {dt_s} s, is not positive"));
     }
-    Ok(Counts {
-        line: 0,
-        npts: npts as usize,
-        dt_s,
-    })
+    Ok((npts as usize, dt_s))
 }
 
 /// The number that follows `at`, after blanks, `=`, `:` and commas; with the position after it.
@@ -235,16 +215,17 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
 
 fn read_values(
     bytes: &[u8],
-    counts: &Counts,
+    npts: usize,
+    header_line: usize,
     notes: &mut Vec<Note>,
-) -> Result<(Vec<f64>, usize), Problem> {
+) -> Result<Block, Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two
     // bytes.
-    let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
+    let mut values = Vec::with_capacity(npts.min(bytes.len() / 2 + 1));
     // Without values, the line that says so.
-    let (mut line_of_first_value, mut digit_style, mut markers) =
-        (counts.line, DigitStyle::default(), Markers::default());
-    for line in lines(bytes).skip(counts.line) {
+    let (mut first_line, mut digit_style, mut markers) =
+        (header_line, DigitStyle::default(), Markers::default());
+    for line in lines(bytes).skip(header_line) {
         let before = values.len();
         fields(line.bytes, |number| {
             digit_style.see(&number, line.number);
@@ -255,27 +236,24 @@ fn read_values(
             markers.see(*value, line.number)?;
         }
         if before == 0 && !values.is_empty() {
-            line_of_first_value = line.number;
+            first_line = line.number;
         }
     }
     notes.extend(markers.judge(&values)?);
-    if values.len() == counts.npts {
+    if values.len() == npts {
         notes.extend(digit_style.note());
-        return Ok((values, line_of_first_value));
+        return Ok(Block { values, first_line });
     }
-    let hint = if values.len() == 2 * counts.npts {
+    let hint = if values.len() == 2 * npts {
         "if these are columns of time and acceleration, begin the line that names NPTS with #"
     } else {
         "the file may be cut off: fetch it again, or correct NPTS if no value is missing"
     };
     let message = format!(
-        "the header declares {} values, but the file has {}",
-        counts.npts,
+        "the header declares {npts} values, but the file has {}",
         values.len()
     );
-    Err(Problem::new(ProblemKind::Format, message)
-        .at_line(counts.line)
-        .hint(hint))
+    Err(Problem::format(message, hint).at_line(header_line))
 }
 
 /// PEER's second line is `event, date, station, component`. If it is anything else, the file's name
@@ -301,7 +279,7 @@ fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
             return (component.to_owned(), Some((*station).to_owned()));
         }
     }
-    (crate::motion_file::file_stem(path), None)
+    (file_stem(path), None)
 }
 
 #[cfg(test)]

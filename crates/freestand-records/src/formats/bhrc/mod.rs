@@ -4,13 +4,14 @@
 //! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line
 //! that ends the record.
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note, three_note};
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
-use crate::text::fortran::{Number, fields, is_missing_value, scan};
+use crate::text::fortran::{Number, is_missing_value, scan};
+use crate::text::head::next_title;
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::units::TENTHS_OF_G;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -36,25 +37,19 @@ pub(super) fn is_bhrc(bytes: &[u8]) -> bool {
     lines(bytes)
         .take(20)
         .find(|line| !line.is_blank())
-        .is_some_and(|line| volume(&line).is_some())
+        .is_some_and(|line| is_title(&line))
 }
 
 /// Reads a BHRC file.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let (mut components, mut notes) = (Vec::new(), Vec::new());
-    while let Some(title) = next_title(&mut rest)? {
+    while let (Some(title), _) = next_title(&mut rest, is_title)? {
         let number = components.len() + 1;
         components.push(component(&mut rest, &title, number, options, &mut notes)?);
     }
     notes.extend(end_note(bytes, "end of record"));
-    if components.len() < 3 {
-        let words = format!(
-            "the file has only {} of three components: it may be cut off",
-            components.len()
-        );
-        notes.push(Note::new(NoteKind::CutOff, words));
-    }
+    notes.extend(three_note(components.len()));
     Ok(Reading {
         format: "BHRC volume 1",
         components,
@@ -62,25 +57,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     })
 }
 
-/// The first line of the next component, after the line that ends the one before.
-///
-/// # Errors
-/// Numbers where a component should begin.
-fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
-    for line in rest.by_ref().filter(|line| !line.is_blank()) {
-        if volume(&line).is_some() {
-            return Ok(Some(line));
-        }
-        if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(
-                ProblemKind::Format,
-                "there are more values than the header declares",
-            )
-            .at_line(line.number)
-            .hint("the number of values in the header does not match the file: fetch it again"));
-        }
-    }
-    Ok(None)
+fn is_title(line: &Line<'_>) -> bool {
+    volume(line).is_some()
 }
 
 fn component(
@@ -91,12 +69,11 @@ fn component(
     notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
     if let Some(volume) = volume(title).filter(|volume| volume != "VOL1DS") {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("is a {} file; only VOL1DS files are read", shorten(&volume)),
+            "use the uncorrected file (volume 1) of the same record",
         )
-        .at_line(title.number)
-        .hint("use the uncorrected file (volume 1) of the same record"));
+        .at_line(title.number));
     }
     let text: Vec<String> = rest
         .by_ref()
@@ -117,14 +94,8 @@ fn component(
     notes.push(Note::of(&name, NoteKind::StepFromDuration, words));
     Found {
         direction: direction(&text, &name),
-        name,
         station: station(title, &text),
-        unit: TENTHS_OF_G,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, TENTHS_OF_G, (dt_s, line_of_step), block)
     }
     .component(options)
 }
@@ -150,12 +121,11 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
     {
         return Ok((count.value as usize, step(count.value, *duration), line));
     }
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         "the header does not state the number of values and the duration",
+        "the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\"",
     )
-    .at_line(line)
-    .hint("the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\""))
+    .at_line(line))
 }
 
 /// The step \[s\] of `count` values in a duration with a few decimals. Files may or may not count

@@ -1,6 +1,6 @@
 //! Motions in columns, with or without a time column, a header and units.
 
-use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, file_stem, motion};
 use crate::notes::{Note, NoteKind};
 use crate::text::dialect::Separator;
 use crate::text::even_grid::{Uneven, on_even_grid};
@@ -13,28 +13,29 @@ use crate::text::sampling::{even_step, time_step};
 use crate::text::sensitivity::{no_sensitivity, not_in_volts, volts_of_heading};
 use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use crate::text::table::{self, Table};
-use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
+use crate::text::units::{Stated, decide, missing, not_known, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, lookup, shorten};
 use freestand_input::words::number;
 use std::path::Path;
 
 /// What the lines above the numbers state.
+#[derive(Default)]
 struct Stating {
-    headings: Option<Vec<Heading>>,
+    /// Empty where no line names the columns.
+    headings: Vec<Heading>,
     /// Line of the headings.
     line: usize,
     unit: Option<Stated>,
     dt_s: Option<(f64, usize)>,
 }
 
-/// Where the times of the samples come from.
-enum Time {
-    /// The first column.
-    Column,
-    /// A time step from elsewhere: every column is a component.
-    Step(f64),
+impl Stating {
+    /// The heading of a column.
+    fn heading(&self, at: usize) -> Option<&Heading> {
+        self.headings.get(at)
+    }
 }
 
 /// The step of the samples, and the times \[s\] of the rows if they must be interpolated to it.
@@ -59,9 +60,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let words = "column 1 counts the rows or samples and was ignored";
         notes.push(Note::new(NoteKind::ColumnIgnored, words));
     }
-    let time = time_source(&table, first, &stating, options)?;
-    let (spacing, skip) = match time {
-        Time::Step(dt_s) => {
+    let (spacing, skip) = match step_of_components(&table, first, &stating, options)? {
+        Some(dt_s) => {
             if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
                 let column = first + 1;
                 let words = format!(
@@ -78,13 +78,13 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 first,
             )
         }
-        Time::Column => (
+        None => (
             spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?,
             first + 1,
         ),
     };
     refuse_spectrum(&stating, first)?;
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let mut components = Vec::new();
     let mut refused = None;
     let count = table.columns.len() - skip;
@@ -93,12 +93,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .skip(skip)
     {
-        let heading = stating
-            .headings
-            .as_ref()
-            .and_then(|all| all.get(i))
-            .cloned()
-            .unwrap_or_default();
+        let heading = stating.heading(i).cloned().unwrap_or_default();
         let what = if count == 1 {
             "the acceleration".to_owned()
         } else {
@@ -177,7 +172,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
-            "" if count == 1 => crate::motion_file::file_stem(path),
+            "" if count == 1 => file_stem(path),
             // Numbered as components, which is not the number of the column.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
@@ -201,9 +196,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     if components.is_empty() {
         let what = refused.unwrap_or("a time");
-        return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
-            .at_line(table.line_of_first_value)
-            .hint("use a file with accelerations, or state their unit in the heading, such as \"accel [m/s2]\""));
+        return Err(Problem::format(
+            format!("no column holds an acceleration, only {what}"),
+            "use a file with accelerations, or state their unit in the heading, such as \
+                 \"accel [m/s2]\"",
+        )
+        .at_line(table.line_of_first_value));
     }
     Ok(Reading {
         format,
@@ -214,10 +212,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 
 fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Problem> {
     let mut stating = Stating {
-        headings: None,
         line: table.line_of_first_value,
-        unit: None,
-        dt_s: None,
+        ..Stating::default()
     };
     if let Some(dt_s) = table.series_dt_s {
         stating.dt_s = Some((dt_s, table.line_of_first_value));
@@ -264,12 +260,12 @@ fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Probl
         }
     }
     if let Some((headings, line)) = headings_of(table) {
-        (stating.headings, stating.line) = (Some(headings), line);
+        (stating.headings, stating.line) = (headings, line);
     }
     if stating.unit.is_none() && !table.header.is_empty() {
         // Prose above the numbers may state the unit in words; brackets in prose do not count.
         let prose = table.header.iter().filter(|(line, text)| {
-            says_unit(text) && (stating.headings.is_none() || *line != stating.line)
+            says_unit(text) && (stating.headings.is_empty() || *line != stating.line)
         });
         stating.unit = prose
             .filter_map(|(line, text)| unit_in_prose(text).map(|unit| Stated { unit, line: *line }))
@@ -298,32 +294,21 @@ fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Probl
 /// Whether the columns cannot include a time. A step in prose counts only in this case, because it
 /// may belong to something else.
 fn has_no_time(table: &Table, stating: &Stating) -> bool {
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.first());
     // Names of directions, "NS,EW,UD", or accelerations.
-    let is_acceleration = first.is_some_and(|heading| {
-        Direction::parse(&heading.name).is_some()
-            || heading
-                .unit
-                .is_some_and(|unit| unit.dimension == Dimension::Acceleration)
+    let is_acceleration = stating.heading(0).is_some_and(|heading| {
+        Direction::parse(&heading.name).is_some() || heading.measures(Dimension::Acceleration)
     });
     table.columns.len() == 1 || is_acceleration
 }
 
-/// With a step from the user or the file, every column is a component unless the header says that
-/// the first is the time.
-fn time_source(
+/// The time step, if every column is a component: with a step from the user or the file, unless the
+/// header says that the first column is the time. `None` if it is the time.
+fn step_of_components(
     table: &Table,
     at: usize,
     stating: &Stating,
     options: &ReadOptions,
-) -> Result<Time, Problem> {
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
+) -> Result<Option<f64>, Problem> {
     let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
@@ -334,85 +319,74 @@ fn time_source(
     };
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
     match step {
-        Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
-        Some(dt_s) if !named => Ok(Time::Step(dt_s)),
+        Some(dt_s) if counts_time(dt_s) => Ok(None),
+        Some(_) if !named => Ok(step),
         _ if table.columns.len() == at + 1 => {
             let what = if at == 0 {
                 "there is one column"
             } else {
                 "there is one column besides the number of the sample"
             };
-            Err(
-                Problem::new(ProblemKind::Value, format!("{what} and no time step"))
-                    .at_line(table.line_of_first_value)
-                    .hint("give the time step, such as `dt = \"0.01 s\"`"),
+            Err(Problem::value(
+                format!("{what} and no time step"),
+                "give the time step, such as `dt = \"0.01 s\"`",
             )
+            .at_line(table.line_of_first_value))
         }
-        _ if first
+        _ if stating
+            .heading(at)
             .and_then(|heading| heading.unit)
             .is_some_and(|unit| unit.dimension != Dimension::Time) =>
         {
-            Err(
-                Problem::new(ProblemKind::Format, "the first column is not the time")
-                    .at_line(stating.line)
-                    .hint("put the time first; without a time column, give `dt`"),
+            Err(Problem::format(
+                "the first column is not the time",
+                "put the time first; without a time column, give `dt`",
             )
+            .at_line(stating.line))
         }
-        _ => Ok(Time::Column),
+        _ => Ok(None),
     }
 }
 
 /// Refuses a column of periods instead of the time.
 fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
-    match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
+    let is_period = |heading: &&Heading| heading.name.to_ascii_lowercase().starts_with("period");
+    match stating.heading(at).filter(is_period) {
         None => Ok(()),
         Some(heading) => {
             let name = shorten(&heading.name);
-            Err(Problem::new(
-                ProblemKind::Format,
+            Err(Problem::format(
                 format!("\"{name}\" is not a time: this seems to be a spectrum, not a record"),
+                "name a record; records are scaled to a spectrum with `scale_to_spectrum`",
             )
-            .at_line(stating.line)
-            .hint("name a record; records are scaled to a spectrum with `scale_to_spectrum`"))
+            .at_line(stating.line))
         }
     }
 }
 
 fn names_time(stating: &Stating, at: usize) -> bool {
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
-    heading.is_some_and(|heading| match heading.unit {
-        Some(unit) => unit.dimension == Dimension::Time,
-        None => is_time_name(&heading.name),
-    })
+    stating
+        .heading(at)
+        .is_some_and(|heading| match heading.unit {
+            Some(unit) => unit.dimension == Dimension::Time,
+            None => is_time_name(&heading.name),
+        })
 }
 
 /// Whether a column rises in equal steps, from 0 or from one step, as motions do not; if `dt_s` is
 /// given, in steps of `dt_s`.
 fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
-    let Some(column) = table
-        .columns
-        .get(at)
-        .filter(|column| column.values.len() > 2)
-    else {
+    let Some(column) = table.columns.get(at) else {
         return false;
     };
-    let Ok(step) = time_step(&column.values, column.last_digit_exponent) else {
+    let [first, _, _, ..] = column.values[..] else {
         return false;
     };
-    // One part in a thousand, as for a stated step next to printed times.
-    let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
-    column
-        .values
-        .first()
-        .is_some_and(|first| *first == 0.0 || is_step(*first))
-        && dt_s.is_none_or(is_step)
+    time_step(&column.values, column.last_digit_exponent).is_ok_and(|step| {
+        // One part in a thousand, as for a stated step next to printed times.
+        let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
+        (first == 0.0 || is_step(first)) && dt_s.is_none_or(is_step)
+    })
 }
 
 /// Whether the first column is 1, 2, 3 … and named as a number of samples, or the second is the time: read as a time, the first would
@@ -426,22 +400,13 @@ fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool 
             .values
             .windows(2)
             .all(|pair| pair[1] - pair[0] == 1.0);
-    let first = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.first());
-    if counts
-        && first.is_some_and(|heading| heading.unit.is_none() && is_counter_name(&heading.name))
-    {
-        return true;
-    }
-    if table.columns.len() < 3 {
-        return false;
-    }
-    let is_named = names_time(stating, 1);
-    counts
-        && !names_time(stating, 0)
-        && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
+    let is_counter = |heading: &Heading| heading.unit.is_none() && is_counter_name(&heading.name);
+    let precedes_time = || {
+        table.columns.len() > 2
+            && !names_time(stating, 0)
+            && (names_time(stating, 1) || options.dt_s.is_none() && is_time(table, 1, None))
+    };
+    counts && (stating.heading(0).is_some_and(is_counter) || precedes_time())
 }
 
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
@@ -449,12 +414,11 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
         return Ok(());
     }
-    Err(Problem::new(
-        ProblemKind::Value,
+    Err(Problem::value(
         format!("the time step is {stated_s} s according to the file, not {given_s} s"),
+        "leave out `dt`, or correct the file if it is wrong",
     )
-    .at_line(line)
-    .hint("leave out `dt`, or correct the file if it is wrong"))
+    .at_line(line))
 }
 
 /// The step of the time column, in seconds.
@@ -467,27 +431,23 @@ fn spacing_of_column(
     notes: &mut Vec<Note>,
 ) -> Result<Spacing, Problem> {
     let Some(column) = table.columns.get(at) else {
-        return Err(Problem::new(ProblemKind::Format, "there are no columns")
-            .hint("name a file with columns of time and acceleration"));
+        return Err(Problem::format(
+            "there are no columns",
+            "name a file with columns of time and acceleration",
+        ));
     };
-    let heading = stating
-        .headings
-        .as_ref()
-        .and_then(|headings| headings.get(at));
+    let heading = stating.heading(at);
     if let Some(heading) =
         heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '(']))
     {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!(
                 "\"{}\" does not state a unit of time",
                 shorten(&heading.name)
             ),
-        )
-        .at_line(stating.line)
-        .hint(
             "the first column is the time: write it in s or ms; without a time column, give `dt`",
-        ));
+        )
+        .at_line(stating.line));
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
@@ -530,12 +490,8 @@ fn spacing_of_column(
         }
     };
     let dt_s = to_si(step);
-    for (other_s, line) in options
-        .dt_s
-        .map(|dt_s| (dt_s, stating.line))
-        .into_iter()
-        .chain(stating.dt_s)
-    {
+    let given = options.dt_s.map(|dt_s| (dt_s, stating.line));
+    for (other_s, line) in given.into_iter().chain(stating.dt_s) {
         agree(other_s, dt_s, line)?;
     }
     Ok(Spacing {
@@ -546,9 +502,7 @@ fn spacing_of_column(
 }
 
 fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
-    Problem::new(ProblemKind::Format, uneven.message)
-        .at_line(table.line_of_row(bytes, uneven.row))
-        .hint(uneven.hint)
+    Problem::format(uneven.message, uneven.hint).at_line(table.line_of_row(bytes, uneven.row))
 }
 
 /// Interpolates a component to equal steps, with notes about the effect.

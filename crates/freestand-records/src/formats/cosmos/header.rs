@@ -8,7 +8,7 @@ use crate::text::fixed_width::Format;
 use crate::text::fortran::{is_missing_value, scan};
 use crate::text::lines::Lines;
 use freestand::G0_M_S2;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 /// The header of a channel.
 pub(super) struct Header {
@@ -29,12 +29,11 @@ pub(super) fn read_header(first: String, rest: &mut Lines<'_>) -> Result<Header,
         .unwrap_or(13);
     // The format has 13; this leaves room for the "exceptional cases" that it allows.
     if !(5..=200).contains(&declared) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the header declares {declared} lines of text"),
+            "a COSMOS header has 13: correct the number, or fetch the file again",
         )
-        .at_line(rest.line_number())
-        .hint("a COSMOS header has 13: correct the number, or fetch the file again"));
+        .at_line(rest.line_number()));
     }
     let mut text = vec![first];
     text.extend(rest.by_ref().take(declared - 1).map(|line| line.text()));
@@ -64,23 +63,19 @@ fn read_block(
             .flatten()
     });
     let Some((count, format)) = declared else {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the line that describes the {what} is missing"),
-        )
-        .at_line(line.map_or(rest.line_number(), |line| line.number))
-        .hint(
             "it should read like \"100 Real-header values follow on  17 lines, Format= (6F13.6)\"",
-        ));
+        )
+        .at_line(line.map_or(rest.line_number(), |line| line.number)));
     };
     let block = format.read(rest, count, &format!("the {what}"))?;
     if block.values.len() < least {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the {what} has {count} values; 100 are expected"),
+            "the file may be damaged: fetch it again",
         )
-        .at_line(block.first_line)
-        .hint("the file may be damaged: fetch it again"));
+        .at_line(block.first_line));
     }
     Ok((block.values, block.first_line))
 }
@@ -114,12 +109,17 @@ impl Header {
     /// The value of one count \[m/s²\]: volts per count divided by volts per g.
     pub(super) fn count_m_s2(&self, notes: &mut Vec<Note>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
-            self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
-                let message = format!("the values are counts, but the header does not give the {what}");
-                Problem::new(ProblemKind::Format, message)
+            self.real(number)
+                .filter(|value| *value > 0.0)
+                .ok_or_else(|| {
+                    let message =
+                        format!("the values are counts, but the header does not give the {what}");
+                    Problem::format(
+message,
+format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"),
+)
                     .at_line(self.line_of_reals)
-                    .hint(format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"))
-            })
+                })
         };
         let volts = positive(22, "recorder's microvolts per count (real header 22)")? / 1e6;
         let volts_a_g = positive(42, "sensor's volts per g (real header 42)")?;
@@ -153,9 +153,11 @@ impl Header {
             let message = format!(
                 "the time step is {of_header} s in the header, but {of_title} s above the values"
             );
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(series.line)
-                .hint("one of the two is wrong: ask the source of the file, and correct it"));
+            return Err(Problem::format(
+                message,
+                "one of the two is wrong: ask the source of the file, and correct it",
+            )
+            .at_line(series.line));
         }
         let recorder = self.real(34).filter(|dt_s| is_raw && *dt_s > 0.0);
         let at_reals = |dt_s| (dt_s, self.line_of_reals);
@@ -165,12 +167,11 @@ impl Header {
             .or(of_title)
             .or(recorder.or(options.dt_s).map(at_reals))
             .ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Format,
+                Problem::format(
                     "the header does not give the time step (real header 62)",
+                    "give the time step, such as `dt = \"0.005 s\"`",
                 )
                 .at_line(self.line_of_reals)
-                .hint("give the time step, such as `dt = \"0.005 s\"`")
             })
     }
 }

@@ -6,9 +6,9 @@
 
 mod header;
 
-use super::volumes::first_integer;
+use super::volumes::{first_integer, unannounced};
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note,
+    Component, Found, ReadOptions, Reading, channels_note, end_note, peak_note,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
@@ -60,7 +60,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
             if components.is_empty() {
                 format = stage(&found.text[0]);
             }
-            rest = skip_comments(rest);
+            skip_comments(&mut rest);
             headers += 1;
             (header, open) = (Some(found), Some(line.number));
         } else if let (Some(series), Some(header)) = (series(&line)?, &header) {
@@ -76,11 +76,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 }
             }
         } else if !line.is_text() {
-            return Err(
-                Problem::new(ProblemKind::Format, "no line states what these numbers are")
-                    .at_line(line.number)
-                    .hint("the line above them may be damaged: fetch the file again"),
-            );
+            return Err(unannounced(&line));
         }
     }
     refuse_open(open)?;
@@ -92,12 +88,11 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
 /// A header at the end of the file is a channel that was cut off.
 fn refuse_open(open: Option<usize>) -> Result<(), Problem> {
     open.map_or(Ok(()), |line| {
-        Err(Problem::new(
-            ProblemKind::Format,
+        Err(Problem::format(
             "no values follow the header of a channel",
+            "the file may be cut off: fetch it again",
         )
-        .at_line(line)
-        .hint("the file may be cut off: fetch it again"))
+        .at_line(line))
     })
 }
 
@@ -105,7 +100,7 @@ fn finish(
     format: &'static str,
     mut components: Vec<Component>,
     mut notes: Vec<Note>,
-    refused: &[(String, usize)],
+    refused: &[(&str, usize)],
 ) -> Result<Reading, Problem> {
     if components.is_empty() {
         let problem = match refused.first() {
@@ -146,19 +141,14 @@ fn stage(title: &str) -> &'static str {
 }
 
 /// Comments begin with a bar; the line that counts them is there even without comments.
-fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
-    let mut at = rest;
-    for _ in 0..MAX_COMMENTS {
-        let before = at.clone();
-        let Some(line) = at.next() else { return before };
+fn skip_comments(rest: &mut Lines<'_>) {
+    let is_comment = |line: &Line<'_>| {
         let text = line.text();
-        let is_comment =
-            text.trim_start().starts_with('|') || text.to_ascii_lowercase().contains("comment");
-        if !(is_comment || line.is_blank()) {
-            return before;
-        }
-    }
-    at
+        line.is_blank()
+            || text.trim_start().starts_with('|')
+            || text.to_ascii_lowercase().contains("comment")
+    };
+    rest.leading(is_comment).take(MAX_COMMENTS).for_each(drop);
 }
 
 /// `13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)`; `None` for another
@@ -171,11 +161,12 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     }
     let parsed = first_integer(&title).zip(Format::named_in(&title));
     let Some((count, format)) = parsed else {
-        return Err(Problem::new(ProblemKind::Format, "the number of values or their format is missing")
-            .at_line(line.number)
-            .hint(
-                "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"",
-            ));
+        return Err(Problem::format(
+            "the number of values or their format is missing",
+            "the line above the values should read like \"13400 acceleration pts, \
+                 units=g (02),Format=(8f9.6)\"",
+        )
+        .at_line(line.number));
     };
     Ok(Some(Series {
         line: line.number,
@@ -202,15 +193,14 @@ fn read_values(
             *rest = at;
             return Ok(block);
         }
-        Ok(_) => Problem::new(
-            ProblemKind::Format,
+        Ok(_) => Problem::format(
             format!(
                 "more values follow than the {} that are declared",
                 series.count
             ),
+            "the file is damaged, or the number of values is wrong: fetch it again",
         )
-        .at_line(series.line)
-        .hint("the file is damaged, or the number of values is wrong: fetch it again"),
+        .at_line(series.line),
         Err(problem) => problem,
     };
     for count in [
@@ -236,7 +226,7 @@ fn read_values(
 }
 
 /// What the series is, if it is not an acceleration.
-fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
+fn not_acceleration(header: &Header, series: &Series) -> Option<&'static str> {
     // Integer header 2, table 1 of the format; 1 is acceleration.
     let of_code = match header.integers[1] as i64 {
         2 => Some("a velocity"),
@@ -245,31 +235,25 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         _ => None,
     };
     // In a file with all three series of a channel, the line above the values names each.
-    let of_title = if series.title.contains("acc") {
+    if series.title.contains("acc") {
         return None;
-    } else if series.title.contains("vel") {
-        Some("a velocity")
-    } else if series.title.contains("disp") {
-        Some("a displacement")
-    } else {
-        None
-    };
-    of_title
+    }
+    let of_title = [("vel", "a velocity"), ("disp", "a displacement")];
+    let of_file = [
+        ("velocity", "a velocity"),
+        ("displacement", "a displacement"),
+        ("spectr", "a spectrum"),
+    ];
+    let title = header.text[0].to_ascii_lowercase();
+    named_in(&series.title, &of_title)
         .or(of_code)
-        .or_else(|| {
-            let title = header.text[0].to_ascii_lowercase();
-            let names = |word: &str| title.contains(word) && !title.contains("accel");
-            if names("velocity") {
-                Some("a velocity")
-            } else if names("displacement") {
-                Some("a displacement")
-            } else if names("spectr") {
-                Some("a spectrum")
-            } else {
-                None
-            }
-        })
-        .map(str::to_owned)
+        .or_else(|| named_in(&title, &of_file).filter(|_| !title.contains("accel")))
+}
+
+/// What the first of these words that a title contains stands for.
+fn named_in(title: &str, words: &[(&str, &'static str)]) -> Option<&'static str> {
+    let named = words.iter().find(|(word, _)| title.contains(word));
+    named.map(|(_, what)| *what)
 }
 
 /// Counts, as long as the value of one is not known.
@@ -307,9 +291,7 @@ fn unit(series: &Series) -> Result<Unit, Problem> {
     let named = record_unit(name).filter(|unit| unit.dimension == Dimension::Acceleration);
     let of_code = code.and_then(unit_of_code);
     let wrong = |message: String, hint: &'static str| {
-        Err(Problem::new(ProblemKind::Format, message)
-            .at_line(series.line)
-            .hint(hint))
+        Err(Problem::format(message, hint).at_line(series.line))
     };
     match (of_code, named) {
         (Some(unit), Some(named))
@@ -370,21 +352,16 @@ fn component(
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);
     }
-    let (dt_s, line_of_step) = header.step(series, is_raw, options)?;
+    let step = header.step(series, is_raw, options)?;
+    let scaled = if is_raw {
+        Unit::acceleration("counts", 0, header.count_m_s2(notes)?)
+    } else {
+        unit
+    };
     let found = Found {
-        direction: Direction::parse(&name),
-        name,
         station: station(&header.text),
-        unit: if is_raw {
-            Unit::acceleration("counts", 0, header.count_m_s2(notes)?)
-        } else {
-            unit
-        },
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
         is_raw,
+        ..Found::new(name, scaled, step, block)
     }
     .component(options)?;
     // For counts, the header gives the peak in g or in volts, with or without the mean.

@@ -3,14 +3,14 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
-use crate::text::fixed_width::Format;
+use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::scan;
 use crate::text::head::{Head, leading_number};
-use crate::text::lines::lines;
+use crate::text::lines::{joined, lines};
 use crate::text::rows::{self, Rows};
 use crate::text::sampling::step_of_rate;
-use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::units::{Stated, decide, record_unit};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -61,7 +61,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             unit,
             line: unit_line,
         });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, options.unit()?, "the record")?;
     // "gal. DCoffset(corr)": the agency removed the offset. Without this text, the offset may still
     // be there.
     let is_raw = !text.to_ascii_lowercase().contains("(corr)");
@@ -72,24 +72,19 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     check_times(&rows, rate_hz)?;
     notes.extend(check_length(&header, &rows, rate_hz)?);
 
-    let station = header
-        .value("#StationCode")
-        .ok()
-        .map(|(_, code)| code.to_owned())
-        .filter(|code| !code.is_empty());
+    let station = header.value("#StationCode").map_or("", |(_, code)| code);
     let mut components = Vec::new();
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
+        let block = Block {
+            values,
+            first_line: rows.first_line,
+        };
         let component = Found {
             direction: channel.direction(),
-            name: channel.name,
-            station: station.clone(),
-            unit: *unit,
-            dt_s,
-            line_of_step: rate_line,
-            values,
-            line: rows.first_line,
+            station: joined(&[station], ""),
             is_raw,
+            ..Found::new(channel.name, *unit, (dt_s, rate_line), block)
         }
         .component(options)?;
         // If the offset is left in, it is unknown whether the header's peak is counted from the
@@ -167,12 +162,11 @@ impl Header {
         {
             return Ok(channels);
         }
-        Err(Problem::new(
-            ProblemKind::Format,
+        Err(Problem::format(
             format!("the columns are given as \"{}\"", shorten(text)),
+            "the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\"",
         )
-        .at_line(line)
-        .hint("the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\""))
+        .at_line(line))
     }
 
     /// `#Data: 4F10.3`, which the files of all years have.
@@ -182,15 +176,14 @@ impl Header {
         };
         match Format::parse(text) {
             Some(format) if format.per_line == columns => Ok(format),
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 format!(
                     "the format is \"{}\", but there are {columns} columns",
                     shorten(text)
                 ),
+                "the header is damaged: fetch the file again",
             )
-            .at_line(line)
-            .hint("the header is damaged: fetch the file again")),
+            .at_line(line)),
         }
     }
 
@@ -226,10 +219,12 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
                 "the time is {time}, but should be {:.6} at {rate_hz} values per second",
                 expected(row)
             );
-            Err(Problem::new(ProblemKind::Format, message)
-                // Blank lines between the rows are not counted: no such file has them.
-                .at_line(rows.first_line + row)
-                .hint("rows are missing or the sampling rate is wrong: fetch the file again"))
+            Err(Problem::format(
+                message,
+                "rows are missing or the sampling rate is wrong: fetch the file again",
+            )
+            // Blank lines between the rows are not counted: no such file has them.
+            .at_line(rows.first_line + row))
         }
     }
 }
@@ -261,11 +256,11 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Not
         "the header declares {} s at {rate_hz} Hz, which are {:.0} rows, but the file has {found}",
         length.value, expected
     );
-    Err(Problem::new(ProblemKind::Format, message)
-        .at_line(line)
-        .hint(
-            "the file may be cut off: fetch it again, or correct the length if no row is missing",
-        ))
+    Err(Problem::format(
+        message,
+        "the file may be cut off: fetch it again, or correct the length if no row is missing",
+    )
+    .at_line(line))
 }
 
 #[cfg(test)]

@@ -5,10 +5,11 @@ use crate::motion_file::{
     Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note,
 };
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::keyed::{Header, entry, read_rows};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, record_unit};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
@@ -44,15 +45,18 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header::read(&mut rest);
     refuse_other_series(&header)?;
     let unit = unit(&header, options)?;
-    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options.dt_s)?;
+    let step = header.step_s("SAMPLING_INTERVAL_S", options.dt_s)?;
     let mut notes = Vec::new();
     let declared = header.count("NDATA")?;
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
-    let values = rows.columns.into_iter().next().unwrap_or_default();
+    let block = Block {
+        values: rows.columns.into_iter().next().unwrap_or_default(),
+        first_line: rows.first_line,
+    };
     if declared.is_none() {
         let words = format!(
             "the header does not say how many values there are; {} were found",
-            values.len()
+            block.values.len()
         );
         notes.push(Note::new(NoteKind::CountUnstated, words));
     }
@@ -67,15 +71,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     let (name, direction) = name_and_direction(&header, path);
     let component = Found {
-        name,
         station: station(&header),
         direction,
-        unit: *unit,
-        dt_s,
-        line_of_step,
-        values,
-        line: rows.first_line,
-        is_raw: false,
+        ..Found::new(name, *unit, step, block)
     }
     .component(options)?;
     // The peak is only a check, not a reason to refuse a record.
@@ -106,25 +104,26 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
             "holds \"{}\"; an acceleration record is expected",
             shorten(&stated.value)
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(stated.line)
-            .hint("use the acceleration file (ACC) of the same record"));
+        return Err(Problem::format(
+            message,
+            "use the acceleration file (ACC) of the same record",
+        )
+        .at_line(stated.line));
     }
     Ok(())
 }
 
 fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem> {
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let Some(stated) = header.get("UNITS") else {
         return decide(None, requested, "the record");
     };
     let unit = record_unit(&stated.value).ok_or_else(|| {
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             format!("the unit \"{}\" is not known", shorten(&stated.value)),
+            "correct UNITS in the header; the archives write cm/s^2",
         )
         .at_line(stated.line)
-        .hint("correct UNITS in the header; the archives write cm/s^2")
     })?;
     decide(
         Some(Stated {
@@ -153,19 +152,11 @@ fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction
 
 /// `HI.ARS1 Town Hall, Argos`, as far as the header has it.
 fn station(header: &Header) -> Option<String> {
-    let code = [header.text("NETWORK"), header.text("STATION_CODE")];
-    let code = code
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join(".");
-    let parts = [code.as_str(), header.text("STATION_NAME")];
-    let name = parts
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ");
-    (!name.is_empty()).then_some(name)
+    let code = joined(&[header.text("NETWORK"), header.text("STATION_CODE")], ".");
+    joined(
+        &[&code.unwrap_or_default(), header.text("STATION_NAME")],
+        " ",
+    )
 }
 
 #[cfg(test)]

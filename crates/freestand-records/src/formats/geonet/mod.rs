@@ -6,13 +6,14 @@
 //! file formats".
 
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, length_note, peak_note,
+    Component, Found, ReadOptions, Reading, length_note, peak_note, three_note,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
-use crate::text::fortran::{fields, is_missing_value};
+use crate::text::fortran::is_missing_value;
+use crate::text::head::next_title;
 use crate::text::lines::{Line, Lines, lines};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
 use std::path::Path;
@@ -69,61 +70,30 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let mut rest = lines(bytes);
     let (mut components, mut notes) = (Vec::new(), Vec::new());
     let mut format = "GeoNet V2A";
-    while let Some(title) = next_title(&mut rest, &mut notes)? {
-        let Some(volume) = volume(&title) else { break };
+    loop {
+        let (title, ignored) = next_title(&mut rest, |line| volume(line).is_some())?;
+        if ignored > 0 {
+            let words = format!(
+                "{} of text between or after the components ignored",
+                counted(ignored, "line")
+            );
+            notes.push(Note::new(NoteKind::TextIgnored, words));
+        }
+        let Some(volume) = title.and_then(|line| volume(&line)) else {
+            break;
+        };
         if components.is_empty() && volume == Volume::Uncorrected {
             format = "GeoNet V1A";
         }
         let number = components.len() + 1;
         components.push(component(&mut rest, volume, number, options, &mut notes)?);
     }
-    if components.len() < 3 {
-        let words = format!(
-            "the file has only {} of three components: it may be cut off",
-            components.len()
-        );
-        notes.push(Note::new(NoteKind::CutOff, words));
-    }
+    notes.extend(three_note(components.len()));
     Ok(Reading {
         format,
         components,
         notes,
     })
-}
-
-/// The first line of the next component.
-///
-/// # Errors
-/// Numbers where a component should begin: the header declared fewer than there are.
-fn next_title<'a>(
-    rest: &mut Lines<'a>,
-    notes: &mut Vec<Note>,
-) -> Result<Option<Line<'a>>, Problem> {
-    let mut ignored = 0;
-    let mut title = None;
-    for line in rest.by_ref().filter(|line| !line.is_blank()) {
-        if volume(&line).is_some() {
-            title = Some(line);
-            break;
-        }
-        if fields(line.bytes, |_| {}).is_ok() {
-            return Err(Problem::new(
-                ProblemKind::Format,
-                "there are more values than the header declares",
-            )
-            .at_line(line.number)
-            .hint("the number of values in the header does not match the file: fetch it again"));
-        }
-        ignored += 1;
-    }
-    if ignored > 0 {
-        let words = format!(
-            "{} of text between or after the components ignored",
-            counted(ignored, "line")
-        );
-        notes.push(Note::new(NoteKind::TextIgnored, words));
-    }
-    Ok(title)
 }
 
 /// Reads what follows the first line of a component.
@@ -151,7 +121,7 @@ fn component(
         Volume::Uncorrected => vec![count(30, "samples")?, accelerations],
     };
     let others = [count(34, "velocities")?, count(35, "displacements")?];
-    let block = data(rest, &counts, others)?;
+    let mut block = data(rest, &counts, others)?;
     let found = block.values.len();
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
 
@@ -160,26 +130,18 @@ fn component(
     let factor = reals.values[7];
     let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
     if is_scaled {
+        for value in &mut block.values {
+            *value *= factor;
+        }
         let words = format!("the readings are in units of {factor} mm/s2, according to the header");
         notes.push(Note::of(&name, NoteKind::Readings, words));
     }
-    let scale = if is_scaled { factor } else { 1.0 };
+    // Real 26 is the interval of the samples in the file, real 25 that of the instrument, which
+    // may be shorter.
+    let step = (reals.values[25], reals.first_line + 2);
     let component = Found {
-        direction: Direction::parse(&name),
-        name,
         station: station(&text),
-        unit: UNIT,
-        // Real 26 is the interval of the samples in the file, real 25 that of the instrument, which
-        // may be shorter.
-        dt_s: reals.values[25],
-        line_of_step: reals.first_line + 2,
-        values: block
-            .values
-            .into_iter()
-            .map(|value| value * scale)
-            .collect(),
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, UNIT, step, block)
     }
     .component(options)?;
     // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
@@ -216,7 +178,7 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
             .read(&mut tail, count, "acceleration")
             .and_then(|block| {
                 skip_others(&mut tail, others)?;
-                next_title(&mut tail.clone(), &mut Vec::new()).map(|_| block)
+                next_title(&mut tail.clone(), |line| volume(line).is_some()).map(|_| block)
             });
         match read {
             Ok(block) => {
@@ -229,8 +191,10 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
         }
     }
     Err(refused.unwrap_or_else(|| {
-        Problem::new(ProblemKind::Format, "the header declares no values")
-            .hint("the file may be damaged: fetch it again")
+        Problem::format(
+            "the header declares no values",
+            "the file may be damaged: fetch it again",
+        )
     }))
 }
 
@@ -246,12 +210,11 @@ fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> 
         // At the end of the file, the last line must be complete too.
         let fields_in_last = count - VALUES.per_line * wanted.saturating_sub(1);
         if found < wanted || rest.bytes_left() == 0 && width < fields_in_last * VALUES.width {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 format!("the file ends after {found} of {wanted} lines of {what}"),
+                "the file is cut off: fetch it again",
             )
-            .at_line(rest.line_number())
-            .hint("the file is cut off: fetch it again"));
+            .at_line(rest.line_number()));
         }
     }
     Ok(())

@@ -4,12 +4,13 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::fortran::{fields, scan};
 use crate::text::head::{Head, leading_number};
-use crate::text::lines::{Lines, lines};
+use crate::text::lines::{Lines, joined, lines};
 use crate::text::sampling::step_of_rate;
 use crate::text::units::{missing, record_unit};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use std::path::Path;
 
@@ -42,32 +43,22 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let dt_s = step_of_rate(rate_hz, line_of_step)?;
     let scale = header.scale()?;
     let (name, direction, borehole) = component(&header, path);
-    let (mut values, line) = read_counts(&mut rest)?;
+    let mut block = read_counts(&mut rest)?;
     let mut notes = Vec::new();
-    notes.extend(check_duration(&header, rate_hz, values.len())?);
+    notes.extend(check_duration(&header, rate_hz, block.values.len())?);
     if borehole {
         let words = "recorded at the bottom of a borehole, not at the surface";
         notes.push(Note::of(&name, NoteKind::Borehole, words));
     }
-    for count in &mut values {
+    for count in &mut block.values {
         *count *= scale.per_count;
     }
-    let station = header
-        .value("station code")
-        .ok()
-        .map(|(_, code)| code.to_owned())
-        .filter(|code| !code.is_empty());
-    let unit = *scale.unit;
+    let station = header.value("station code").map_or("", |(_, code)| code);
     let component = Found {
-        name,
-        station,
+        station: joined(&[station], ""),
         direction,
-        unit,
-        dt_s,
-        line_of_step,
-        values,
-        line,
         is_raw: true,
+        ..Found::new(name, *scale.unit, (dt_s, line_of_step), block)
     }
     .component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format
@@ -145,12 +136,11 @@ impl Header {
     fn scale(&self) -> Result<Scale, Problem> {
         let (line, text) = self.value("scale factor")?;
         parse_scale(text).ok_or_else(|| {
-            Problem::new(
-                ProblemKind::Format,
+            Problem::format(
                 format!("the scale factor is \"{}\"", shorten(text)),
+                "it should read like 3920(gal)/6182761: acceleration/counts",
             )
             .at_line(line)
-            .hint("it should read like 3920(gal)/6182761: acceleration/counts")
         })
     }
 }
@@ -211,7 +201,7 @@ fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) 
 
 /// The counts and the line of the first. -999 and -32768 are ordinary counts; only a word can mark
 /// a missing value.
-fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
+fn read_counts(rest: &mut Lines<'_>) -> Result<Block, Problem> {
     let (mut values, mut first_line) = (Vec::new(), rest.line_number() + 1);
     for line in rest {
         let before = values.len();
@@ -224,7 +214,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
             first_line = line.number;
         }
     }
-    Ok((values, first_line))
+    Ok(Block { values, first_line })
 }
 
 /// Checks the duration, which the header states instead of the number of values. One value more or
@@ -238,9 +228,12 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
         let message = format!(
             "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values, but the file has {found}"
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
+        return Err(Problem::format(
+            message,
+            "the file may be cut off: fetch it again, or correct the duration if no \
+                 value is missing",
+        )
+        .at_line(line));
     }
     let words = || {
         format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")

@@ -10,12 +10,13 @@ use std::path::Path;
 
 use crate::motion_file::{Found, ReadOptions, Reading};
 use crate::notes::{Note, NoteKind};
+use crate::text::fixed_width::Block;
 use crate::text::fortran::number;
 use crate::text::lines::{Line, lines};
 use crate::text::sampling::time_step;
 use crate::text::table::quoted_cells;
-use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::units::{Stated, decide, record_unit};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, shorten};
 
 /// Headings are among the first lines.
@@ -52,13 +53,10 @@ fn column(heading: &str) -> Option<Column> {
         "steptype" => Column::StepType,
         "stepnumber" | "stepnum" | "step" => Column::Step,
         "time" => Column::Time,
-        "ux" => Column::Component("UX"),
-        "uy" => Column::Component("UY"),
-        "uz" => Column::Component("UZ"),
-        "u1" => Column::Component("U1"),
-        "u2" => Column::Component("U2"),
-        "u3" => Column::Component("U3"),
-        _ => return None,
+        other => {
+            let mut components = ["UX", "UY", "UZ", "U1", "U2", "U3"].into_iter();
+            Column::Component(components.find(|name| name.eq_ignore_ascii_case(other))?)
+        }
     })
 }
 
@@ -153,7 +151,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
                      export \"Joint Accelerations - Absolute\"";
         notes.push(Note::new(NoteKind::Relative, words));
     }
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let mut labels: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for joint in &joints {
         labels.entry(&joint.story).or_default().insert(&joint.label);
@@ -163,23 +161,21 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         .any(|pair| pair.first().map(|one| &one.case) != pair.last().map(|one| &one.case));
     let mut components = Vec::new();
     for joint in &joints {
-        let (dt_s, line_of_step) = step(&head, joint, options)?;
+        let step = step(&head, joint, options)?;
         for (index, (at, name)) in head.components().enumerate() {
             let stated = head.units.get(at).copied().flatten().map(|unit| Stated {
                 unit,
                 line: head.line + 1,
             });
             let unit = decide(stated, requested, "the table")?;
-            let found = Found {
-                name: format!("{} {name}", joint_name(joint, &labels, has_cases)),
-                station: None,
-                direction: None,
-                unit: *unit,
-                dt_s,
-                line_of_step,
+            let name = format!("{} {name}", joint_name(joint, &labels, has_cases));
+            let block = Block {
                 values: joint.values.get(index).cloned().unwrap_or_default(),
-                line: joint.first_line(),
-                is_raw: false,
+                first_line: joint.first_line(),
+            };
+            let found = Found {
+                direction: None,
+                ..Found::new(name, *unit, step, block)
             };
             components.push(found.component(options)?);
         }
@@ -191,12 +187,6 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     })
 }
 
-fn format_problem(message: impl Into<String>, line: usize, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Format, message)
-        .at_line(line)
-        .hint(hint)
-}
-
 /// The head of the table, and its rows by joint.
 fn table(bytes: &[u8]) -> Result<(Head, Vec<Joint>), Problem> {
     let mut rest = lines(bytes);
@@ -204,7 +194,7 @@ fn table(bytes: &[u8]) -> Result<(Head, Vec<Joint>), Problem> {
     let (separator, columns, line) = loop {
         let Some(line) = rest.next() else {
             let hint = "export the table of joint accelerations with its headings";
-            return Err(format_problem("no row of headings was found", 1, hint));
+            return Err(Problem::format("no row of headings was found", hint).at_line(1));
         };
         if let Some((separator, columns)) = headings(&line) {
             break (separator, columns, line.number);
@@ -251,18 +241,16 @@ fn table(bytes: &[u8]) -> Result<(Head, Vec<Joint>), Problem> {
             joint.story, joint.label
         );
         let line = joint.lines.last().copied().unwrap_or(head.line);
-        return Err(format_problem(
-            message,
-            line,
-            "the table is incomplete: export it again",
-        ));
+        return Err(
+            Problem::format(message, "the table is incomplete: export it again").at_line(line),
+        );
     }
     if joints.is_empty() {
-        return Err(format_problem(
+        return Err(Problem::format(
             "the table has no rows",
-            head.line,
             "export the results of a time history",
-        ));
+        )
+        .at_line(head.line));
     }
     Ok((head, joints))
 }
@@ -301,11 +289,11 @@ fn add_row(
     };
     if ["max", "min"].contains(&text(Column::StepType).to_ascii_lowercase().as_str()) {
         let hint = "export the results step by step, not as envelopes";
-        return Err(format_problem(
+        return Err(Problem::format(
             "the table has the largest and smallest values, not histories",
-            line,
             hint,
-        ));
+        )
+        .at_line(line));
     }
     let label = Some(text(Column::Label))
         .filter(|label| !label.is_empty())
@@ -334,11 +322,11 @@ fn add_row(
     joint.lines.push(line);
     let bad = |at: usize| {
         let shown = cells.get(at).map_or_else(String::new, |cell| shorten(cell));
-        format_problem(
+        Problem::format(
             format!("\"{shown}\" in column {} is not a number", at + 1),
-            line,
             "repair or export it again",
         )
+        .at_line(line)
     };
     if let Some(at) = head.at(Column::Time).or_else(|| head.at(Column::Step)) {
         let (step, last_digit) = value(cells.get(at), head.separator).ok_or_else(|| bad(at))?;
@@ -369,11 +357,10 @@ fn step(head: &Head, joint: &Joint, options: &ReadOptions) -> Result<(f64, usize
         let hint = "give the time step of the analysis with `dt`";
         return match options.dt_s {
             Some(dt_s) => Ok((dt_s, line)),
-            None => Err(format_problem(
-                "the table numbers the steps and has no times",
-                head.line,
-                hint,
-            )),
+            None => Err(
+                Problem::format("the table numbers the steps and has no times", hint)
+                    .at_line(head.line),
+            ),
         };
     }
     let at = head.at(Column::Time).or_else(|| head.at(Column::Step));
@@ -381,11 +368,8 @@ fn step(head: &Head, joint: &Joint, options: &ReadOptions) -> Result<(f64, usize
         .and_then(|at| head.units.get(at).copied().flatten())
         .filter(|unit| unit.dimension == Dimension::Time);
     let step = time_step(&joint.steps, joint.last_digit_exponent).map_err(|uneven| {
-        format_problem(
-            uneven.message,
-            joint.lines.get(uneven.row).copied().unwrap_or(line),
-            uneven.hint,
-        )
+        Problem::format(uneven.message, uneven.hint)
+            .at_line(joint.lines.get(uneven.row).copied().unwrap_or(line))
     })?;
     let step_s = unit.map_or(step, |unit| unit.to_si(step));
     match options.dt_s {
@@ -393,11 +377,11 @@ fn step(head: &Head, joint: &Joint, options: &ReadOptions) -> Result<(f64, usize
         Some(dt_s) if (dt_s - step_s).abs() > 1e-3 * step_s => {
             let message =
                 format!("the time step is {step_s} s according to the table, not {dt_s} s");
-            Err(format_problem(
+            Err(Problem::format(
                 message,
-                line,
                 "leave out `dt`, or correct the file if it is wrong",
-            ))
+            )
+            .at_line(line))
         }
         _ => Ok((step_s, line)),
     }

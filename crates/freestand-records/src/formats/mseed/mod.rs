@@ -8,10 +8,12 @@ mod steim;
 
 pub(super) use record::Source;
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, Start, file_stem, without_line,
+};
 use crate::notes::{Note, NoteKind};
-use crate::text::units;
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::fixed_width::Block;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
 use record::{Record, header_order, is_version3, version2, version3};
@@ -82,10 +84,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         if let Some(problem) = first_left_out {
             return Err(problem);
         }
-        return Err(
-            Problem::new(ProblemKind::Format, "holds no records with samples")
-                .hint("use a file with data; a dataless SEED volume describes stations only"),
-        );
+        return Err(Problem::format(
+            "holds no records with samples",
+            "use a file with data; a dataless SEED volume describes stations only",
+        ));
     }
     Ok(Reading {
         format,
@@ -114,18 +116,17 @@ fn scaled(
     } = series;
     notes.extend(found);
     let full_name = source.full_name();
-    let (unit, direction) = match (
-        stations.of(&source)?,
-        units::requested(options.unit.as_deref())?,
-    ) {
+    let (unit, direction) = match (stations.of(&source)?, options.unit()?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
                 "{} gives the sensitivity of its counts, but the unit {} is given too",
                 inventory.name(),
                 unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message)
-                .hint("leave out `unit`; if the values are already in that unit, move the StationXML file away"));
+            return Err(Problem::value(
+                message,
+                "leave out `unit`; if the values are already in that unit, move the StationXML file away",
+            ));
         }
         (Some(inventory), None) => {
             let scaling = match inventory.scaling(&source, start, end)? {
@@ -151,23 +152,24 @@ fn scaled(
             let station = source
                 .full_station()
                 .unwrap_or_else(|| "STATION".to_owned());
-            return Err(Problem::new(ProblemKind::Value, message).hint(format!(
-                "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
+            return Err(Problem::value(
+                message,
+                format!(
+                    "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
                  values already have a unit, state it with `unit`"
-            )));
+                ),
+            ));
         }
     };
-    let station = source.full_station();
-    Ok(Ok(Found {
-        name,
-        station,
-        direction,
-        unit,
-        dt_s,
-        line_of_step: 1,
+    let block = Block {
         values,
-        line: 1,
+        first_line: 1,
+    };
+    Ok(Ok(Found {
+        station: source.full_station(),
+        direction,
         is_raw: true,
+        ..Found::new(name, unit, (dt_s, 1), block)
     }))
 }
 
@@ -192,7 +194,7 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
         .unwrap_or_else(|| named(&ways[2]));
     let or_file = |name: String| {
         if name.is_empty() {
-            crate::motion_file::file_stem(path)
+            file_stem(path)
         } else {
             name
         }
@@ -334,14 +336,13 @@ fn skip_control_header(
         }
         let is_binary = |b: &u8| b.is_ascii_control() && !b.is_ascii_whitespace() && *b != 0;
         if next.iter().take(SKIP).any(is_binary) {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 format!(
                     "the control header at byte {at} has bytes at {} that are not text",
                     at + from
                 ),
-            )
-            .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
+                "the file is damaged, and a record of data may be lost in it: fetch it again",
+            ));
         }
     }
     Ok(most)

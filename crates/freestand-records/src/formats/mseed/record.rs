@@ -2,10 +2,11 @@
 
 use crate::formats::binary::{Order, as_written, field};
 use crate::formats::instant::Instant;
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::lines::joined;
+use freestand_input::problem::Problem;
 
 /// The channel that recorded.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub(in crate::formats) struct Source {
     pub(in crate::formats) network: String,
     pub(in crate::formats) station: String,
@@ -38,11 +39,10 @@ type Found<'a> = (Source, Record<'a>);
 /// A problem with a record.
 pub(super) fn problem(number: usize, at: usize, what: &str) -> Problem {
     // The caller may give a better hint.
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!("record {number} (byte {at}) {what}"),
+        "the file is damaged or cut off: fetch it again",
     )
-    .hint("the file is damaged or cut off: fetch it again")
 }
 
 const HEADER: usize = 48;
@@ -201,10 +201,7 @@ fn found_length(rest: &[u8]) -> Option<usize> {
 /// Start with microseconds and the correction of the clock, unless the flag says that it was
 /// applied.
 fn start_time(record: &[u8], order: Order, microseconds: i8) -> Option<Instant> {
-    let [hour, minute, second] = *record.get(24..27)? else {
-        return None;
-    };
-    let second_of_day = 3600 * u32::from(hour) + 60 * u32::from(minute) + u32::from(second);
+    let time: [u8; 3] = record.get(24..27)?.try_into().ok()?;
     let is_applied = record.get(36)? & 2 != 0;
     let correction = if is_applied {
         0
@@ -212,12 +209,7 @@ fn start_time(record: &[u8], order: Order, microseconds: i8) -> Option<Instant> 
         i128::from(order.i32(record, 40)?)
     };
     let fraction = i128::from(order.u16(record, 28)?);
-    let start = Instant::from_day(
-        order.u16(record, 20)?,
-        order.u16(record, 22)?,
-        second_of_day,
-        0,
-    );
+    let start = Instant::from_day(order.u16(record, 20)?, order.u16(record, 22)?, time, 0);
     Some(start.later_by_ns((fraction + correction) * 100_000 + i128::from(microseconds) * 1000))
 }
 
@@ -254,36 +246,36 @@ pub(super) fn version3(
     let wrong = |what: &str| problem(number, at, what);
     let rest = bytes.get(at..).unwrap_or_default();
     let cut = || wrong("is cut off");
+    let u16_at = |from: usize| Order::Little.u16(rest, from).ok_or_else(cut);
+    let u32_at = |from: usize| Order::Little.u32(rest, from).ok_or_else(cut);
     let (name_length, extra_length, data_length) = (
         usize::from(*rest.get(33).ok_or_else(cut)?),
-        usize::from(Order::Little.u16(rest, 34).ok_or_else(cut)?),
-        Order::Little.u32(rest, 36).ok_or_else(cut)? as usize,
+        usize::from(u16_at(34)?),
+        u32_at(36)? as usize,
     );
     let data_at = 40 + name_length + extra_length;
     let record = data_at
         .checked_add(data_length)
         .and_then(|length| rest.get(..length))
         .ok_or_else(cut)?;
-    let stated = Order::Little.u32(record, 28).ok_or_else(cut)?;
-    if crc32c(record) != stated {
+    if crc32c(record) != u32_at(28)? {
         return Err(wrong("does not match its checksum (CRC-32C)"));
     }
-    let samples = Order::Little.u32(record, 24).ok_or_else(cut)? as usize;
+    let samples = u32_at(24)? as usize;
     if samples == 0 {
         return Ok((None, record.len()));
     }
     let [hour, minute, second, encoding] = *record.get(12..16).ok_or_else(cut)? else {
         return Err(cut());
     };
-    let number_at = |from: usize| Order::Little.u16(record, from).ok_or_else(cut);
-    let second_of_day = 3600 * u32::from(hour) + 60 * u32::from(minute) + u32::from(second);
-    let nanosecond = Order::Little.u32(record, 4).ok_or_else(cut)?;
+
+    let nanosecond = u32_at(4)?;
     let rate = Order::Little.f64(record, 16).ok_or_else(cut)?;
     let step = if rate > 0.0 { 1.0 / rate } else { -rate };
     let found = Record {
         number,
         at,
-        start: Instant::from_day(number_at(8)?, number_at(10)?, second_of_day, nanosecond),
+        start: Instant::from_day(u16_at(8)?, u16_at(10)?, [hour, minute, second], nanosecond),
         dt_s: (step > 0.0 && step.is_finite()).then_some(step),
         samples,
         encoding: Some(encoding),
@@ -308,12 +300,9 @@ fn source_of(identifier: &str) -> Source {
         .strip_prefix("FDSN:")
         .map_or_else(Vec::new, |rest| rest.split('_').collect());
     let [network, station, location, band, source, position] = parts.as_slice() else {
-        let empty = String::new;
         return Source {
-            network: empty(),
-            station: empty(),
-            location: empty(),
             channel: identifier.to_owned(),
+            ..Source::default()
         };
     };
     // The older three codes have one letter each; longer ones keep their separators.
@@ -360,11 +349,7 @@ const CRC_OF_BYTE: [u32; 256] = {
 impl Source {
     /// `NET.STA`, or the part of it that is stated.
     pub(in crate::formats) fn full_station(&self) -> Option<String> {
-        match (self.network.as_str(), self.station.as_str()) {
-            ("", "") => None,
-            ("", one) | (one, "") => Some(one.to_owned()),
-            (network, station) => Some(format!("{network}.{station}")),
-        }
+        joined(&[&self.network, &self.station], ".")
     }
 
     /// `NET.STA.LOC.CHA`.

@@ -3,8 +3,9 @@
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
 use crate::formats::instant::Instant;
+use crate::motion_file::refuse_not_finite;
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 
 /// A channel without gaps.
@@ -59,17 +60,7 @@ pub(super) fn join(
         refuse_other_encodings(record)?;
         append(record, &mut values).map_err(|what| problem(record.number, record.at, &what))?;
     }
-    if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(Problem::new(
-            ProblemKind::Format,
-            format!(
-                "{name}: sample {} is {}, which marks a missing value",
-                at + 1,
-                values[at]
-            ),
-        )
-        .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
-    }
+    refuse_not_finite(&values, &format!("{name}: "))?;
     if first.encoding.is_none() {
         let words =
             "no encoding is stated (blockette 1000); read as Steim-1, whose check samples match";
@@ -135,7 +126,7 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
             record.at,
             record.start
         );
-        return Err(Problem::new(ProblemKind::Format, message).hint(hint));
+        return Err(Problem::format(message, hint));
     }
     Ok(())
 }
@@ -171,20 +162,17 @@ fn quality_note(records: &[Record<'_>], name: &str) -> Option<Note> {
         "missing or padded data",
     ];
     let set = records.iter().fold(0, |set, record| set | record.quality);
-    let found: Vec<&str> = flags
-        .iter()
-        .enumerate()
+    let found: Vec<&str> = (0..)
+        .zip(flags)
         .filter(|(bit, _)| set >> bit & 1 != 0)
-        .map(|(_, flag)| *flag)
+        .map(|(_, flag)| flag)
         .collect();
-    let first = records.iter().find(|record| record.quality & 0x1F != 0)?;
-    let count = records
-        .iter()
-        .filter(|record| record.quality & 0x1F != 0)
-        .count();
-    let (records, found) = (counted(count, "record"), found.join(", "));
+    let mut flagged = records.iter().filter(|record| record.quality & 0x1F != 0);
+    let first = flagged.next()?;
     let words = format!(
-        "{records} flagged ({found}), the first is record {}",
+        "{} flagged ({}), the first is record {}",
+        counted(1 + flagged.count(), "record"),
+        found.join(", "),
         first.number
     );
     Some(Note::of(name, NoteKind::Flagged, words))

@@ -40,16 +40,13 @@ pub(super) fn decode(
             let Some(raw) = frame.get(4 * word..4 * word + 4) else {
                 break;
             };
-            let differences = unpack(raw, code, order, packing).ok_or_else(|| {
+            let (differences, count) = unpack(raw, code, order, packing).ok_or_else(|| {
                 format!(
                     "has an undefined code in word {word} of frame {}",
                     number + 1
                 )
             })?;
-            for &difference in differences.as_slice() {
-                if found == samples {
-                    break;
-                }
+            for difference in differences.into_iter().take(count.min(samples - found)) {
                 // The first difference refers to the record before.
                 value = if found == 0 {
                     first
@@ -75,20 +72,8 @@ pub(super) fn decode(
     Ok(())
 }
 
-/// At most seven differences.
-struct Differences {
-    values: [i32; 7],
-    count: usize,
-}
-
-impl Differences {
-    fn as_slice(&self) -> &[i32] {
-        &self.values[..self.count]
-    }
-}
-
-/// The differences of one word, or `None` for an undefined code.
-fn unpack(raw: &[u8], code: u32, order: Order, packing: Packing) -> Option<Differences> {
+/// The differences of one word and their number, or `None` for an undefined code.
+fn unpack(raw: &[u8], code: u32, order: Order, packing: Packing) -> Option<([i32; 7], usize)> {
     let mut values = [0; 7];
     let word = order.u32(raw, 0)?;
     let count = match (code, packing) {
@@ -127,5 +112,5 @@ fn unpack(raw: &[u8], code: u32, order: Order, packing: Packing) -> Option<Diffe
             count
         }
     };
-    Some(Differences { values, count })
+    Some((values, count))
 }

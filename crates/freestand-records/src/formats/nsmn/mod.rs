@@ -3,10 +3,11 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
-use crate::text::fortran::scan;
+use crate::text::fixed_width::Block;
+use crate::text::fortran::leading_value;
 use crate::text::keyed::{Entry, Header, entry, read_rows};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, requested, unit_in_prose};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, unit_in_prose};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::lookup;
 use std::path::Path;
@@ -31,7 +32,7 @@ pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
-    let (dt_s, line_of_step) = header.step_s(STEP, options.dt_s)?;
+    let step = header.step_s(STEP, options.dt_s)?;
     let mut notes = Vec::new();
     let names = column_names(&header, &mut notes);
     let declared = header.count(COUNT)?;
@@ -48,7 +49,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             line: entry.line,
         })
     });
-    let requested = requested(options.unit.as_deref())?;
+    let requested = options.unit()?;
     let unit = match (stated, requested, lookup("gal")) {
         (None, None, Some(gal)) => {
             let words =
@@ -58,19 +59,17 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         }
         _ => decide(stated, requested, "the record")?,
     };
-    let station = station(&header);
+    // The station's number and the place, as far as the header has them.
+    let station = joined(&[header.text("STATION ID"), header.text("PLACE")], " ");
     let mut components = Vec::new();
     for (name, values) in names.into_iter().zip(rows.columns) {
-        let component = Found {
-            direction: Direction::parse(&name),
-            name,
-            station: station.clone(),
-            unit: *unit,
-            dt_s,
-            line_of_step,
+        let block = Block {
             values,
-            line: rows.first_line,
-            is_raw: false,
+            first_line: rows.first_line,
+        };
+        let component = Found {
+            station: station.clone(),
+            ..Found::new(name, *unit, step, block)
         }
         .component(options)?;
         let stated = peaks.and_then(|entry| peak_of(&entry.value, &component.name));
@@ -105,18 +104,7 @@ fn column_names(header: &Header, notes: &mut Vec<Note>) -> Vec<String> {
 /// `(N-S) 0.316125 (E-W) 0.331524 (U-D) 0.363887`.
 fn peak_of(value: &str, name: &str) -> Option<f64> {
     let (_, rest) = value.split_once(&format!("({name})"))?;
-    scan(rest.trim_start().as_bytes()).map(|number| number.value)
-}
-
-/// The station's number and the place, as far as the header has them.
-fn station(header: &Header) -> Option<String> {
-    let parts = [header.text("STATION ID"), header.text("PLACE")];
-    let name = parts
-        .into_iter()
-        .filter(|part| !part.is_empty())
-        .collect::<Vec<_>>()
-        .join(" ");
-    (!name.is_empty()).then_some(name)
+    leading_value(rest.trim_start())
 }
 
 #[cfg(test)]

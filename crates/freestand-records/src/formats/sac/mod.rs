@@ -4,11 +4,12 @@
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, Start, length_note, peak_note, without_line,
+    Component, Direction, Found, ReadOptions, Reading, Start, file_stem, length_note, peak_note,
+    refuse_not_finite, without_line,
 };
 use crate::notes::{Note, NoteKind};
-use crate::text::lines::lines;
-use crate::text::units;
+use crate::text::fixed_width::Block;
+use crate::text::lines::{joined, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 use std::path::Path;
 
@@ -80,28 +81,25 @@ pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
 
 /// Refuses SAC in text.
 pub(super) fn read_text(_: &[u8], _: &Path, _: &ReadOptions) -> Result<Reading, Problem> {
-    Err(Problem::new(
-        ProblemKind::Format,
+    Err(Problem::format(
         "is an alphanumeric SAC file, which cannot be read",
-    )
-    .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
+        "convert it to binary SAC (in SAC: read alpha FILE, then write)",
+    ))
 }
 
 /// Reads a SAC file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
-    let wrong = |message: String| Problem::new(ProblemKind::Format, message);
-    let Some(order) = order(bytes) else {
-        return Err(wrong("is not a SAC file".to_owned()));
-    };
+    let not_sac = || Problem::new(ProblemKind::Format, "is not a SAC file");
+    let order = order(bytes).ok_or_else(not_sac)?;
     let header = Header { bytes, order };
     header.refuse_other_kinds()?;
     let version = header.integer(word::NVHDR);
-    let npts = usize::try_from(header.integer(word::NPTS)).map_err(|_| {
-        wrong(format!(
-            "the number of samples (NPTS) is {}",
-            header.integer(word::NPTS)
-        ))
-        .hint("the file is damaged, or NPTS was never set: fetch it again")
+    let stated = header.integer(word::NPTS);
+    let npts = usize::try_from(stated).map_err(|_| {
+        Problem::format(
+            format!("the number of samples (NPTS) is {stated}"),
+            "the file is damaged, or NPTS was never set: fetch it again",
+        )
     })?;
     let footer = if version == 7 { FOOTER } else { 0 };
     if npts
@@ -110,13 +108,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         != Some(bytes.len())
     {
         let found = bytes.len().saturating_sub(HEADER + footer) as f64 / 4.0;
-        return Err(wrong(format!(
-            "the header declares {npts} samples (NPTS), but the file has room for {found}"
-        ))
-        .hint("the file is damaged or cut off: fetch it again"));
+        return Err(Problem::format(
+            format!("the header declares {npts} samples (NPTS), but the file has room for {found}"),
+            "the file is damaged or cut off: fetch it again",
+        ));
     }
-    let Some(unit) = units::requested(options.unit.as_deref())? else {
-        return Err(Problem::new(ProblemKind::Value, "a SAC file does not state its unit").hint(
+    let Some(unit) = options.unit()? else {
+        return Err(Problem::value(
+            "a SAC file does not state its unit",
             "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, \
              cm/s2 or m/s2 elsewhere",
         ));
@@ -125,39 +124,34 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .filter_map(|i| order.f32(bytes, HEADER + 4 * i))
         .map(f64::from)
         .collect();
-    if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(wrong(format!(
-            "sample {} is {}, which marks a missing value",
-            at + 1,
-            values[at]
-        ))
-        .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
-    }
+    refuse_not_finite(&values, "")?;
     let words = format!(
         "the samples are assumed to be in {}; a SAC file does not state its unit",
         unit.symbol
     );
     let mut notes = vec![Note::new(NoteKind::UnitAssumed, words)];
     notes.extend(header.notes());
-    let text = |word: usize, bytes: usize| header.text(word, bytes);
-    let channel = text(600, 8);
+    let text = |at: usize| header.text(at);
+    let channel = text(600);
+    let name = channel.clone().unwrap_or_else(|| file_stem(path));
+    let dt_s = header.step(version, HEADER + 4 * npts)?;
+    let block = Block {
+        values,
+        first_line: 1,
+    };
     let component = Found {
-        name: channel
-            .clone()
-            .unwrap_or_else(|| crate::motion_file::file_stem(path)),
-        station: match (text(608, 8), text(440, 8)) {
-            (Some(network), Some(station)) => Some(format!("{network}.{station}")),
-            (network, station) => station.or(network),
-        },
+        station: joined(
+            &[
+                &text(608).unwrap_or_default(),
+                &text(440).unwrap_or_default(),
+            ],
+            ".",
+        ),
         direction: header
             .direction()
             .or_else(|| channel.as_deref().and_then(Direction::parse)),
-        unit: *unit,
-        dt_s: header.step(version, HEADER + 4 * npts)?,
-        line_of_step: 1,
-        values,
-        line: 1,
         is_raw: true,
+        ..Found::new(name, *unit, (dt_s, 1), block)
     }
     .component(options)
     .map_err(without_line)?;
@@ -185,6 +179,13 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     })
 }
 
+fn not_acceleration(what: &str) -> (String, &'static str) {
+    (
+        format!("is {what}; an acceleration is expected"),
+        "use the record of the accelerometer",
+    )
+}
+
 /// The first 632 bytes.
 struct Header<'a> {
     bytes: &'a [u8],
@@ -207,12 +208,8 @@ impl Header<'_> {
         if hour > 24 || minute > 60 || second > 60 || millisecond > 1000 {
             return None;
         }
-        let reference = Instant::from_day(
-            year,
-            day,
-            3600 * hour + 60 * minute + second,
-            1_000_000 * millisecond,
-        );
+        let reference =
+            Instant::from_day(year, day, [hour, minute, second], 1_000_000 * millisecond);
         Some(
             reference
                 .later_by_s(f64::from(self.real(word::B)?))
@@ -226,62 +223,44 @@ impl Header<'_> {
             .filter(|value| *value != UNSET && value.is_finite())
     }
 
-    fn text(&self, at: usize, length: usize) -> Option<String> {
-        Some(field(self.bytes, at, at + length))
+    /// A field of eight letters.
+    fn text(&self, at: usize) -> Option<String> {
+        Some(field(self.bytes, at, at + 8))
             .filter(|text| !text.is_empty() && !text.starts_with("-12345"))
     }
 
     fn refuse_other_kinds(&self) -> Result<(), Problem> {
-        let refused = |message: String, hint: &str| {
-            Err(Problem::new(ProblemKind::Format, message).hint(hint))
+        let (message, hint) = match (
+            self.integer(word::IFTYPE),
+            self.integer(word::LEVEN),
+            self.integer(word::IDEP),
+        ) {
+            (2 | 3, ..) => (
+                "is a spectrum; a time series (IFTYPE = ITIME) is expected".to_owned(),
+                "transform it back to a time series",
+            ),
+            (1, 0, _) => (
+                "has unevenly spaced samples (LEVEN is false)".to_owned(),
+                "interpolate it to equal steps first",
+            ),
+            (1, 1, 5 | 8 | -12345) => return Ok(()),
+            (1, 1, 6) => not_acceleration("a displacement (IDEP = IDISP)"),
+            (1, 1, 7) => not_acceleration("a velocity (IDEP = IVEL)"),
+            (1, 1, 50) => not_acceleration("a voltage (IDEP = IVOLTS)"),
+            (1, 1, other) => (
+                format!("holds an unknown quantity (IDEP = {other})"),
+                "set IDEP = IACC if it is an acceleration",
+            ),
+            (1, other, _) => (
+                format!("does not say whether its samples are evenly spaced (LEVEN = {other})"),
+                "set LEVEN to true in the header if they are",
+            ),
+            (other, ..) => (
+                format!("holds no time series (IFTYPE = {other})"),
+                "use the time series of the same record (IFTYPE = ITIME)",
+            ),
         };
-        let time_series = "a time series (IFTYPE = ITIME) is expected";
-        match self.integer(word::IFTYPE) {
-            1 => {}
-            2 | 3 => {
-                return refused(
-                    format!("is a spectrum; {time_series}"),
-                    "transform it back to a time series",
-                );
-            }
-            other => {
-                return refused(
-                    format!("holds no time series (IFTYPE = {other})"),
-                    "use the time series of the same record (IFTYPE = ITIME)",
-                );
-            }
-        }
-        match self.integer(word::LEVEN) {
-            0 => {
-                return refused(
-                    "has unevenly spaced samples (LEVEN is false)".to_owned(),
-                    "interpolate it to equal steps first",
-                );
-            }
-            1 => {}
-            other => {
-                return refused(
-                    format!("does not say whether its samples are evenly spaced (LEVEN = {other})"),
-                    "set LEVEN to true in the header if they are",
-                );
-            }
-        }
-        let what = match self.integer(word::IDEP) {
-            6 => "a displacement (IDEP = IDISP)",
-            7 => "a velocity (IDEP = IVEL)",
-            50 => "a voltage (IDEP = IVOLTS)",
-            5 | 8 | -12345 => return Ok(()),
-            other => {
-                return refused(
-                    format!("holds an unknown quantity (IDEP = {other})"),
-                    "set IDEP = IACC if it is an acceleration",
-                );
-            }
-        };
-        refused(
-            format!("is {what}; an acceleration is expected"),
-            "use the record of the accelerometer",
-        )
+        Err(Problem::format(message, hint))
     }
 
     /// The time step \[s\]: version 7 repeats it in double precision after the samples.
@@ -294,8 +273,10 @@ impl Header<'_> {
             .or_else(|| self.real(word::DELTA).map(as_written))
             .filter(|step| *step > 0.0)
             .ok_or_else(|| {
-                Problem::new(ProblemKind::Format, "the time step (DELTA) is missing")
-                    .hint("set DELTA in the header")
+                Problem::format(
+                    "the time step (DELTA) is missing",
+                    "set DELTA in the header",
+                )
             })
     }
 

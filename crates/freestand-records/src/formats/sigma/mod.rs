@@ -1,13 +1,13 @@
 //! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values per line, which
 //! may touch.
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::motion_file::{Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::{Header, entry, refuse_more_values};
-use crate::text::lines::lines;
-use crate::text::units::{Stated, decide, requested, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::lines::{joined, lines};
+use crate::text::units::{Stated, decide, unit_in_prose};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -45,15 +45,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             line: entry.line,
         })
     });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
+    let unit = decide(stated, options.unit()?, "the record")?;
+    let step = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             "the header has no number of values (Number of Data)",
+            "the file may be damaged: fetch it again",
         )
         .at_line(1)
-        .hint("the file may be damaged: fetch it again")
     })?;
     let mut notes = Vec::new();
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
@@ -63,18 +62,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         "" => file_stem(path),
         name => name.to_owned(),
     };
-    let station =
-        Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
     let component = Found {
-        direction: Direction::parse(&name),
-        name,
-        station,
-        unit: *unit,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        station: joined(&[header.text("Station Code / Name")], ""),
+        ..Found::new(name, *unit, step, block)
     }
     .component(options)?;
     // The peak is only a check, not a reason to refuse a record.
@@ -102,9 +92,11 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
             "holds \"{}\"; an acceleration record is expected",
             shorten(&title.key)
         );
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(title.line)
-            .hint("use the acceleration file (.acc) of the same record"));
+        return Err(Problem::format(
+            message,
+            "use the acceleration file (.acc) of the same record",
+        )
+        .at_line(title.line));
     }
     Ok(())
 }

@@ -1,13 +1,13 @@
 //! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
 //! in cm/s².
 
-use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::is_missing_value;
 use crate::text::keyed::refuse_more_values;
-use crate::text::lines::{Line, lines};
+use crate::text::lines::{Line, joined, lines};
 use crate::text::sampling::step_of_rate;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
@@ -67,9 +67,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 "holds \"{}\"; an acceleration record is expected",
                 shorten(text[0].trim())
             );
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(1)
-                .hint("use the acceleration file of the same record"));
+            return Err(
+                Problem::format(message, "use the acceleration file of the same record").at_line(1),
+            );
         }
     };
     let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
@@ -79,28 +79,19 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let dt_s = step_of_rate(reals.values[1], reals.first_line)?;
     let found = rest.by_ref().take(comments).count();
     if found < comments {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the header declares {comments} comment lines, but {found} lines follow"),
+            "the file is damaged or cut off: fetch it again",
         )
-        .at_line(integers.first_line + 15 / INTEGERS.per_line)
-        .hint("the file is damaged or cut off: fetch it again"));
+        .at_line(integers.first_line + 15 / INTEGERS.per_line));
     }
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
     let mut notes = Vec::from_iter(block.refuse_missing(VALUES, is_missing_value)?);
     refuse_more_values(&mut rest, &mut notes)?;
     let (station, name) = station_and_component(&text, path);
-    let direction = Direction::parse(&name);
     let component = Found {
-        name,
         station,
-        direction,
-        unit: UNIT,
-        dt_s,
-        line_of_step: reals.first_line,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(name, UNIT, (dt_s, reals.first_line), block)
     }
     .component(options)?;
     // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.
@@ -123,7 +114,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 fn station_and_component(text: &[String], path: &Path) -> (Option<String>, String) {
     let line = text.iter().find(|line| line.contains("component"));
     let Some((station, component)) = line.and_then(|line| line.split_once("component")) else {
-        return (None, crate::motion_file::file_stem(path));
+        return (None, file_stem(path));
     };
     let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
     let station = value(
@@ -132,13 +123,11 @@ fn station_and_component(text: &[String], path: &Path) -> (Option<String>, Strin
             .strip_prefix("station")
             .unwrap_or(station),
     );
-    let component = value(component);
-    let name = if component.is_empty() {
-        crate::motion_file::file_stem(path)
-    } else {
-        component
-    };
-    ((!station.is_empty()).then_some(station), name)
+    let name = joined(&[&value(component)], "");
+    (
+        joined(&[&station], ""),
+        name.unwrap_or_else(|| file_stem(path)),
+    )
 }
 
 #[cfg(test)]

@@ -3,13 +3,13 @@
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::notes::{Note, NoteKind};
-use crate::text::fixed_width::Format;
-use crate::text::fortran::{fields, scan};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::{fields, leading_value, scan};
 use crate::text::head::Head;
-use crate::text::lines::{Line, Lines, lines};
+use crate::text::lines::{Line, Lines, joined, lines};
 use crate::text::rows;
-use crate::text::units::{Stated, decide, record_unit, requested};
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::text::units::{Stated, decide, record_unit};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
@@ -70,7 +70,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             unit,
             line: unit_line,
         });
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, options.unit()?, "the record")?;
     let names = header.names(columns)?;
 
     let mut notes = Vec::new();
@@ -88,20 +88,18 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let station = station
         .into_iter()
         .flatten()
-        .map(|(_, name)| name.to_owned())
-        .find(|name| !name.is_empty());
+        .find_map(|(_, name)| joined(&[name], ""));
     let mut components = Vec::new();
     for (i, (name, values)) in names.into_iter().zip(rows.columns).enumerate() {
+        let block = Block {
+            values,
+            first_line: rows.first_line,
+        };
+        let bearing = name.split(';').next().unwrap_or(&name).trim().to_owned();
         let component = Found {
             direction: direction(&name),
-            name: name.split(';').next().unwrap_or(&name).trim().to_owned(),
             station: station.clone(),
-            unit: *unit,
-            dt_s,
-            line_of_step: dt_line,
-            values,
-            line: rows.first_line,
-            is_raw: false,
+            ..Found::new(bearing, *unit, (dt_s, dt_line), block)
         }
         .component(options)?;
         if let Some(peak) = peaks.get(i).and_then(|peak| scan(peak.as_bytes())) {
@@ -201,16 +199,15 @@ impl Header {
         let numbers: Option<Vec<f64>> = entries
             .iter()
             .take(columns)
-            .map(|entry| scan(entry.as_bytes()).map(|number| number.value))
+            .map(|entry| leading_value(entry))
             .collect();
         match numbers {
             Some(numbers) if numbers.len() == columns => Ok((line, numbers)),
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 format!("\"{name}\" does not have a number for each of {columns} channels"),
+                "the header is damaged: fetch the file again",
             )
-            .at_line(line)
-            .hint("the header is damaged: fetch the file again")),
+            .at_line(line)),
         }
     }
 
@@ -221,12 +218,11 @@ impl Header {
         {
             let format = Format::parse(text).filter(|format| format.per_line <= 24);
             return format.ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Format,
+                Problem::format(
                     format!("the format of the data is \"{}\"", shorten(text)),
+                    "it should read like 3F10.3: one number for each channel",
                 )
                 .at_line(line)
-                .hint("it should read like 3F10.3: one number for each channel")
             });
         }
         let mut columns = 0;
@@ -252,12 +248,11 @@ impl Header {
             {
                 Ok((line, dt_s))
             }
-            _ => Err(Problem::new(
-                ProblemKind::Format,
+            _ => Err(Problem::format(
                 "the channels have different time steps, or none",
+                "put each channel into a file of its own",
             )
-            .at_line(line)
-            .hint("put each channel into a file of its own")),
+            .at_line(line)),
         }
     }
 
@@ -294,9 +289,11 @@ impl Header {
                     shorten(text.trim()),
                     names.join(", ")
                 );
-                return Err(Problem::new(ProblemKind::Format, message)
-                    .at_line(*line)
-                    .hint("find out which is right, and correct the other"));
+                return Err(Problem::format(
+                    message,
+                    "find out which is right, and correct the other",
+                )
+                .at_line(*line));
             }
         }
         Ok(names)
@@ -314,12 +311,12 @@ impl Header {
         let found = columns.first().map_or(0, Vec::len);
         let most = counts.iter().fold(0.0f64, |a, b| a.max(*b));
         if found as f64 != most {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(Problem::format(
                 format!("the header declares {most} rows, but the file has {found}"),
+                "the file may be cut off: fetch it again, or correct the number if no row is \
+                 missing",
             )
-            .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the number if no row is missing"));
+            .at_line(line));
         }
         for ((column, name), &count) in columns.iter_mut().zip(names).zip(&counts) {
             if count < most {
@@ -360,9 +357,11 @@ impl Header {
             .ok()
             .and_then(|(_, text)| scan(text.as_bytes()));
         if thinned.is_some_and(|factor| factor.value > 1.0) {
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint("the record was decimated (FACTOR DE DECIMACION): correct the time step"));
+            return Err(Problem::format(
+                message,
+                "the record was decimated (FACTOR DE DECIMACION): correct the time step",
+            )
+            .at_line(line));
         }
         notes.push(Note::new(NoteKind::DurationDiffers, message));
         Ok(())

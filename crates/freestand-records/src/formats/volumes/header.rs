@@ -2,10 +2,10 @@
 
 use super::{MAX_REALS, is_numbers, not_acceleration, unannounced};
 use crate::notes::{Note, NoteKind};
-use crate::text::fortran::{number, scan};
+use crate::text::fortran::{leading_value, number};
 use crate::text::lines::{Line, Lines};
 use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit};
 
 /// The most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped lines.
@@ -88,27 +88,20 @@ pub(super) fn read_header(
                 return end(start, rest, notes).map(|()| None);
             }
             _ => {
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     "no integer header follows the lines of text",
+                    "the file may be cut off or damaged: fetch it again",
                 )
-                .at_line(header.first_line.max(1))
-                .hint("the file may be cut off or damaged: fetch it again"));
+                .at_line(header.first_line.max(1)));
             }
         }
     }
     let mut rows = Vec::new();
-    loop {
-        let before = rest.clone();
-        match rest.next() {
-            Some(line) if is_integer_row(&line) && rows.len() < MAX_REALS => {
-                rows.push(line.bytes.trim_ascii_end())
-            }
-            Some(line) if line.is_blank() => {}
-            _ => {
-                *rest = before;
-                break;
-            }
+    while let Some(line) =
+        rest.next_if(|line| line.is_blank() || is_integer_row(line) && rows.len() < MAX_REALS)
+    {
+        if !line.is_blank() {
+            rows.push(line.bytes.trim_ascii_end());
         }
     }
     // 16I5 on seven lines; some of the oldest files have 20I4 on five.
@@ -168,7 +161,7 @@ pub(in crate::formats) fn step_in(upper: &str) -> Option<f64> {
 pub(super) fn number_after(text: &str, words: &str) -> Option<f64> {
     let (_, tail) = text.split_once(words)?;
     let tail = tail.trim_start_matches(|c: char| c.is_whitespace() || "=:".contains(c));
-    scan(tail.as_bytes()).map(|number| number.value)
+    leading_value(tail)
 }
 
 /// The unit that a line states: `IN UNITS CM/SEC/SEC`, `units of g.`, `SEC AND G/10`.
@@ -191,6 +184,11 @@ pub(super) fn unit_of(text: &str, line: usize) -> Result<Option<Unit>, Problem> 
         )),
         _ => Ok(None),
     }
+}
+
+/// What stands before three blanks.
+fn first_part(text: &str) -> &str {
+    text.split("   ").next().unwrap_or("").trim()
 }
 
 impl Header {
@@ -266,15 +264,7 @@ impl Header {
                 || upper.starts_with("STA CHAN")
                 || upper.starts_with("CANAL");
             let (_, name) = line.split_once(':').filter(|_| starts)?;
-            Some(
-                name.split('(')
-                    .next()?
-                    .trim()
-                    .split("   ")
-                    .next()?
-                    .trim()
-                    .to_owned(),
-            )
+            Some(first_part(name.split('(').next()?.trim()))
         });
         let of_component = || {
             let line = self
@@ -285,19 +275,12 @@ impl Header {
                 .trim_start()
                 .trim_start_matches("COMPONENT")
                 .trim_start_matches("COMP");
-            Some(
-                name.trim_matches(['=', ':', ' '])
-                    .split("   ")
-                    .next()?
-                    .trim()
-                    .to_owned(),
-            )
+            Some(first_part(name.trim_matches(['=', ':', ' '])))
         };
-        let name = of_channel
-            .filter(|name| !name.is_empty())
-            .or_else(of_component);
-        name.filter(|name| !name.is_empty())
-            .unwrap_or_else(|| format!("channel {channel}"))
+        let is_named = |name: &&str| !name.is_empty();
+        let name = of_channel.filter(is_named).or_else(of_component);
+        name.filter(is_named)
+            .map_or_else(|| format!("channel {channel}"), str::to_owned)
     }
 
     /// The line below the one with the station's number and place.

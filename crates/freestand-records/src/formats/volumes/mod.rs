@@ -11,18 +11,17 @@ mod header;
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
 use crate::motion_file::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note,
-    peak_note,
+    Component, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
 use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
 use crate::text::lines::{Line, Lines, lines};
 use crate::text::pairs;
-use crate::text::units::{decide, requested};
+use crate::text::units::decide;
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Unit, shorten};
 use header::{Header, number_after, read_header, unit_of};
 
@@ -58,12 +57,11 @@ pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
 /// Refuses volume III, which holds response and Fourier spectra.
 pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
     if head.first().is_some_and(|line| line.contains("RESPONSE")) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             "holds response spectra (volume III); an acceleration record is expected",
+            "use the file of volume II of the same record",
         )
-        .at_line(1)
-        .hint("use the file of volume II of the same record"));
+        .at_line(1));
     }
     Ok(())
 }
@@ -122,12 +120,11 @@ pub(super) fn read(
 }
 
 fn not_acceleration(what: &str, line: usize) -> Problem {
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!("holds {what}; an acceleration record is expected"),
+        "use the acceleration file of the same record",
     )
     .at_line(line)
-    .hint("use the acceleration file of the same record")
 }
 
 /// Volume II names the uncorrected record too, from which it was made.
@@ -166,11 +163,11 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
         }
     }
     let Some(after) = after_reals else {
-        return Err(
-            Problem::new(ProblemKind::Format, "the real header does not end")
-                .at_line(rest.line_number())
-                .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"),
-        );
+        return Err(Problem::format(
+            "the real header does not end",
+            "50 or 100 reals in rows of 8 are expected: the file may be damaged",
+        )
+        .at_line(rest.line_number()));
     };
     *rest = after;
     Ok(None)
@@ -203,18 +200,17 @@ fn read_series(
     let block = format.read(rest, title.count, "acceleration")?;
     let mut notes = Vec::from_iter(block.refuse_missing(format, is_missing_value)?);
     if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!(
                 "more values follow than the {} that are declared",
                 title.count
             ),
+            format!(
+                "the number of values on line {} does not match the file: fetch it again",
+                title.line
+            ),
         )
-        .at_line(line.number)
-        .hint(format!(
-            "the number of values on line {} does not match the file: fetch it again",
-            title.line
-        )));
+        .at_line(line.number));
     }
     let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
     let at_title = |dt_s| (dt_s, title.line);
@@ -223,12 +219,11 @@ fn read_series(
         .or_else(of_header)
         .or(options.dt_s.map(at_title))
     else {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             "the time step is not stated above the values",
+            "give the time step, such as `dt = \"0.02 s\"`",
         )
-        .at_line(title.line)
-        .hint("give the time step, such as `dt = \"0.02 s\"`"));
+        .at_line(title.line));
     };
     let unit = match unit_of(&title.text, title.line)? {
         None if !is_volume_two(&header.text) => header.unit()?,
@@ -280,12 +275,11 @@ fn read_pairs(
         let declared = of_text
             .or(of_integers[0])
             .map_or_else(|| "no".to_owned(), |count| count.to_string());
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             format!("the header declares {declared} points, but the channel has {count}"),
+            "the file may be cut off: fetch it again",
         )
-        .at_line(pairs.first_line.max(header.first_line))
-        .hint("the file may be cut off: fetch it again"));
+        .at_line(pairs.first_line.max(header.first_line)));
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
@@ -307,26 +301,18 @@ fn found(
     header: &Header,
     channel: usize,
     unit: Option<Unit>,
-    (dt_s, line_of_step): (f64, usize),
+    step: (f64, usize),
     block: Block,
     options: &ReadOptions,
 ) -> Result<Component, Problem> {
     let unit = match unit {
         Some(unit) => unit,
-        None => *decide(None, requested(options.unit.as_deref())?, "the record")
+        None => *decide(None, options.unit()?, "the record")
             .map_err(|problem| problem.at_line(block.first_line))?,
     };
-    let name = header.name(channel);
     Found {
-        direction: Direction::parse(&name),
-        name,
         station: header.station(),
-        unit,
-        dt_s,
-        line_of_step,
-        values: block.values,
-        line: block.first_line,
-        is_raw: false,
+        ..Found::new(header.name(channel), unit, step, block)
     }
     .component(options)
 }
@@ -350,20 +336,14 @@ fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
 
 /// What a channel holds, if its text says that it is not an acceleration: `Data: Velocity`,
 /// response spectra.
-fn other_quantity(header: &Header) -> Option<(String, usize)> {
-    let data = header.lines_with("DATA:").find_map(|line| {
+fn other_quantity(header: &Header) -> Option<(&'static str, usize)> {
+    header.lines_with("DATA:").find_map(|line| {
         let (_, tail) = line.split_once("DATA:")?;
         let word = tail.trim_start();
-        let name = if word.starts_with("VEL") {
-            "a velocity"
-        } else if word.starts_with("DIS") {
-            "a displacement"
-        } else {
-            return None;
-        };
-        Some(name.to_owned())
-    });
-    data.map(|what| (what, header.first_line))
+        let others = [("VEL", "a velocity"), ("DIS", "a displacement")];
+        let other = others.iter().find(|(start, _)| word.starts_with(start))?;
+        Some((other.1, header.first_line))
+    })
 }
 
 /// Leaves `rest` at the first line of the next channel, after the velocity and the displacement and
@@ -427,10 +407,12 @@ fn is_numbers(line: &Line<'_>) -> bool {
 }
 
 /// The problem of numbers that may be a channel whose first lines are damaged.
-fn unannounced(line: &Line<'_>) -> Problem {
-    Problem::new(ProblemKind::Format, "no line states what these numbers are")
-        .at_line(line.number)
-        .hint("the line above them may be damaged: fetch the file again")
+pub(super) fn unannounced(line: &Line<'_>) -> Problem {
+    Problem::format(
+        "no line states what these numbers are",
+        "the line above them may be damaged: fetch the file again",
+    )
+    .at_line(line.number)
 }
 
 /// Skips the contents of a channel that is left out.
@@ -438,17 +420,8 @@ fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Proble
     if let Some(title) = title {
         return skip_series(title, rest);
     }
-    loop {
-        let before = rest.clone();
-        match rest.next() {
-            Some(line) if line.is_text() => {
-                *rest = before;
-                return Ok(());
-            }
-            Some(_) => {}
-            None => return Ok(()),
-        }
-    }
+    rest.leading(|line| !line.is_text()).for_each(drop);
+    Ok(())
 }
 
 /// Skips the lines of a series. Only their number is checked, so a value too large for its field
@@ -465,12 +438,11 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
             Some(_) => {}
             None => {
                 let name = shorten(title.text.trim());
-                return Err(Problem::new(
-                    ProblemKind::Format,
+                return Err(Problem::format(
                     format!("the file ends after {found} of {wanted} lines of \"{name}\""),
+                    "the file is cut off: fetch it again",
                 )
-                .at_line(rest.line_number())
-                .hint("the file is cut off: fetch it again"));
+                .at_line(rest.line_number()));
             }
         }
     }

@@ -130,25 +130,16 @@ fn cut(
         let within = samples.get(kept).unwrap_or_default().to_vec();
         motion = Motion::new(motion.dt_s(), within)
             .map_err(|error| refused("the time in common", error, ONE_RECORD))?;
-        let samples = |count: usize, end: &str| {
-            if count == 1 {
-                format!("{end} sample")
-            } else {
-                format!("{end} {count} samples")
-            }
-        };
-        if skip > 0 {
-            let words = format!(
-                "{} of {name} left out: the other component begins later",
-                samples(skip, "first")
-            );
-            notes.push(Note::new(NoteKind::Trimmed, words));
-        }
-        if surplus > 0 {
-            let words = format!(
-                "{} of {name} left out: the other component ends earlier",
-                samples(surplus, "last")
-            );
+        for (count, end, why) in [
+            (skip, "first", "begins later"),
+            (surplus, "last", "ends earlier"),
+        ] {
+            let samples = match count {
+                0 => continue,
+                1 => format!("{end} sample"),
+                _ => format!("{end} {count} samples"),
+            };
+            let words = format!("{samples} of {name} left out: the other component {why}");
             notes.push(Note::new(NoteKind::Trimmed, words));
         }
     }

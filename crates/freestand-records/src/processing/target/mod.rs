@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use crate::tables::{SpectrumRow, load_spectrum, parse_spectrum};
 use freestand::oscillator::DAMPING_RATIO;
 use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::number;
+use freestand_input::problem::Problem;
+use freestand_input::words::{number, percent_significant};
 
 /// Dampings and periods that differ by less than this share are equal, printed with fewer digits.
 const SAME: f64 = 1e-6;
@@ -93,11 +93,14 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
                 number(from_s, 6),
                 number(to_s, 6)
             );
-            return Err(in_file(wrong(message).hint(format!(
-                "choose a range within its periods, {} s to {} s",
-                number(first, 6),
-                number(last, 6)
-            ))));
+            return Err(in_file(Problem::value(
+                message,
+                format!(
+                    "choose a range within its periods, {} s to {} s",
+                    number(first, 6),
+                    number(last, 6)
+                ),
+            )));
         }
     }
     Ok(TargetSpectrum {
@@ -111,7 +114,7 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
 }
 
 fn percent(ratio: f64) -> String {
-    format!("{} %", number(100.0 * ratio, 6))
+    percent_significant(ratio, 6)
 }
 
 fn percents<'a>(ratios: impl Iterator<Item = &'a f64>) -> String {
@@ -140,9 +143,11 @@ fn take_damping(
         };
         if !(0.0..1.0).contains(&ratio) {
             let message = format!("{ratio} is not a damping ratio");
-            return Err(wrong(message)
-                .at_line(row.line)
-                .hint("write it from 0 to below 1, or in per cent under \"damping [%]\""));
+            return Err(Problem::value(
+                message,
+                "write it from 0 to below 1, or in per cent under \"damping [%]\"",
+            )
+            .at_line(row.line));
         }
         stated.push(ratio);
     }
@@ -163,10 +168,13 @@ fn take_damping(
                 "the spectrum has no values for {} damping",
                 percent(damping_ratio)
             );
-            return Err(wrong(message).hint(format!(
-                "write one of its dampings after the file name: {}",
-                percents(stated.iter())
-            )));
+            return Err(Problem::value(
+                message,
+                format!(
+                    "write one of its dampings after the file name: {}",
+                    percents(stated.iter())
+                ),
+            ));
         }
     }
     let mut others = stated
@@ -184,13 +192,16 @@ fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
             let message = format!("a period must be 0 s or more, not {period_s} s");
             return Some((
                 row,
-                wrong(message).hint("correct it; 0 s is the peak acceleration"),
+                Problem::value(message, "correct it; 0 s is the peak acceleration"),
             ));
         }
         if !(psa_m_s2 > 0.0 && psa_m_s2.is_finite()) {
             let message =
                 format!("the acceleration of a target must be above 0, not {psa_m_s2} m/s2");
-            return Some((row, wrong(message).hint("correct it, or remove the period")));
+            return Some((
+                row,
+                Problem::value(message, "correct it, or remove the period"),
+            ));
         }
     }
     let mut order: Vec<usize> = (0..periods_s.len()).collect();
@@ -207,16 +218,12 @@ fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
         .map(|pair| pair[1])
         .min()?;
     let message = format!("the period {} s is listed twice", period(again));
-    Some((again, wrong(message).hint("keep only one of them")))
+    Some((again, Problem::value(message, "keep only one of them")))
 }
 
 fn ends(periods_s: &[f64]) -> (f64, f64) {
     let shortest = periods_s.iter().copied().fold(f64::INFINITY, f64::min);
     (shortest, periods_s.iter().copied().fold(0.0, f64::max))
-}
-
-fn wrong(message: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Value, message)
 }
 
 impl TargetSpectrum {

@@ -2,7 +2,7 @@
 
 use crate::text::fortran;
 use crate::text::lines::{Line, lines, text_of};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 const END: &str = "***End_of_Header***";
@@ -109,8 +109,10 @@ impl Header {
             "the time \"{}\" is not the one of X0 and Delta_X, {time_s:.9} s",
             shorten(written)
         );
-        Err(Problem::new(ProblemKind::Format, message)
-            .hint("rows may be missing: save the measurement again, or save it as CSV with its written times"))
+        Err(Problem::format(
+            message,
+            "rows may be missing: save the measurement again, or save it as CSV with its written times",
+        ))
     }
 
     /// The heading of a channel. N means newton only for a force.
@@ -130,7 +132,7 @@ impl Header {
 
 /// The problem of channels that one column of times does not serve.
 fn of_their_own(message: &str) -> Problem {
-    Problem::new(ProblemKind::Format, message).hint("save it with one X column, or as CSV")
+    Problem::format(message, "save it with one X column, or as CSV")
 }
 
 /// The text as a plain table, on the same lines; `None` if it is not a file of LabVIEW.
@@ -157,11 +159,11 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Option<Vec<u8>>, Problem> {
         .collect();
     let header = Header::of(&rows)?;
     if let Some(line) = lines(bytes).skip(end).find(is_end) {
-        return Err(
-            Problem::new(ProblemKind::Format, "the LabVIEW file has several segments")
-                .at_line(line.number)
-                .hint("save each of them in a file of its own"),
-        );
+        return Err(Problem::format(
+            "the LabVIEW file has several segments",
+            "save each of them in a file of its own",
+        )
+        .at_line(line.number));
     }
     let mut out: Vec<u8> = vec![b'\n'; end];
     let (mut row, mut channels) = (0, None);

@@ -4,12 +4,12 @@
 mod clock;
 mod lvm;
 
-use crate::text::headings::{Heading, headings_of, in_si, only};
+use crate::text::headings::{Heading, in_si, names_of, no_column, only};
 use crate::text::lines::{check_text, lines};
 use crate::text::sensitivity::{Sensitivity, no_sensitivity, not_in_volts, volts_of_heading};
 use crate::text::table;
 use freestand_input::file;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
@@ -70,9 +70,7 @@ pub fn load_static(
 fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDisplacement, Problem> {
     let table = table::read(bytes)?;
     let wanted = "name the columns and their units, such as \"displacement [mm],force [N]\"";
-    let Some((headings, line)) = headings_of(&table) else {
-        return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(wanted));
-    };
+    let (headings, line) = names_of(&table, wanted)?;
     let is_volts = |heading: &Heading| volts_of_heading(heading).is_some();
     let has = |dimension: Dimension| headings.iter().any(|heading| heading.measures(dimension));
     // A column in volts is what the other columns are not, or what its name says where there are two.
@@ -89,28 +87,16 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
         let sensor = sensitivities
             .iter()
             .find(|one| one.dimension() == dimension);
-        if let Some(index) = only(
-            &headings,
-            line,
-            |heading| heading.measures(dimension),
-            &what_it_is,
-        )? {
+        let measures = |heading: &Heading| heading.measures(dimension);
+        if let Some(index) = only(&headings, line, measures, &what_it_is)? {
             if sensor.is_some() {
                 return Err(not_in_volts(&format!("the {what}")).at_line(line));
             }
             return Ok(in_si(&table, &headings, index));
         }
-        let Some(index) = only(
-            &headings,
-            line,
-            |heading| is_in_volts(heading, dimension),
-            &what_it_is,
-        )?
-        else {
-            let message = format!("no column holds a {what} with its unit");
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line)
-                .hint(wanted));
+        let is_it = |heading: &Heading| is_in_volts(heading, dimension);
+        let Some(index) = only(&headings, line, is_it, &what_it_is)? else {
+            return Err(no_column(what, wanted).at_line(line));
         };
         let (Some(sensor), Some(volts)) = (sensor, volts_of_heading(&headings[index])) else {
             return Err(no_sensitivity(&headings[index], line, example));

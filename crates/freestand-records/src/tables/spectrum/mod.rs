@@ -2,9 +2,9 @@
 
 use crate::text::headings::{Heading, headings_of, in_si, is_time_name};
 use crate::text::lines::check_text;
-use crate::text::table::{self, Table};
+use crate::text::table;
 use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, lookup, shorten};
 use std::path::Path;
 
@@ -50,11 +50,7 @@ pub fn load_spectrum(path: &Path) -> Result<Vec<u8>, Problem> {
 pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     check_text(&mut bytes)?;
     let table = table::read(&bytes).map_err(|problem| problem.hint(HINT))?;
-    let wrong = |message: &str| {
-        Problem::new(ProblemKind::Format, message)
-            .at_line(table.line_of_first_value)
-            .hint(HINT)
-    };
+    let wrong = |message: &str| Problem::format(message, HINT).at_line(table.line_of_first_value);
     if table.has_row_of_counts || table.columns.len() < 2 {
         return Err(wrong("is not a table of periods and accelerations"));
     }
@@ -68,12 +64,22 @@ pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     let at_headings = |problem: Problem| problem.at_line(line);
     let period = period.map_err(at_headings)?;
     let psa = acceleration_column(&headings).map_err(at_headings)?;
-    Ok(rows(
-        &table,
-        &bytes,
-        &headings,
-        [Some(period), Some(psa), damping],
-    ))
+    // In SI; a ratio may be a bare number.
+    let column = |index: usize| in_si(&table, &headings, index);
+    let dampings = damping.map(column);
+    let values = column(period).into_iter().zip(column(psa));
+    let rows = table.lines_of_rows(&bytes).zip(values).enumerate();
+    Ok(rows
+        .map(|(row, (line, (period_s, psa_m_s2)))| SpectrumRow {
+            line,
+            period_s,
+            psa_m_s2,
+            damping_ratio: dampings
+                .as_ref()
+                .and_then(|dampings| dampings.get(row))
+                .copied(),
+        })
+        .collect())
 }
 
 /// Adds the unit at the end of a heading: `period_s`, `psa_g`, `rotd50_g`.
@@ -115,7 +121,7 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
                 );
                 let hint = "name a file of periods and pseudo-accelerations; freestand motion spectrum writes one \
                             from a record";
-                Err(Problem::new(ProblemKind::Format, message).hint(hint))
+                Err(Problem::format(message, hint))
             }
             _ => Ok(one),
         },
@@ -126,14 +132,15 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
             {
                 return Err(unit_is_open(heading, "T [s]"));
             }
-            Err(Problem::new(ProblemKind::Format, "no column holds periods")
-                .hint("write the periods under a heading such as \"T [s]\"; convert frequencies to periods"))
+            Err(Problem::format(
+                "no column holds periods",
+                "write the periods under a heading such as \"T [s]\"; convert frequencies to periods",
+            ))
         }
-        _ => Err(Problem::new(
-            ProblemKind::Format,
+        _ => Err(Problem::format(
             "several columns hold a time; one column of periods is expected",
-        )
-        .hint("keep only one column of periods")),
+            "keep only one column of periods",
+        )),
     }
 }
 
@@ -163,14 +170,13 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
             }
             Some(unit) => {
                 let (name, other) = (shorten(&heading.name), unit.dimension.with_article());
-                Err(Problem::new(
-                    ProblemKind::Format,
+                Err(Problem::format(
                     format!(
                         "\"{name}\" is {other} ({}); an acceleration is expected",
                         unit.symbol
                     ),
-                )
-                .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\""))
+                    "write the pseudo-acceleration under a heading such as \"PSA [g]\"",
+                ))
             }
             None => Err(unit_is_open(heading, "PSA [g]")),
         },
@@ -179,24 +185,23 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
             .find(|heading| heading.unit.is_none() && !is_damping(heading))
         {
             Some(heading) => Err(unit_is_open(heading, "PSA [g]")),
-            None => Err(
-                Problem::new(ProblemKind::Format, "no column holds an acceleration")
-                    .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\""),
-            ),
+            None => Err(Problem::format(
+                "no column holds an acceleration",
+                "write the pseudo-acceleration under a heading such as \"PSA [g]\"",
+            )),
         },
         _ => {
             let names: Vec<String> = chosen
                 .iter()
                 .map(|heading| shorten(&heading.name))
                 .collect();
-            Err(Problem::new(
-                ProblemKind::Format,
+            Err(Problem::format(
                 format!(
                     "several columns hold a spectral acceleration: {}",
                     names.join(", ")
                 ),
-            )
-            .hint("keep the right one, or call it PSA"))
+                "keep the right one, or call it PSA",
+            ))
         }
     }
 }
@@ -207,10 +212,7 @@ fn is_damping(heading: &Heading) -> bool {
 
 fn damping_column(headings: &[Heading]) -> Option<usize> {
     places(headings, |heading| {
-        is_damping(heading)
-            && heading
-                .unit
-                .is_none_or(|unit| unit.dimension == Dimension::Ratio)
+        is_damping(heading) && (heading.unit.is_none() || heading.measures(Dimension::Ratio))
     })
     .first()
     .copied()
@@ -218,40 +220,10 @@ fn damping_column(headings: &[Heading]) -> Option<usize> {
 
 fn unit_is_open(heading: &Heading, example: &str) -> Problem {
     let name = shorten(&heading.name);
-    Problem::new(
-        ProblemKind::Value,
+    Problem::value(
         format!("the unit of \"{name}\" is not stated"),
+        format!("write it in the heading, such as \"{example}\""),
     )
-    .hint(format!("write it in the heading, such as \"{example}\""))
-}
-
-/// Three columns row by row, in SI; a ratio may be a bare number.
-fn rows(
-    table: &Table,
-    bytes: &[u8],
-    headings: &[Heading],
-    places: [Option<usize>; 3],
-) -> Vec<SpectrumRow> {
-    let column = |place: Option<usize>| place.map(|index| in_si(table, headings, index));
-    let [periods, accelerations, dampings] = places.map(column);
-    let values = periods
-        .unwrap_or_default()
-        .into_iter()
-        .zip(accelerations.unwrap_or_default());
-    let rows = table.lines_of_rows(bytes).zip(values).enumerate();
-    rows.map(|(row, (line, (period_s, psa_m_s2)))| {
-        let damping_ratio = dampings
-            .as_ref()
-            .and_then(|dampings| dampings.get(row))
-            .copied();
-        SpectrumRow {
-            line,
-            period_s,
-            psa_m_s2,
-            damping_ratio,
-        }
-    })
-    .collect()
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 //! them.
 
 use super::digit_style::DigitStyle;
-use super::fortran::{Number, bad_field, fields, is_missing_word, number};
+use super::fortran::{Number, bad_field, fields, is_missing_word, number, words};
 use super::lines::{Line, Lines};
 use super::rows::Rows;
 use crate::notes::{Note, NoteKind};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 /// The last line on which the first row of numbers may be; in the longest of these headers it is
@@ -49,33 +49,25 @@ impl Entry {
 
     fn problem(&self, what: &str) -> Problem {
         let (key, value) = (shorten(&self.key), shorten(&self.value));
-        Problem::new(
-            ProblemKind::Format,
+        Problem::format(
             format!("{key} is \"{value}\"; {what} is expected"),
+            "correct the header if it is wrong, or fetch the file again",
         )
         .at_line(self.line)
-        .hint("correct the header if it is wrong, or fetch the file again")
     }
 }
 
 impl Header {
     /// Reads the lines above the first row of numbers, and leaves `rest` before that row.
     pub(crate) fn read(rest: &mut Lines<'_>) -> Self {
-        let mut entries = Vec::new();
-        loop {
-            let before = rest.clone();
-            let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
-                break;
-            };
-            if is_row(&line) {
-                *rest = before;
-                break;
-            }
-            if !line.is_blank() {
-                entries.push(entry(&line));
-            }
+        let is_below = |line: &Line<'_>| line.number > HEADER_LINES;
+        let above = rest
+            .leading(|line| is_below(line) || !is_row(line))
+            .take_while(|line| !is_below(line))
+            .filter(|line| !line.is_blank());
+        Self {
+            entries: above.map(|line| entry(&line)).collect(),
         }
-        Self { entries }
     }
 
     /// The line of a key whose value is not empty.
@@ -112,11 +104,10 @@ impl Header {
     pub(crate) fn step_s(&self, key: &str, given_s: Option<f64>) -> Result<(f64, usize), Problem> {
         let Some((value, line)) = self.number(key)? else {
             return given_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
-                Problem::new(
-                    ProblemKind::Value,
+                Problem::value(
                     format!("the header has no time step ({key})"),
+                    "give the time step, such as `dt = \"0.01 s\"`",
                 )
-                .hint("give the time step, such as `dt = \"0.01 s\"`")
             });
         };
         let unit = self
@@ -131,12 +122,11 @@ impl Header {
         {
             "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
             "ms" | "msec" => Ok((value / 1000.0, line)),
-            other => Err(Problem::new(
-                ProblemKind::Format,
+            other => Err(Problem::format(
                 format!("\"{}\" is not a unit of time", shorten(other)),
+                "the step must be in s or ms",
             )
-            .at_line(line)
-            .hint("the step must be in s or ms")),
+            .at_line(line)),
         }
     }
 
@@ -163,11 +153,7 @@ fn is_row(line: &Line<'_>) -> bool {
     if fields(line.bytes, |_| values += 1).is_ok() {
         return values > 0;
     }
-    let mut words = line
-        .bytes
-        .split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty());
-    words.all(|word| is_missing_word(word) || number(word).is_some())
+    words(line.bytes).all(|word| is_missing_word(word) || number(word).is_some())
 }
 
 /// Reads rows of `width` numbers to the end of the file; `declared` is the number that the header
@@ -183,7 +169,7 @@ pub(crate) fn read_rows(
 ) -> Result<Rows, Problem> {
     let (mut rows, mut row) = (Rows::of_width(width), Vec::with_capacity(width));
     let mut digit_styles: Vec<DigitStyle> = (0..width).map(|_| DigitStyle::default()).collect();
-    for line in rest.by_ref().filter(|line| !line.is_blank()) {
+    for line in rest.filled() {
         row.clear();
         let each = |number: Number| {
             if let Some(style) = digit_styles.get_mut(row.len()) {
@@ -194,13 +180,7 @@ pub(crate) fn read_rows(
         if let Err(bad) = fields(line.bytes, each) {
             // A footer may follow the last value.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
-                notes.push(Note::new(
-                    NoteKind::TextIgnored,
-                    format!(
-                        "line {} follows the last value and was ignored",
-                        line.number
-                    ),
-                ));
+                notes.push(below_values(&line));
                 break;
             }
             return Err(bad_field(&bad, line.number));
@@ -219,11 +199,10 @@ pub(crate) fn read_rows(
 
 /// The problem that the header states another number of values than the file has.
 fn wrong_count(declared: usize, found: usize) -> Problem {
-    Problem::new(
-        ProblemKind::Format,
+    Problem::format(
         format!("the header declares {declared} values, but the file has {found}"),
+        "the file may be cut off: fetch it again, or correct the number if no value is missing",
     )
-    .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
 }
 
 /// Refuses numbers after the last value that the header declares, and notes other text there.
@@ -234,25 +213,26 @@ pub(crate) fn refuse_more_values(
     rest: &mut Lines<'_>,
     notes: &mut Vec<Note>,
 ) -> Result<(), Problem> {
-    let Some(line) = rest.by_ref().find(|line| !line.is_blank()) else {
+    let Some(line) = rest.filled().next() else {
         return Ok(());
     };
     if is_row(&line) {
-        return Err(Problem::new(
-            ProblemKind::Format,
+        return Err(Problem::format(
             "there are more values than the header declares",
+            "correct the number in the header if the values belong to the record",
         )
-        .at_line(line.number)
-        .hint("correct the number in the header if the values belong to the record"));
+        .at_line(line.number));
     }
-    notes.push(Note::new(
-        NoteKind::TextIgnored,
-        format!(
-            "line {} follows the last value and was ignored",
-            line.number
-        ),
-    ));
+    notes.push(below_values(&line));
     Ok(())
+}
+
+fn below_values(line: &Line<'_>) -> Note {
+    let words = format!(
+        "line {} follows the last value and was ignored",
+        line.number
+    );
+    Note::new(NoteKind::TextIgnored, words)
 }
 
 #[cfg(test)]

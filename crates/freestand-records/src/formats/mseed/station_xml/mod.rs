@@ -113,19 +113,14 @@ impl<'a> Stations<'a> {
     /// # Errors
     /// A file that cannot be read or is not StationXML.
     pub(super) fn of(&mut self, source: &Source) -> Result<Option<&Inventory>, Problem> {
-        let path = self
-            .named
-            .map(Path::to_path_buf)
-            .or_else(|| next_to(self.record, source));
-        let Some(path) = path else { return Ok(None) };
-        let place = match self.read.iter().position(|one| one.file.path == path) {
-            Some(place) => place,
-            None => {
-                self.read.push(Inventory::load(path)?);
-                self.read.len() - 1
-            }
+        let named = self.named.map(Path::to_path_buf);
+        let Some(path) = named.or_else(|| next_to(self.record, source)) else {
+            return Ok(None);
         };
-        Ok(self.read.get(place))
+        if !self.read.iter().any(|one| one.file.path == path) {
+            self.read.push(Inventory::parse(&load(&path)?, &path)?);
+        }
+        Ok(self.read.iter().find(|one| one.file.path == path))
     }
 }
 
@@ -162,16 +157,13 @@ fn next_to(record: &Path, source: &Source) -> Option<PathBuf> {
 }
 
 impl Inventory {
-    fn load(path: PathBuf) -> Result<Self, Problem> {
-        let bytes = load(&path)?;
-        Self::parse(&bytes, &path)
-    }
-
     fn parse(bytes: &[u8], path: &Path) -> Result<Self, Problem> {
         let refused = |message: String| {
-            Problem::new(ProblemKind::Format, message)
-                .in_file(path)
-                .hint("fetch the station's description as StationXML, level response or channel")
+            Problem::format(
+                message,
+                "fetch the station's description as StationXML, level response or channel",
+            )
+            .in_file(path)
         };
         if bytes.len() > MAX_BYTES {
             return Err(refused("is longer than 512 MiB".to_owned()));
@@ -260,9 +252,7 @@ impl Inventory {
                     ),
                 )
             };
-            return Err(Problem::new(ProblemKind::Value, what)
-                .in_file(&self.file.path)
-                .hint(hint));
+            return Err(Problem::value(what, hint).in_file(&self.file.path));
         };
         let refused = |message: String| {
             Problem::new(ProblemKind::Value, format!("{name}: {message}"))
@@ -324,13 +314,10 @@ impl Inventory {
         if names.is_empty() {
             "no channels".to_owned()
         } else {
-            shorten_each(&names).join(", ")
+            let names: Vec<String> = names.iter().map(|name| shorten(name)).collect();
+            names.join(", ")
         }
     }
-}
-
-fn shorten_each(names: &[String]) -> Vec<String> {
-    names.iter().map(|name| shorten(name)).collect()
 }
 
 /// Why counts cannot be converted to m/s².
@@ -340,6 +327,8 @@ enum Refusal {
     /// The description is incomplete: why, and what to do.
     Wrong(String, &'static str),
 }
+
+const CORRECT_IT: &str = "correct it, or state the unit with `unit`";
 
 impl Epoch {
     /// Counts per m/s², and the same in words.
@@ -381,10 +370,7 @@ impl Sensitivity {
             .filter(|value| *value != 0.0 && value.is_finite())
         else {
             let message = "the InstrumentSensitivity has no value".to_owned();
-            return Err(Refusal::Wrong(
-                message,
-                "correct it, or state the unit with `unit`",
-            ));
+            return Err(Refusal::Wrong(message, CORRECT_IT));
         };
         if !self.output.to_lowercase().contains("count") {
             let message = format!("the sensitivity is of \"{output}\", not of counts");
@@ -403,10 +389,7 @@ impl Sensitivity {
                     let message = format!(
                         "the sensitivity is to displacement ({input}), but its frequency is missing"
                     );
-                    return Err(Refusal::Wrong(
-                        message,
-                        "correct it, or state the unit with `unit`",
-                    ));
+                    return Err(Refusal::Wrong(message, CORRECT_IT));
                 };
                 // Instrument code N means an accelerometer, whatever the unit of its sensitivity.
                 if source.channel.chars().nth(1) != Some('N') {
