@@ -4,6 +4,7 @@
 mod csv;
 #[cfg(test)]
 pub(crate) mod fixture;
+mod floors;
 pub mod head;
 mod hold;
 mod outcomes;

@@ -14,8 +14,8 @@ use freestand_output::paths::io_problem;
 use freestand_output::rows::{broken, csv_writer};
 
 use super::csv::push_field;
+use super::floors::{FloorKey, floor_key, floor_words};
 use super::hold::how_to_hold;
-use super::overview::{FloorKey, floor_key, floor_words};
 use super::table::{Cell, Line};
 
 /// The file's name.

@@ -10,7 +10,7 @@ use freestand_output::facts::table;
 use freestand_output::table::Table;
 use freestand_output::{answer, answer_of};
 
-use super::report::{ToConfirm, clause_words, to_confirm};
+use super::words::{ToConfirm, clause_words, to_confirm};
 use super::{
     Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
     assumed_hazard, case_of, floor_of_list,

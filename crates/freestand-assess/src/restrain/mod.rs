@@ -5,10 +5,12 @@ mod list;
 mod report;
 mod sheet;
 mod sketch;
+mod words;
 
 pub use crate::restraint::components::Component;
 pub use list::{RestrainListReport, RestrainListRequest, restrain_list};
-pub use report::{RestrainReport, ToConfirm};
+pub use report::RestrainReport;
+pub use words::ToConfirm;
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;

@@ -1,6 +1,5 @@
 //! What `freestand restrain` prints, and its document.
 
-use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
 use freestand_output::answer::ByName;
@@ -8,9 +7,12 @@ use freestand_output::answer_of;
 use freestand_study::places::Place;
 use freestand_study::target::Target;
 
+use super::words::{
+    ToConfirm, clause_words, factor_words, limits_words, tension_words, to_confirm,
+};
 use super::{Case, sheet};
 use crate::restraint::Demand;
-use crate::restraint::factor::{Factor, FactorSource};
+use crate::restraint::factor::Factor;
 
 /// The force, moments and anchors of one object.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,58 +52,6 @@ pub(super) fn report(case: Case) -> RestrainReport {
         warnings: case.warnings.clone(),
         case,
     }
-}
-
-pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
-    if tension_n > 0.0 {
-        units.force_in_both(tension_n)
-    } else {
-        "none: its weight holds it down".to_owned()
-    }
-}
-
-pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
-    let unit = if factor.unit == "1" {
-        String::new()
-    } else {
-        format!(" {}", factor.unit)
-    };
-    [
-        factor.symbol.to_owned(),
-        format!("{}{unit}", factor.number()),
-        factor.source.words(),
-    ]
-}
-
-/// `F = 0.48 W; from 0.3 W to 1.6 W; the formula governs`.
-pub(super) fn limits_words(demand: &Demand) -> Option<String> {
-    let force = &demand.source.force;
-    let share = |ratio: f64| format!("{} W", number(ratio, 4));
-    let range = match (force.minimum_ratio > 0.0, force.maximum_ratio.is_finite()) {
-        (true, true) => format!(
-            "from {} to {}",
-            share(force.minimum_ratio),
-            share(force.maximum_ratio)
-        ),
-        (true, false) => format!("at least {}", share(force.minimum_ratio)),
-        (false, true) => format!("at most {}", share(force.maximum_ratio)),
-        (false, false) => return None,
-    };
-    let governs = match force.governing {
-        Governing::Minimum => "the lower limit governs",
-        Governing::Formula => "the formula governs",
-        Governing::Maximum => "the upper limit governs",
-    };
-    Some(format!("{range}; {governs}"))
-}
-
-/// `ASCE 7-16, 13.3.1`, or `F = m a`.
-pub(super) fn clause_words(demand: &Demand) -> String {
-    let source = &demand.source;
-    source.code.map_or_else(
-        || source.clause.to_owned(),
-        |code| format!("{code}, {}", source.clause),
-    )
 }
 
 /// `Design its restraint for 659 N (48 % of its weight), 1.15 m above its floor (ASCE 7-16,
@@ -288,45 +238,8 @@ fn factors(all: &[Factor]) -> ByName<&Factor> {
     ByName(all.iter().map(|factor| (factor.key, factor)).collect())
 }
 
-/// What nobody has read in the code, and an engineer must confirm before the sheet is signed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ToConfirm {
-    /// What it is: a factor with what it stands for, or a clause.
-    pub what: String,
-    /// The value that was used; empty for a clause.
-    pub value: String,
-}
-
 answer_of!(ToConfirm as one {
     what: String = one.what.clone();
     /// The value that was used; of a clause none.
     value: Option<String> = Some(one.value.clone()).filter(|value| !value.is_empty());
 });
-
-pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
-    let factor = |factor: &Factor| match factor.source {
-        FactorSource::Recalled("") => Some(ToConfirm {
-            what: factor.symbol.to_owned(),
-            value: factor.number(),
-        }),
-        FactorSource::Recalled(reason) => Some(ToConfirm {
-            what: format!("{}: {reason}", factor.symbol),
-            value: factor.number(),
-        }),
-        FactorSource::Given
-        | FactorSource::Assumed(_)
-        | FactorSource::Found(_)
-        | FactorSource::Read(_) => None,
-    };
-    let clause = |what: &&str| ToConfirm {
-        what: (*what).to_owned(),
-        value: String::new(),
-    };
-    let source = &demand.source;
-    source
-        .factors
-        .iter()
-        .filter_map(factor)
-        .chain(source.to_confirm.iter().map(clause))
-        .collect()
-}

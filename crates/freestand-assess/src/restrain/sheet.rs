@@ -7,8 +7,8 @@ use freestand_output::html::{
 };
 
 use super::Case;
-use super::report::{clause_words, factor_words, limits_words, tension_words, to_confirm};
 use super::sketch::sketch;
+use super::words::{clause_words, factor_words, limits_words, tension_words, to_confirm};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\

@@ -8,7 +8,7 @@ use freestand_input::problem::Problems;
 use freestand_input::words::{counted, number};
 
 use super::Context;
-use super::assessment::answers;
+use super::answers::answers;
 use super::decision::{deciding, percent};
 use super::object::Way;
 use super::trial::{Question, Trial, live};

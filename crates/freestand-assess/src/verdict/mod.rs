@@ -7,6 +7,7 @@
 //! too hard for it (`decision`); a softer pad is accepted where it would be left alone on it
 //! (`softer`).
 
+mod answers;
 mod assessment;
 mod before_wall;
 mod braked;

@@ -2,14 +2,14 @@
 
 use clap::Args;
 use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
-use freestand_input::problem::Problems;
 use freestand_output::json::document;
-use freestand_risk::export::{ExportRequest, export};
-use freestand_risk::fragility::{FragilityReport, FragilityRequest, fragility_watched};
+use freestand_risk::export::ExportRequest;
+use freestand_risk::fragility::{FragilityRequest, fragility_watched};
 
 use freestand_report::fragility::curves_text;
 
 use super::assess::watched;
+use super::exports::{Exported, write};
 use super::{Done, Tell, fragility_runs};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -90,39 +90,4 @@ fn fit(
     files.finish_result(SCHEMA, &report.warnings)?;
     printer.result(SCHEMA, &report, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
-}
-
-/// Folders for other programs.
-#[derive(Debug, Default)]
-pub(super) struct Exported {
-    /// Their files, with their contents.
-    pub(super) files: Vec<(String, Vec<u8>)>,
-    /// Warnings about them.
-    pub(super) warnings: Vec<String>,
-}
-
-impl Exported {
-    pub(super) fn of(
-        report: &FragilityReport,
-        requests: &[ExportRequest],
-    ) -> Result<Self, Problems> {
-        let mut all = Self::default();
-        for request in requests {
-            let folder = export(report, request)?;
-            for warning in folder.warnings {
-                // Two programs may say the same of an object.
-                if !report.warnings.contains(&warning) && !all.warnings.contains(&warning) {
-                    all.warnings.push(warning);
-                }
-            }
-            all.files.extend(folder.files);
-        }
-        Ok(all)
-    }
-}
-
-/// Writes files with their contents.
-pub(super) fn write(made: Vec<(String, Vec<u8>)>, files: &Files) -> Result<(), Failure> {
-    made.into_iter()
-        .try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
 }

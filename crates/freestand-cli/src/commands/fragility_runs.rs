@@ -5,13 +5,16 @@ use freestand_input::problem::Problem;
 use freestand_output::json::document;
 use freestand_risk::LEFT_OUT;
 use freestand_risk::export::ExportRequest;
-use freestand_risk::fragility::{KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs};
+use freestand_risk::fragility::{
+    KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs, ida_figure, measures_figure,
+    residuals_figure,
+};
 
 use freestand_report::fragility::runs_text;
 
 use super::Done;
 use super::assess::watched;
-use super::fragility::{Exported, write};
+use super::exports::{Exported, write};
 use crate::args::GlobalArgs;
 use crate::failure::{Failure, Left};
 use crate::files::Files;
@@ -107,9 +110,9 @@ fn write_runs(
         files.figure("fragility", || first.figure())?;
     }
     go_on()?;
-    files.figure("ida", || report.ida_figure())?;
+    files.figure("ida", || ida_figure(&report))?;
     go_on()?;
-    files.figure("measures", || report.measures_figure())?;
-    files.figure("residuals", || report.residuals_figure())?;
+    files.figure("measures", || measures_figure(&report))?;
+    files.figure("residuals", || residuals_figure(&report))?;
     go_on()
 }

@@ -4,6 +4,7 @@ mod assess;
 mod check;
 mod completions;
 mod cushion;
+mod exports;
 mod floor;
 mod fragility;
 mod fragility_runs;

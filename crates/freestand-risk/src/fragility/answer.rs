@@ -8,7 +8,7 @@ use freestand_input::words::name_of;
 use freestand_output::answer::Input;
 use freestand_output::answer_of;
 
-use super::runs::Quality;
+use super::quality::Quality;
 use super::{FragilityReport, ObjectFragility, why_no_interval};
 use freestand_inventory::too_mild::TOO_MILD;
 

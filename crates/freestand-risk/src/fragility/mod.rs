@@ -6,6 +6,7 @@ mod figure;
 mod hazard;
 pub mod measure;
 mod outcomes;
+mod quality;
 mod runs;
 pub(crate) mod table;
 
@@ -36,10 +37,11 @@ pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
+pub use quality::Quality;
 pub use runs::{
     Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject,
-    KeepRuns, Limits, METHODS, Method, Quality, RunObjects, RunsReport, RunsRequest, file_name,
-    fragility_of_runs, measures, scales,
+    KeepRuns, Limits, METHODS, Method, RunObjects, RunsReport, RunsRequest, file_name,
+    fragility_of_runs, ida_figure, measures, measures_figure, residuals_figure, scales,
 };
 
 /// How limit states are fitted, by name.

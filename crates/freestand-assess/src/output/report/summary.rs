@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use crate::output::Head;
-use crate::output::overview::{Counts, FloorKey, Overview, RATINGS, Urgent, floor_words};
+use crate::output::floors::{FloorKey, floor_words};
+use crate::output::overview::{Counts, Overview, RATINGS, Urgent};
 use crate::output::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::output::worklist::{Task, sort_floors};
 use crate::rank::RULE;

@@ -7,11 +7,12 @@ use freestand_output::answer_of;
 
 use super::super::answer::OfObject;
 use super::super::hazard::MeasuredHazard;
+use super::super::quality::Quality;
 use super::super::{FragilityReport, ObjectFragility};
+use super::METHODS;
 use super::levels::Added;
 use super::report::{LeftOut, OfStudy, RunsReport};
 use super::shaking::FloorShaking;
-use super::{METHODS, Quality};
 
 impl RunsReport {
     /// The scales that were asked for, or chosen before a hazard asked for more.

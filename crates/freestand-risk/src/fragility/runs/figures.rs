@@ -28,7 +28,7 @@ const PANEL_PX: f64 = 320.0;
 const TOP: f64 = 1.15;
 
 /// One line for each motion: the largest rotation, and the shock, against the intensity.
-pub(super) fn ida(report: &RunsReport) -> Result<Figure, FigureError> {
+pub fn ida_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let (measure, at) = report
         .reports
         .first()
@@ -221,7 +221,7 @@ fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis, id: &str) -> P
 }
 
 /// Efficiency and proficiency of every measure.
-pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
+pub fn measures_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let first = report
         .reports
         .first()
@@ -304,7 +304,7 @@ pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
 }
 
 /// What the first measure leaves of the most severe limit state, against the mean period and PGV/PGA.
-pub(super) fn residuals(report: &RunsReport) -> Result<Figure, FigureError> {
+pub fn residuals_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let first = report.reports.first();
     let shown: Vec<_> = first
         .map_or(&[][..], |one| one.objects.as_slice())

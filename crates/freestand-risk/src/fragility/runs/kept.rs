@@ -1,7 +1,5 @@
 //! Finished runs on disk, with which a command that was stopped or killed can be continued.
 
-use std::path::PathBuf;
-
 use freestand::fragility::OutcomeClass;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::Problem;
@@ -26,17 +24,6 @@ const PART: usize = 16;
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
 const FORMAT: u32 = 5;
-
-/// Where the finished runs of an inventory are kept until the results are written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct KeepRuns {
-    /// The folder of the results.
-    pub folder: PathBuf,
-    /// Whether runs of an earlier command in the same folder are used.
-    pub resume: bool,
-    /// Whether files in the folder that freestand did not write are replaced.
-    pub force: bool,
-}
 
 /// The runs of one object.
 #[derive(Debug, Serialize, Deserialize)]

@@ -46,12 +46,11 @@ use request::{DOUBTFUL_SCALE, MAX_MEASURES};
 use shaking::{FloorShaking, RatioFactors};
 
 pub use changed::{Change, ChangedObject};
-pub use kept::KeepRuns;
-pub use quality::Quality;
+pub use figures::{ida_figure, measures_figure, residuals_figure};
 pub use report::RunsReport;
 pub use request::{
-    DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, Limits, METHODS, Method, RunObjects, RunsRequest,
-    measures, scales,
+    DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects,
+    RunsRequest, measures, scales,
 };
 pub use shaking::{DEFAULT_WORLDS, FloorMotion};
 pub use table::file_name;

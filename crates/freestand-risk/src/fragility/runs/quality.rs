@@ -5,37 +5,12 @@ use freestand::fragility::{
 };
 
 use super::super::measure::{At, Measure};
+use super::super::quality::Quality;
 use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
 use super::follow::Followed;
 use super::shaking::{FloorShaking, Strength};
 use super::table::weights;
 use super::{Method, ObjectRuns};
-
-/// A measure and a limit state of one object.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Quality {
-    /// The limit state.
-    pub limit_state: LimitState,
-    /// β of the capacities; of a cloud the residual standard deviation of ln demand.
-    pub efficiency: Option<f64>,
-    /// Slope of ln demand by ln intensity.
-    pub practicality: Option<f64>,
-    /// p of the residuals against ln of the mean period; `None` unless all motions reach the limit
-    /// state, or of a cloud.
-    pub p_mean_period: Option<f64>,
-    /// p of the residuals against ln of PGV/PGA.
-    pub p_velocity_over_acceleration: Option<f64>,
-    /// ln of the mean period, ln of PGV/PGA and the residual, for each motion that has one.
-    pub(super) residuals: Vec<[f64; 3]>,
-}
-
-impl Quality {
-    /// β/b.
-    pub fn proficiency(&self) -> Option<f64> {
-        let practicality = self.practicality.filter(|slope| *slope > 0.0)?;
-        Some(self.efficiency? / practicality)
-    }
-}
 
 /// The qualities of a measure, for each limit state of an object.
 pub(super) fn qualities(

@@ -8,14 +8,13 @@ use freestand_input::words::{counted, name_of, significant, some};
 use freestand_output::answer;
 use freestand_output::answer::Answer;
 use freestand_output::facts::{Facts, table as of_rows};
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 
 use super::super::{FitMethod, FragilityReport};
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::FloorShaking;
-use super::{METHODS, Method, ObjectRuns, RunObjects, figures, follow};
+use super::{METHODS, Method, ObjectRuns, RunObjects, follow};
 use freestand_assess::job::{JobReport, said};
 use freestand_assess::output::head;
 
@@ -280,29 +279,5 @@ impl RunsReport {
             rows.collect()
         };
         self.reports.iter().flat_map(of_report).collect()
-    }
-
-    /// The runs against rotation and shock.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn ida_figure(&self) -> Result<Figure, FigureError> {
-        figures::ida(self)
-    }
-
-    /// β by measure.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn measures_figure(&self) -> Result<Figure, FigureError> {
-        figures::measures(self)
-    }
-
-    /// What the first measure leaves, against other properties of the motions.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn residuals_figure(&self) -> Result<Figure, FigureError> {
-        figures::residuals(self)
     }
 }

@@ -1,5 +1,7 @@
 //! What is run.
 
+use std::path::PathBuf;
+
 use std::sync::Arc;
 
 use freestand::block::Block;
@@ -14,7 +16,7 @@ use freestand_study::study::Study;
 use super::super::FitMethod;
 use super::super::hazard::HazardSource;
 use super::super::measure::{At, MEASURES, Measure};
-use super::{ChangedObject, FloorMotion, KeepRuns};
+use super::{ChangedObject, FloorMotion};
 use freestand_inventory::Inventory;
 use freestand_inventory::library::{Confidence, Tolerance};
 
@@ -204,6 +206,17 @@ pub enum RunObjects {
 
 /// The id of an object that is given by its numbers.
 pub const GIVEN_ID: &str = "object";
+
+/// Where the finished runs of an inventory are kept until the results are written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeepRuns {
+    /// The folder of the results.
+    pub folder: PathBuf,
+    /// Whether runs of an earlier command in the same folder are used.
+    pub resume: bool,
+    /// Whether files in the folder that freestand did not write are replaced.
+    pub force: bool,
+}
 
 /// What is run and fitted.
 #[derive(Debug, Clone)]
