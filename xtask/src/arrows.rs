@@ -1,4 +1,4 @@
-//! Arrows of use, between crates and between the top-level modules of a crate: they run one way.
+//! Arrows of use, between crates and between the files of each folder of a crate: they run one way.
 //!
 //! Read from `use` lines and from paths in code (`crate::x::`, `super::`, `freestand_x::`), tests left out. A name that the
 //! crate root passes on (`pub use x::Name`) counts as the module that it comes from.
@@ -124,6 +124,9 @@ const ROOT: &str = "(crate root)";
 /// `file:line`
 type Site = String;
 
+/// The names of modules from the crate root, which itself has none.
+type Place = Vec<String>;
+
 /// A user, what it uses, and where it does so first.
 type Arrows = BTreeMap<String, BTreeMap<String, Site>>;
 
@@ -147,13 +150,23 @@ pub fn check(files: &Files) -> Result<(Vec<String>, Vec<String>), String> {
         );
         problems.extend(wrong_order(files, name, &modules));
         match module_arrows(name, &modules) {
-            Ok(arrows) => problems.extend(circles(name, &arrows)),
+            Ok(arrows) => problems.extend(
+                arrows
+                    .iter()
+                    .flat_map(|(place, arrows)| circles(&in_words(name, place), arrows)),
+            ),
             Err(hidden) => problems.push(hidden),
         }
     }
     let (shares, too_big) = shares(&lines);
     problems.extend(too_big);
     Ok((shares, problems))
+}
+
+/// A folder of modules as messages name it.
+fn in_words(crate_name: &str, place: &[String]) -> String {
+    let names = std::iter::once(crate_name).chain(place.iter().map(String::as_str));
+    names.collect::<Vec<_>>().join("::")
 }
 
 /// What each crate has of the code, and which one has too much.
@@ -393,108 +406,107 @@ fn start(token: &TokenTree) -> usize {
     token.span().start().line
 }
 
-/// The part of a path after the crate root, for one that leads there: `["b", …]` of `crate::b::…`, and of `super::b::…` in
-/// a top-level module.
-fn from_root<'a>(
-    named: &'a Named,
-    crate_name: &str,
-    top: &BTreeSet<String>,
-) -> Option<&'a [String]> {
-    let segments = named.segments.as_slice();
+/// A path from the crate root: `["a", "b"]` of `crate::a::b`, of `super::b` in the module `a::c`, and of `b` in `a`.
+fn from_root(named: &Named, crate_name: &str, known: &BTreeSet<Place>) -> Option<Place> {
+    let (segments, module) = (named.segments.as_slice(), named.module.as_slice());
     let first = segments[0].as_str();
     if first == "crate" || first == crate_name.replace('-', "_") {
-        return Some(&segments[1..]);
+        return Some(segments[1..].to_vec());
     }
-    let supers = segments
-        .iter()
-        .take_while(|segment| *segment == "super")
-        .count();
     let after_self = usize::from(first == "self");
-    match named.module.len() {
-        0 if first == "self" || top.contains(first) => Some(&segments[after_self..]),
-        0 => None,
-        depth if first == "self" => {
-            // `self::super::x`
-            let supers = segments[1..]
-                .iter()
-                .take_while(|segment| *segment == "super")
-                .count();
-            (supers == depth).then(|| &segments[1 + supers..])
-        }
-        depth => (supers == depth).then(|| &segments[supers..]),
+    let supers = segments[after_self..].iter();
+    let supers = supers.take_while(|segment| *segment == "super").count();
+    if after_self + supers == 0 {
+        let child = [module, &segments[..1]].concat();
+        return known.contains(&child).then(|| [module, segments].concat());
     }
+    let above = module.len().checked_sub(supers)?;
+    Some([&module[..above], &segments[after_self + supers..]].concat())
 }
 
-/// The arrows between the top-level modules of a crate.
-fn module_arrows(crate_name: &str, modules: &[Module]) -> Result<Arrows, String> {
-    let named: Vec<(&str, Named)> = modules
-        .iter()
-        .flat_map(|module| {
-            named_paths(module)
-                .into_iter()
-                .map(|named| (&*module.file, named))
-        })
-        .collect();
-    let top: BTreeSet<String> = modules
-        .iter()
-        .filter_map(|module| module.path.first().cloned())
-        .collect();
-    let inline = named
-        .iter()
-        .filter_map(|(_, named)| named.module.first().cloned());
-    let top: BTreeSet<String> = top.into_iter().chain(inline).collect();
+/// What names stand for that a module takes from elsewhere; nothing, if from another crate.
+type Taken = BTreeMap<(Place, String), Option<Place>>;
 
-    // What a name at the crate root stands for: a module of ours, or something of another crate.
-    let mut passed_on: BTreeMap<String, Option<String>> = BTreeMap::new();
-    for (file, named) in named.iter().filter(|(_, named)| named.module.is_empty()) {
-        if let Some((name, _)) = &named.used_as {
-            let from = from_root(named, crate_name, &top).and_then(|segments| segments.first());
-            if name == "*" && from.is_some() {
-                return Err(format!(
-                    "{crate_name}: a glob at the crate root hides what is used\n  {file}:{}",
-                    named.line
-                ));
-            }
-            passed_on.insert(name.clone(), from.cloned());
+/// The module that a path leads to, by the names that modules pass on; `None`: it is of another crate.
+fn module_of(mut path: Place, known: &BTreeSet<Place>, taken: &Taken) -> Option<Place> {
+    // As many as there are modules: names that stand for each other in a circle do not compile.
+    for _ in 0..known.len() {
+        let depth = (0..=path.len()).rev();
+        let depth = depth.into_iter().find(|&n| known.contains(&path[..n]))?;
+        let name = path.get(depth).cloned();
+        match name.and_then(|name| taken.get(&(path[..depth].to_vec(), name))) {
+            None => return Some(path[..depth].to_vec()),
+            Some(None) => return None,
+            Some(Some(from)) => path = [from.as_slice(), &path[depth + 1..]].concat(),
         }
     }
+    None
+}
 
-    let mut arrows = Arrows::new();
+/// The arrows between the files of each folder of modules, by its place; what is in a folder within it counts as that
+/// folder. The file of a folder says what its files share, and takes no part; that of the crate does.
+fn module_arrows(crate_name: &str, modules: &[Module]) -> Result<BTreeMap<Place, Arrows>, String> {
+    let paths = |module: &Module| named_paths(module).into_iter();
+    let named: Vec<(&str, Named)> = modules
+        .iter()
+        .flat_map(|module| paths(module).map(|named| (&*module.file, named)))
+        .collect();
+    let files: BTreeMap<&[String], &str> = modules
+        .iter()
+        .map(|module| (module.path.as_slice(), &*module.file))
+        .collect();
+    let in_place = named.iter().map(|(_, named)| named.module.clone());
+    let known: BTreeSet<Place> = modules
+        .iter()
+        .map(|module| module.path.clone())
+        .chain(in_place)
+        .collect();
+    let mut taken = Taken::new();
     for (file, named) in &named {
-        let Some(segments) = from_root(named, crate_name, &top) else {
+        let Some((name, _)) = &named.used_as else {
             continue;
         };
-        let user = named.module.first().map_or(ROOT, String::as_str);
+        let from = from_root(named, crate_name, &known);
+        if name == "*" && named.module.is_empty() && from.is_some() {
+            let line = named.line;
+            return Err(format!(
+                "{crate_name}: a glob at the crate root hides what is used\n  {file}:{line}"
+            ));
+        }
+        taken.insert((named.module.clone(), name.clone()), from);
+    }
+    let mut arrows: BTreeMap<Place, Arrows> = BTreeMap::new();
+    for (file, named) in &named {
+        let Some(path) = from_root(named, crate_name, &known) else {
+            continue;
+        };
         let site = format!("{file}:{}", named.line);
-        if user == ROOT
-            && named
-                .used_as
-                .as_ref()
-                .is_some_and(|(_, passed_on)| *passed_on)
-        {
+        if path == ["*"] {
+            return Err(format!(
+                "{crate_name}: `use crate::*` hides what is used\n  {site}"
+            ));
+        }
+        let (user, passed_on) = (&named.module, named.used_as.as_ref());
+        let Some(used) = module_of(path, &known, &taken) else {
+            continue;
+        };
+        let is_same_file = files.get(used.as_slice()).is_none_or(|other| other == file);
+        let passes_on = used.starts_with(user) && passed_on.is_some_and(|(_, is)| *is);
+        if is_same_file || passes_on {
             continue;
         }
-        let used = match segments.first().map(String::as_str) {
-            Some("*") => {
-                return Err(format!(
-                    "{crate_name}: `use crate::*` hides what is used\n  {site}"
-                ));
-            }
-            Some(name) if top.contains(name) => name,
-            Some(name) => match passed_on.get(name) {
-                Some(Some(module)) if top.contains(module) => module,
-                Some(None) => continue,
-                _ => ROOT,
-            },
-            None => ROOT,
-        };
-        if used != user {
-            arrows
-                .entry(user.to_owned())
-                .or_default()
-                .entry(used.to_owned())
-                .or_insert(site);
+        let shared = user.iter().zip(&used).take_while(|(a, b)| a == b).count();
+        if shared > 0 && shared == user.len().min(used.len()) {
+            continue;
         }
+        let node = |of: &Place| of.get(shared).map_or(ROOT, String::as_str).to_owned();
+        arrows
+            .entry(user[..shared].to_vec())
+            .or_default()
+            .entry(node(user))
+            .or_default()
+            .entry(node(&used))
+            .or_insert(site);
     }
     Ok(arrows)
 }
@@ -569,7 +581,7 @@ mod tests {
     use super::*;
 
     /// The crate `freestand`, made of these files.
-    fn arrows(files: &[(&str, &str)]) -> Result<Arrows, String> {
+    fn arrows(files: &[(&str, &str)]) -> Result<BTreeMap<Place, Arrows>, String> {
         let files = files
             .iter()
             .map(|(path, text)| (format!("crates/freestand/src/{path}"), (*text).to_owned()));
@@ -580,7 +592,11 @@ mod tests {
     }
 
     fn text(files: &[(&str, &str)]) -> String {
-        circles("freestand", &arrows(files).unwrap()).join("\n")
+        let arrows = arrows(files).unwrap();
+        let found = arrows
+            .iter()
+            .flat_map(|(place, arrows)| circles(&in_words("freestand", place), arrows));
+        found.collect::<Vec<_>>().join("\n")
     }
 
     /// `b` uses `a`, and the file `a.rs` is this: is that a circle?
@@ -654,6 +670,28 @@ mod tests {
              \n    b -> c                                   crates/freestand/src/b/inner.rs:3\
              \n    c -> a                                   crates/freestand/src/c.rs:2"
         );
+    }
+
+    #[test]
+    fn files_of_a_folder_are_asked_too() {
+        let files = |b: &str, c: &str| {
+            text(&[
+                ("lib.rs", "mod a;"),
+                ("a/mod.rs", "mod b; mod c; pub use b::X; struct Y;"),
+                ("a/b.rs", b),
+                ("a/c.rs", c),
+            ])
+        };
+        for b in [
+            "use super::c;",
+            "use crate::a::c::f;",
+            "fn f() { super::c::f() }",
+        ] {
+            // What the folder passes on is of the file that has it; what is its own is nobody's circle.
+            let found = files(b, "use super::X;");
+            assert!(found.starts_with("freestand::a: 2 modules"), "{b}: {found}");
+            assert_eq!(files(b, "use super::Y;"), "", "{b}");
+        }
     }
 
     #[test]

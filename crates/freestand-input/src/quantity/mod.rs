@@ -7,10 +7,12 @@ use crate::problem::{Problem, ProblemKind};
 use crate::words::number;
 
 mod number;
+mod spelling;
 mod system;
 mod units;
 
-use number::{Number, Split, plain, split};
+use number::{Number, Split, split};
+use spelling::plain;
 pub use system::UnitSystem;
 pub use units::{Dimension, Unit, find_unit, find_unit_any_case, lookup};
 use units::{unknown_unit, wrong_dimension};

@@ -1,6 +1,6 @@
 //! What a quantity measures, and the units that it may have.
 
-use super::number::plain;
+use super::spelling::plain;
 use super::{shorten, value_problem};
 use crate::problem::Problem;
 

@@ -1,13 +1,12 @@
 //! The response spectra of one motion.
 
-use freestand::G0_M_S2;
-use freestand::oscillator::{ResponseSpectrum, response_spectrum};
+use freestand::oscillator::response_spectrum;
 use freestand::signal::resample::{MAX_LENGTH, upsampled_sinc};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::inspect::{Words, response_spectrum_figure};
+use crate::inspect::{DampedSpectrum, Words, response_spectrum_figure};
 use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
 use freestand_output::figure::{Figure, FigureError};
@@ -49,20 +48,6 @@ pub struct SpectrumReport {
     pub more: Vec<DampedSpectrum>,
     #[serde(skip)]
     pub warnings: Vec<String>,
-}
-
-/// A response spectrum at one damping.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
-pub struct DampedSpectrum {
-    pub damping_ratio: f64,
-    pub sd_m: Vec<f64>,
-    pub psv_m_s: Vec<f64>,
-    pub psa_g: Vec<f64>,
-    pub sa_g: Vec<f64>,
 }
 
 /// Checks that a motion of so many samples can be upsampled by `factor`; 0 and 1 change nothing.
@@ -149,19 +134,6 @@ fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<St
          {needed}` would give it ten",
         few_steps("the shortest period", shortest_s, dt_s)
     ))
-}
-
-impl DampedSpectrum {
-    fn new(damping_ratio: f64, spectrum: &ResponseSpectrum) -> Self {
-        let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect();
-        Self {
-            damping_ratio,
-            sd_m: spectrum.sd_m.clone(),
-            psv_m_s: spectrum.psv_m_s.clone(),
-            psa_g: in_g(&spectrum.psa_m_s2),
-            sa_g: in_g(&spectrum.sa_m_s2),
-        }
-    }
 }
 
 impl SpectrumReport {

@@ -3,8 +3,7 @@
 use freestand::synthesis::{MatchedMotion, Resemblance};
 use rayon::prelude::*;
 
-use super::recorded::reading_keys;
-use super::suite::suite_keys;
+use super::ground_keys::{SCALES_TO, other, reading_keys, source_line, suite_keys, synthetic_keys};
 use super::{MAX_MOTIONS, Overrides, Resolver, Values, line, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::{GroundOptions, VerticalOption};
@@ -21,9 +20,6 @@ use freestand_input::toml_reader::Written;
 /// Largest ratio of the vertical spectrum to the horizontal one: near a fault it reaches 1 to 2 at short
 /// periods; more is a mistake.
 const MAX_VERTICAL_RATIO: f64 = 3.0;
-
-/// Keys of `processing` that scale records to a target of their own.
-pub(super) const SCALES_TO: [&str; 3] = ["scale_to", "scale_to_sa", "scale_to_spectrum"];
 
 impl Resolver<'_> {
     /// `building` and `levels` are those that the motions pass through: a suite has their periods.
@@ -349,24 +345,4 @@ impl Resolver<'_> {
             }
         }
     }
-}
-
-/// Where a point source is written.
-pub(super) fn source_line(written: &GroundOptions) -> Option<usize> {
-    written.point_source.as_ref().map(|source| source.line)
-}
-
-/// Why a key excludes another one, and the usual remedy.
-pub(super) fn other(why: &'static str) -> (&'static str, &'static str) {
-    (why, "keep one of them")
-}
-
-/// The keys of `[ground]` that describe motions other than records, with their lines.
-pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
-    let others = [
-        ("count", line(&written.count)),
-        ("seed", line(&written.seed)),
-        ("point_source", source_line(written)),
-    ];
-    written.target.lines().chain(others).collect()
 }

@@ -6,6 +6,7 @@ mod assumed;
 mod building;
 mod cushion;
 mod ground;
+mod ground_keys;
 mod hazard;
 mod objects;
 mod outputs;

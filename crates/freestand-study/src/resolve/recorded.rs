@@ -8,8 +8,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_records::processing::azimuth_deg;
 
-use super::ground::synthetic_keys;
-use super::suite::suite_keys;
+use super::ground_keys::{suite_keys, synthetic_keys};
 use super::{Overrides, Resolver, line, stated};
 
 /// Step between the directions in which every object is tried, unless the study states one
@@ -20,21 +19,6 @@ const FINEST_STEP_DEG: f64 = 1.0;
 
 /// A list of files.
 type Files = Written<Vec<Written<String>>>;
-
-/// The keys that say how files are read, with their lines.
-pub(super) fn reading_keys(
-    written: &GroundOptions,
-) -> impl Iterator<Item = (&'static str, Option<usize>)> {
-    let others = [
-        ("across", line(&written.across)),
-        ("components", line(&written.components)),
-        ("rotation_step", line(&written.rotation_step_rad)),
-        ("processing", written.processing),
-    ];
-    let files = ["unit", "dt", "component", "station_xml", "scale"]
-        .map(|key| (key, written.reading.line_of(&[key])));
-    files.into_iter().chain(others)
-}
 
 /// Whether the motions of floors are given.
 pub(super) fn has_measured_floors(building: &BuildingOptions) -> bool {

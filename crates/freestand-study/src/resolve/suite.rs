@@ -13,7 +13,7 @@ use freestand_input::words::{counted, number, some};
 use freestand_records::processing::short_period_warning;
 use rayon::prelude::*;
 
-use super::ground::{SCALES_TO, other, source_line};
+use super::ground_keys::{SCALES_TO, other, source_line};
 use super::recorded::same_file;
 use super::{MAX_MOTIONS, Resolver, line};
 use crate::options::GroundOptions;
@@ -24,14 +24,6 @@ use crate::suite::{
     select, some_left_out,
 };
 use crate::target::Target;
-
-/// The keys that belong to `suite`, with their lines.
-pub(super) fn suite_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 2] {
-    [
-        ("suite_count", line(&written.suite_count)),
-        ("suite_scale", line(&written.suite_scale)),
-    ]
-}
 
 impl Resolver<'_> {
     /// The records of a folder that together fit the target, scaled.

@@ -8,7 +8,7 @@ use freestand::code_spectrum::{
 };
 
 use super::Target;
-use super::words::{Code, missing, needed, place_key};
+use super::code::{Code, missing, needed};
 use crate::places::{Confidence, FAR_KM, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
@@ -48,6 +48,11 @@ fn at(place: Option<&'static Place>, mut target: Target) -> Target {
     target.warnings.extend(place.doubt());
     target.place = Some(place);
     target
+}
+
+/// The key that names the place: `city` is another name of `place`.
+pub(super) fn place_key(reader: &WordReader) -> Option<&'static str> {
+    ["place", "city"].into_iter().find(|key| reader.has(key))
 }
 
 /// Notes keys that state the hazard although the place does.

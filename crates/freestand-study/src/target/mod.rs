@@ -3,6 +3,7 @@
 mod figure;
 
 pub use figure::code_spectrum_figure;
+mod code;
 mod codes;
 mod parts;
 mod spectrum;
@@ -17,12 +18,12 @@ use freestand::code_spectrum::{
 };
 use freestand::synthesis;
 
+use code::Code;
 pub use codes::DEFAULT_YEARS;
 pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
     usual_periods_s,
 };
-use words::Code;
 pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
 

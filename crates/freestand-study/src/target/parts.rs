@@ -7,8 +7,9 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::number;
 
 use super::Target;
+use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
-use super::words::{self, CODES, Code};
+use super::words;
 use crate::places::Place;
 
 impl Target {

@@ -7,7 +7,7 @@ use freestand::code_spectrum::{Interpolation, OutOfRange, SpectrumTable};
 use freestand::synthesis::DAMPING_RATIO;
 
 use super::Target;
-use super::words::{Code, missing};
+use super::code::{Code, missing};
 use freestand_input::problem::Problem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;

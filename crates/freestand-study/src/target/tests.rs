@@ -1,4 +1,4 @@
-use super::words::CODES;
+use super::code::CODES;
 use super::*;
 use freestand_input::problem::Problem;
 

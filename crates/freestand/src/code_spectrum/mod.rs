@@ -25,6 +25,7 @@ mod annexes;
 mod as1170_4;
 mod asce7;
 mod eurocode8;
+mod eurocode8_shape;
 mod frame_period;
 mod nzs1170_5;
 pub mod part_forces;
@@ -38,7 +39,8 @@ pub use as1170_4::{
     As1170_4, Edition, SiteClass, minimum_kpz, probability_factor, probability_factors,
 };
 pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficients};
-pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType};
+pub use eurocode8::Eurocode8;
+pub use eurocode8_shape::{GroundType, SpectrumShape, SpectrumType};
 pub use frame_period::{FrameKind, PeriodCode, PeriodFormula, fundamental_period_s};
 pub use nzs1170_5::{
     Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor, return_period_factors,

@@ -1,26 +1,17 @@
 //! The equations of motion of rigid bodies in space on contact elements.
 
+use super::element::{Element, Grip};
 use super::feet::{self, Feet, Stuck};
+use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY, vector};
 use super::vector::{
-    Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned,
-    turned_back, turning,
+    Vector, cross, difference, dot, moved, moved_back, sum, turned, turned_back, turning,
 };
 use crate::compliant::Energies;
-use crate::compliant::pad::Pad;
 
 /// The largest number of bodies, and of elements that may slip.
 pub(super) const MAX_BODIES: usize = 2;
 const MAX_SLIPS: usize = 48;
 
-// Indices into the state of one body: displacement of the centre of gravity relative to the base
-// and to its position upright above unloaded cushions, velocity, rotation, angular velocity in body
-// axes.
-pub(super) const PLACE: usize = 0;
-pub(super) const VELOCITY: usize = 3;
-pub(super) const TURN: usize = 6;
-pub(super) const SPIN: usize = 10;
-/// Entries of one body.
-pub(super) const BODY: usize = 13;
 // Behind the bodies: the work of the base, what dashpots and slip dissipate, and the direction of
 // the stretch of each element that may slip.
 const WORK: usize = 0;
@@ -51,133 +42,6 @@ pub(super) struct Rigid {
     pub(super) home: Vector,
     /// From the centre of gravity to the base.
     pub(super) cg_height: f64,
-}
-
-/// A body, or the base (`None`).
-pub(super) type Owner = Option<usize>;
-
-/// A point that is pressed against a face.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Element<'a> {
-    /// The body with the point; its place from the centre of gravity, or on the base.
-    pub(super) point_of: Owner,
-    pub(super) point: Vector,
-    /// The body with the face; the axis (0 to 2) of that body that is normal to it, and +1 where
-    /// the face looks along the axis.
-    pub(super) face_of: Owner,
-    pub(super) normal: usize,
-    pub(super) sign: f64,
-    /// Distance of the point from the face when all bodies are upright above unloaded cushions.
-    pub(super) gap: f64,
-    /// The face ends at this distance from the centre of gravity along this axis.
-    pub(super) end: Option<(usize, f64)>,
-    pub(super) pad: Pad<'a>,
-    /// 0: a smooth face.
-    pub(super) tangential_stiffness: f64,
-    /// `None`: no slip.
-    pub(super) friction: Option<f64>,
-    /// Index of the direction of its stretch; meaningless without friction.
-    pub(super) slot: usize,
-    /// Units of its compression and force.
-    pub(super) unit_m: f64,
-    pub(super) weight_n: f64,
-    pub(super) role: Role,
-}
-
-/// What an element is part of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    /// A cushion on the floor.
-    Base,
-    /// Between two bodies.
-    Interface,
-    /// A wall.
-    Wall,
-}
-
-/// The state of an element.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Grip {
-    /// No contact; its surface recovers from `compression_m`, at which a damped cushion was left at
-    /// `since_s`.
-    Open { since_s: f64, compression_m: f64 },
-    /// In contact; its spring is anchored at this place on the face.
-    Stick { anchor: [f64; 2] },
-    /// In contact; its foot slides. The direction of its spring is part of the state.
-    Slip,
-    /// The point has left the face past its end, and does not return.
-    Gone,
-}
-
-impl Grip {
-    pub(super) const UNTOUCHED: Self = Self::Open {
-        since_s: 0.0,
-        compression_m: 0.0,
-    };
-
-    pub(super) fn carries(self) -> bool {
-        matches!(self, Self::Stick { .. } | Self::Slip)
-    }
-}
-
-/// The position and velocity of a body.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Pose {
-    pub(super) place: Vector,
-    pub(super) velocity: Vector,
-    turn: Turn,
-    /// Q − I.
-    pub(super) shift: Shift,
-    /// Angular velocity in floor axes.
-    pub(super) omega: Vector,
-}
-
-impl Pose {
-    const STILL: Self = Self {
-        place: [0.0; 3],
-        velocity: [0.0; 3],
-        turn: UPRIGHT,
-        shift: [[0.0; 3]; 3],
-        omega: [0.0; 3],
-    };
-
-    fn at(y: &[f64]) -> Self {
-        let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
-        let shift = shift(&turn);
-        Self {
-            place: vector(y, PLACE),
-            velocity: vector(y, VELOCITY),
-            turn,
-            shift,
-            omega: turned(&shift, &vector(y, SPIN)),
-        }
-    }
-
-    /// Displacement and velocity of a point of the body.
-    pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
-        let by_turn = moved(&self.shift, from_cg);
-        let arm = sum(from_cg, &by_turn);
-        (
-            sum(&self.place, &by_turn),
-            sum(&self.velocity, &cross(&self.omega, &arm)),
-        )
-    }
-
-    /// The axis of the body that is vertical at rest, and its rate.
-    pub(super) fn axis(&self) -> (Vector, Vector) {
-        let [x, y, z] = self.shift;
-        let axis = [x[2], y[2], 1.0 + z[2]];
-        (axis, cross(&self.omega, &axis))
-    }
-
-    /// The vertical part of that axis.
-    pub(super) fn upright(&self) -> f64 {
-        1.0 + self.shift[2][2]
-    }
-}
-
-pub(super) fn vector(y: &[f64], at: usize) -> Vector {
-    [y[at], y[at + 1], y[at + 2]]
 }
 
 /// The poses of all bodies.

@@ -1,7 +1,8 @@
 //! The feet of a body that stands on the floor alone: they are all alike, so that those that stick
 //! to it on springs and dashpots need a few sums together, however many they are.
 
-use super::equation::{Element, Grip, Pose};
+use super::element::{Element, Grip};
+use super::pose::Pose;
 use super::vector::{Vector, difference, sum, turned};
 use crate::compliant::pad::Pad;
 

@@ -1,7 +1,8 @@
 //! What the points of a base do where they press on the floor.
 
-use super::equation::{Line, Poses, Role, State};
-use super::track::Seen;
+use super::element::Role;
+use super::equation::{Line, Poses, State};
+use super::seen::Seen;
 use crate::compliant::raise;
 
 /// The landings of the base of an object, or of the lower body of a stack.

@@ -31,9 +31,12 @@
 //! give different ones. Shares and fractiles over many motions are what can be trusted (Vassiliou
 //! et al. 2021, DOI 10.1177/8755293020988017, on 226 shaking-table tests).
 
+mod element;
 mod equation;
 mod feet;
 mod landings;
+mod pose;
+mod seen;
 mod solve;
 mod stack;
 mod track;
@@ -44,10 +47,13 @@ mod tests;
 
 use std::f64::consts::TAU;
 
-use self::equation::{BODY, Element, PLACE, Rigid, Role, SPIN, State, TURN, VELOCITY, World};
+use self::element::{Element, Role};
+use self::equation::{Rigid, State, World};
 use self::feet::Feet;
+use self::pose::{BODY, PLACE, SPIN, TURN, VELOCITY};
+use self::seen::{Seen, tilts};
 use self::solve::{Ended, follow};
-use self::track::{Seen, tilts, yaw};
+use self::track::yaw;
 use crate::compliant::pad::Pad;
 use crate::compliant::{
     ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide,
@@ -59,8 +65,9 @@ use crate::rocking::Outcome;
 use crate::search::bisect;
 
 pub use landings::BaseLandings;
+pub use seen::Pattern;
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
-pub use track::{BodyMotion, Pattern, Patterns};
+pub use track::{BodyMotion, Patterns};
 
 /// Points of a cylinder's rim that rest on the floor.
 pub const RIM_POINTS: usize = 48;

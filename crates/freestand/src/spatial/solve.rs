@@ -1,10 +1,10 @@
 //! The solver: it follows the bodies from step to step and from event to event.
 
-use super::equation::{
-    BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY,
-    World,
-};
-use super::track::{BodyMotion, Seen, Track};
+use super::element::{Element, Grip, Role};
+use super::equation::{Foot, Grips, LEN, Line, Poses, SLIP, State, World};
+use super::pose::{BODY, PLACE, SPIN, TURN, VELOCITY};
+use super::seen::Seen;
+use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
 use crate::compliant::step::{Scales, Step};
@@ -542,7 +542,7 @@ fn sizes(world: &World<'_>, unit_s: f64) -> State {
     let mut sizes = [1.0; LEN];
     let (mut most_j, behind) = (0.0f64, world.behind());
     for (index, body) in world.bodies.iter().enumerate() {
-        let own = |element: &&super::equation::Element<'_>| {
+        let own = |element: &&Element<'_>| {
             element.role != Role::Wall && [element.point_of, element.face_of].contains(&Some(index))
         };
         let elements = || world.elements.iter().filter(own);

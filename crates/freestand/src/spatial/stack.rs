@@ -1,6 +1,7 @@
 //! A stack: an upper body on a lower one, in the plane.
 
-use super::equation::{Element, Rigid, Role, World};
+use super::element::{Element, Role};
+use super::equation::{Rigid, World};
 use super::solve::{Ended, follow};
 use super::track::{BodyMotion, Patterns};
 use super::{BaseLandings, Shape, SpatialOptions, SpatialPiece, SpatialStart, Support};

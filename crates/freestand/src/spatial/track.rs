@@ -3,15 +3,13 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
+use super::element::Role;
+use super::equation::{Line, Poses, State, World};
 use super::landings::Landings;
-use crate::compliant::step::Step;
+use super::pose::{BODY, Pose, TURN};
+use super::seen::{HEADROOM, Pattern, Seen, tilts};
 use crate::rocking::Outcome;
 use crate::search::bisect;
-
-/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
-/// vibration on the cushions.
-const HEADROOM: f64 = 0.8;
 
 /// What one body did. Tilts are angles of its axis to the vertical; `tilt_x` and `tilt_y` are those
 /// of the projections of the axis, positive to the right and to the back.
@@ -60,97 +58,6 @@ pub struct Patterns {
     pub together_ratio: f64,
     /// The upper body rocks alone.
     pub upper_alone_ratio: f64,
-}
-
-/// How the bodies of a stack move at an instant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pattern {
-    /// Neither body has an edge off its support.
-    Rest,
-    /// Both rock, about edges on the same side.
-    Same,
-    /// Both rock, about edges on opposite sides.
-    Opposite,
-    /// The lower body rocks and carries the upper one along.
-    Together,
-    /// The upper body rocks alone.
-    UpperAlone,
-}
-
-/// A step with everything needed to evaluate it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Seen<'a, 'b> {
-    pub(super) world: &'a World<'b>,
-    pub(super) grips: &'a Grips,
-    pub(super) step: &'a Step<LEN>,
-    /// The poses at its start and at its end.
-    pub(super) ends: &'a [Poses; 2],
-}
-
-impl Seen<'_, '_> {
-    /// How the bodies of a stack move in the middle of the step.
-    pub(super) fn pattern(&self) -> Pattern {
-        let is_open = |role: Role| {
-            self.world
-                .elements
-                .iter()
-                .zip(self.grips.each())
-                .any(|(element, grip)| element.role == role && !grip.carries())
-        };
-        let middle = self.world.poses(&self.state(0.5));
-        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
-        match (is_open(Role::Base), is_open(Role::Interface)) {
-            (false, false) => Pattern::Rest,
-            (true, false) => Pattern::Together,
-            (false, true) => Pattern::UpperAlone,
-            (true, true) if lower * (upper - lower) >= 0.0 => Pattern::Same,
-            (true, true) => Pattern::Opposite,
-        }
-    }
-
-    fn time_s(&self, share: f64) -> f64 {
-        self.step.start_s + share * self.step.length_s
-    }
-
-    pub(super) fn state(&self, share: f64) -> State {
-        if share == 0.0 {
-            self.step.start
-        } else if share == 1.0 {
-            self.step.end
-        } else {
-            self.step.state(share)
-        }
-    }
-
-    /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
-    /// where its rate falls through zero. `of` gives the value and its rate.
-    fn crest(&self, best: f64, of: impl Fn(&Poses) -> (f64, f64)) -> Option<(f64, f64)> {
-        let [from, to] = [of(&self.ends[0]), of(&self.ends[1])];
-        let ends = from.0.max(to.0);
-        if ends <= 0.0 || ends < HEADROOM * best {
-            return None;
-        }
-        let mut most = if from.0 > to.0 {
-            (0.0, from.0)
-        } else {
-            (1.0, to.0)
-        };
-        if from.1 > 0.0 && to.1 <= 0.0 {
-            let inside = |share: f64| of(&self.world.poses(&self.step.state(share)));
-            let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
-            let top = inside(share).0;
-            if top > most.1 {
-                most = (share, top);
-            }
-        }
-        (most.1 > best).then_some(most)
-    }
-}
-
-/// `tilt_x` and `tilt_y` of an axis; a history ends where it is horizontal, within rounding.
-pub(super) fn tilts(axis: &[f64; 3]) -> [f64; 2] {
-    let up = axis[2].max(0.0);
-    [axis[0].atan2(up), axis[1].atan2(up)]
 }
 
 pub(super) fn yaw(turn: &[f64]) -> f64 {

@@ -20,6 +20,7 @@ mod chatter;
 mod degree;
 mod quiet;
 mod ranks;
+mod rocker;
 mod series;
 mod shaking;
 mod tile;
@@ -36,9 +37,10 @@ use super::{
 use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
 use degree::DEGREES;
+use rocker::{EdgeTerms, Rocker};
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
-use tile::{EdgeTerms, Record, Rocker, State, Tile, WallRecord};
+use tile::{Record, State, Tile, WallRecord};
 
 /// Largest number of blocks in a tile: enough of them have an event in the same step to fill a
 /// vector, and all of them fit in the cache.

@@ -2,7 +2,7 @@
 //! impacts, so no steps are needed.
 
 use super::chatter::Trace;
-use super::tile::{EdgeTerms, Rocker};
+use super::rocker::{EdgeTerms, Rocker};
 
 /// The response of a block from the end of the motion until it rests.
 #[derive(Debug, Clone, Copy, Default)]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::tile::Rocker;
+use super::rocker::Rocker;
 use crate::vector::Column;
 
 /// Number of blocks in a rank: two of the widest vectors.

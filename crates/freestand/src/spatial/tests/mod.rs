@@ -4,7 +4,8 @@ mod walls;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::equation::{Grip, Grips, Line};
+use super::element::Grip;
+use super::equation::{Grips, Line};
 use super::*;
 use crate::G0_M_S2;
 use crate::block::Block;

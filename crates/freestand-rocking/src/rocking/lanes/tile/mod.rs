@@ -4,8 +4,6 @@
 mod events;
 mod waiting;
 
-use std::f64::consts::FRAC_PI_2;
-
 use pulp::Arch;
 
 use super::batch::{BATCH, Batch};
@@ -13,47 +11,9 @@ use super::chatter::Trace;
 use super::degree::Degree;
 use super::quiet::tail;
 use super::ranks::{Moving, NONE, Ranks};
+use super::rocker::{EdgeTerms, Rocker};
 use super::shaking::{Interval, Shaking};
 use crate::rocking::{MAX_IMPACTS, REST_OMEGA_RAD_S};
-
-/// The constants of a block in the kernel.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Rocker {
-    /// About the right edge (s = 1) and about the left one (s = −1).
-    pub(super) edges: [EdgeTerms; 2],
-    /// Restitution of a landing on each edge.
-    pub(super) restitution: [f64; 2],
-}
-
-/// The constants of a block rotating about one edge, in units of the step:
-/// ÿ = −(E cos y − D sin y), E = a(1+ü_v/g) + s b ü_h/g, D = b(1+ü_v/g) − s a ü_h/g, a = x² sin α,
-/// b = x² cos α.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct EdgeTerms {
-    pub(super) alpha: f64,
-    /// p²h².
-    pub(super) x2: f64,
-    /// a/b: tan α; infinite where the block at rest touches the wall, so that nothing lifts it.
-    pub(super) threshold: f64,
-    pub(super) b: f64,
-    /// θ_c of the wall, or π/2 without one.
-    pub(super) ceiling: f64,
-}
-
-impl EdgeTerms {
-    pub(super) fn has_wall(&self) -> bool {
-        self.ceiling < FRAC_PI_2
-    }
-
-    pub(super) fn touches_wall(&self) -> bool {
-        self.ceiling == 0.0
-    }
-
-    /// Whether a block at the wall is past its balance point.
-    fn is_past_balance(&self) -> bool {
-        self.ceiling >= self.alpha
-    }
-}
 
 /// The response of a block so far.
 #[derive(Debug, Clone, Copy, Default)]

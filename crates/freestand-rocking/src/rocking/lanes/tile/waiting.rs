@@ -1,7 +1,8 @@
 //! Blocks at rest, until the base lifts them.
 
-use super::{EdgeTerms, Lift, Rocker, State, Tile};
+use super::{Lift, State, Tile};
 use crate::rocking::lanes::ranks::{Moving, NONE, SIDES};
+use crate::rocking::lanes::rocker::{EdgeTerms, Rocker};
 use crate::rocking::lanes::shaking::Interval;
 
 impl Tile<'_> {
