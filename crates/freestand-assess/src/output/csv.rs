@@ -36,7 +36,7 @@ impl CsvTable {
             bytes: 0,
             text: String::new(),
         };
-        for column in COLUMNS {
+        for column in COLUMNS.iter() {
             table.field(&Cell::text(column.name))?;
         }
         for name in carried_names(&inventory.carried) {
@@ -48,7 +48,7 @@ impl CsvTable {
 
     /// One object.
     pub(super) fn row(&mut self, inventory: &Inventory, line: &Line) -> Result<(), Problem> {
-        for column in COLUMNS {
+        for column in COLUMNS.iter() {
             self.field(&(column.cell)(line))?;
         }
         for cell in carried_cells(inventory, line.item) {

@@ -88,7 +88,7 @@ fn value(cell: Cell<'_>) -> ParquetValue<'_> {
 /// All columns, in order.
 fn columns(inventory: &Inventory) -> Vec<ParquetColumn> {
     let mut columns = Vec::new();
-    for column in COLUMNS {
+    for column in COLUMNS.iter() {
         let holds = match column.kind {
             Kind::Text | Kind::Decision => ColumnType::Text,
             Kind::Number | Kind::Share | Kind::Ranked => ColumnType::Number,

@@ -74,7 +74,7 @@ fn the_columns_of_the_contract_are_there() {
         assert!(names.contains(&name), "{name}");
     }
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
-    for column in COLUMNS {
+    for column in COLUMNS.iter() {
         let ends = |suffix: &str| {
             column.name.ends_with(suffix) || column.name.contains(&format!("{suffix}_"))
         };
